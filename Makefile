@@ -1,0 +1,52 @@
+# make demo    from nothing to a page of labelled homes: .venv, install, 12 scenes, gallery
+# make test    everything CI runs: ruff, mypy, pytest
+# make lint    ruff and mypy only
+# make docs    write docs/commands.md anew from the commands themselves
+# make assets  make all models again with Blender (minutes to hours; not needed to build homes)
+# make clean   remove what the targets above left, .venv too
+
+PYTHON3 := $(firstword $(foreach name,python3 python3.11 python3.10 python,$(shell command -v $(name))))
+BIN := .venv/bin
+BLENDER ?= blender
+DEMO_OUT ?= output/demo
+DEMO_OPTIONS ?= --n 12 --seed 7 --views 6 --size 480x360
+PYTEST_OPTIONS ?=
+
+.PHONY: help demo test lint docs assets clean env dev-env
+.DEFAULT_GOAL := help
+
+help:
+	@sed -n 's/^# make/make/p' Makefile
+
+env:
+	@test -n "$(PYTHON3)" || { echo "error: no Python 3 found; install Python 3.11" >&2; exit 1; }
+	@$(PYTHON3) scripts/setup_env.py
+
+dev-env:
+	@test -n "$(PYTHON3)" || { echo "error: no Python 3 found; install Python 3.11" >&2; exit 1; }
+	@$(PYTHON3) scripts/setup_env.py --extras dev
+
+demo: env
+	$(BIN)/sdgen build $(DEMO_OPTIONS) --out $(DEMO_OUT)
+	$(BIN)/sdgen view $(DEMO_OUT)
+
+lint: dev-env
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check --quiet .
+	$(BIN)/mypy
+
+test: lint
+	$(BIN)/python -m pytest $(PYTEST_OPTIONS)
+
+docs: dev-env
+	$(BIN)/python scripts/command_reference.py > docs/commands.md
+
+assets:
+	@command -v $(BLENDER) >/dev/null || { echo "error: 'make assets' needs Blender 3.4 or newer (apt-get install blender), or BLENDER=/path/to/blender" >&2; exit 1; }
+	PYTHONDONTWRITEBYTECODE=1 $(BLENDER) --background --factory-startup --python assets/blender/build.py -- --all
+	@$(PYTHON3) scripts/setup_env.py --extras dev,assets
+	$(BIN)/python -B assets/blender/assemble.py
+
+clean:
+	rm -rf .venv build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis $(DEMO_OUT)
+	find assets benchmarks examples generator scripts tests -name __pycache__ -prune -exec rm -rf {} + 2>/dev/null || true

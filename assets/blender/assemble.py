@@ -1,0 +1,171 @@
+"""Merge build/assets/*.json into assets/manifest.yaml and write the hulls (no Blender needed).
+
+Entries not rebuilt are kept. `--remove ID...` drops entries and their files.
+Needs numpy, trimesh with scipy, coacd and PyYAML.
+"""
+
+from __future__ import annotations
+
+import argparse
+import fcntl
+import json
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+import trimesh
+import yaml
+
+ASSETS = Path(__file__).resolve().parent.parent
+RECORDS = ASSETS.parent / "build" / "assets"
+MAX_VERTICES = 32
+HEAD = "# Written by blender/assemble.py; see README.md for the fields.\n"
+
+
+def part_mesh(glb: Path, name: str) -> trimesh.Trimesh:
+    """A part's triangles, read straight from our GLB (float32), back to Z up, vertices merged."""
+    raw = glb.read_bytes()
+    length = int.from_bytes(raw[12:16], "little")
+    document, blob = json.loads(raw[20 : 20 + length]), raw[28 + length :]
+    node = next(n for n in document["nodes"] if n["name"] == name)
+    primitive = document["meshes"][node["mesh"]]["primitives"][0]
+
+    def read(accessor: int, kind: str, width: int) -> np.ndarray:
+        a = document["accessors"][accessor]
+        start = document["bufferViews"][a["bufferView"]]["byteOffset"]
+        return np.frombuffer(blob, kind, a["count"] * width, start).reshape(-1, width)
+
+    p = read(primitive["attributes"]["POSITION"], "<f4", 3)[:, [0, 2, 1]] * [1, -1, 1]
+    faces = read(primitive["indices"], "<u2", 1).reshape(-1, 3)
+    mesh = trimesh.Trimesh(p, faces, process=True)
+    mesh.merge_vertices(merge_tex=True, merge_norm=True)
+    return mesh
+
+
+def simplify_hull(points: np.ndarray) -> np.ndarray:
+    """The corners of the convex hull, thinned to those that carry its shape."""
+    points = np.asarray(points, float)
+    hull = trimesh.convex.convex_hull(points).vertices
+    if len(hull) <= MAX_VERTICES:
+        return hull
+    chosen = [int(hull[:, 0].argmin())]  # extremes along the axes first, then farthest points
+    for axis in range(3):
+        chosen += [int(hull[:, axis].argmin()), int(hull[:, axis].argmax())]
+    chosen = list(dict.fromkeys(chosen))
+    distance = np.min([np.linalg.norm(hull - hull[i], axis=1) for i in chosen], axis=0)
+    while len(chosen) < MAX_VERTICES:
+        k = int(distance.argmax())
+        chosen.append(k)
+        distance = np.minimum(distance, np.linalg.norm(hull - hull[k], axis=1))
+    return hull[sorted(chosen)]
+
+
+def decompose(mesh: trimesh.Trimesh) -> list[np.ndarray]:
+    import coacd
+
+    coacd.set_log_level("error")
+    pieces = coacd.run_coacd(
+        coacd.Mesh(mesh.vertices, mesh.faces), threshold=0.08, max_convex_hull=12, seed=1, resolution=1000,
+        mcts_iterations=60, mcts_nodes=10, preprocess_resolution=40,
+    )  # fmt: skip
+    return [np.asarray(v) for v, _ in pieces]
+
+
+def hull_pieces(entry: dict, collision: dict) -> list[dict]:
+    pieces = []
+    for part, wish in collision.items():
+        if wish == "none":
+            continue
+        if wish == "hull":
+            found = [part_mesh(ASSETS / entry["mesh"], part).vertices]
+        elif wish == "coacd":
+            found = decompose(part_mesh(ASSETS / entry["mesh"], part))
+        else:
+            found = [np.array(p) for p in wish]
+        for points in found:
+            corners = simplify_hull(points)
+            pieces.append({"part": part, "vertices_m": np.round(corners, 4).tolist()})
+    return pieces
+
+
+def check(entry: dict) -> list[str]:
+    problems = []
+    total = sum(p["faces"] for p in entry["parts"] if p["name"] in entry["variants"]["default"])
+    limit = 2500 if max(entry["extents_m"]) > 0.6 else 800
+    if total > limit:
+        problems.append(f"{entry['id']}: {total} faces, more than {limit}")
+    if not (ASSETS / entry["texture"]).exists() or not (ASSETS / entry["mesh"]).exists():
+        problems.append(f"{entry['id']}: a file is missing")
+    return problems
+
+
+def dump(entries: list[dict], surfaces: list[dict]) -> str:
+    """Block style for the records, one flow line for each thing inside them."""
+
+    def flow(value) -> str:
+        text = yaml.safe_dump(value, default_flow_style=True, width=10**9, sort_keys=False, allow_unicode=True)
+        return text.strip().removesuffix("...").strip()
+
+    lines = [HEAD + "assets:"]
+    for entry in entries:
+        lead = "- "
+        for key, value in entry.items():
+            if key in ("parts", "joints", "states", "supports", "containers") and value:
+                lines.append(f"{lead}{key}:")
+                lines += [f"    - {flow(item)}" for item in value]
+            elif key == "variants":
+                lines.append(f"{lead}{key}:")
+                lines += [f"    {flow(name)}: {flow(parts)}" for name, parts in value.items()]
+            else:
+                lines.append(f"{lead}{key}: {flow(value)}")
+            lead = "  "
+    lines.append("surfaces:" if surfaces else "surfaces: []")
+    lines += [f"- {flow(s)}" for s in surfaces]
+    return "\n".join(lines) + "\n"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--remove", nargs="*", default=[], metavar="ID")
+    parser.add_argument("--hulls", action="store_true", help="make all hulls anew")
+    options = parser.parse_args()
+    RECORDS.mkdir(parents=True, exist_ok=True)
+    target = ASSETS / "manifest.yaml"
+    with open(RECORDS / ".lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # two people may assemble at once
+        old = yaml.safe_load(target.read_text()) if target.exists() else {}
+        entries = {e["id"]: e for e in (old or {}).get("assets") or []}
+        surfaces = {s["id"]: s for s in (old or {}).get("surfaces") or []}
+        for path in sorted((RECORDS / "surfaces").glob("*.json")):
+            surfaces[path.stem] = json.loads(path.read_text())
+        for asset_id in options.remove:
+            entry = entries.pop(asset_id, None)
+            (RECORDS / f"{asset_id}.json").unlink(missing_ok=True)
+            for key in ("mesh", "hulls", "texture") if entry else ():
+                (ASSETS / entry[key]).unlink(missing_ok=True)
+        failures = 0
+        for path in sorted(RECORDS.glob("*.json")):
+            try:
+                entry = json.loads(path.read_text())
+                collision = entry.pop("collision")
+                hulls = ASSETS / entry["hulls"]
+                if options.hulls or not hulls.exists() or hulls.stat().st_mtime < path.stat().st_mtime:
+                    pieces = hull_pieces(entry, collision)
+                    hulls.write_text(json.dumps({"pieces": pieces}, separators=(",", ":")) + "\n")
+                    print(f"{entry['id']}: {len(pieces)} convex pieces")
+                entries[entry["id"]] = entry
+            except Exception as error:  # one bad record must not stop the others
+                failures += 1
+                print(f"FAILED {path.name}: {error!r}")
+        ordered = [entries[k] for k in sorted(entries)]
+        temporary = target.with_suffix(".tmp")
+        temporary.write_text(dump(ordered, [surfaces[k] for k in sorted(surfaces)]))
+        os.replace(temporary, target)
+    problems = [p for e in ordered for p in check(e)]
+    print("\n".join([*problems, f"{len(ordered)} models, {len(surfaces)} surfaces in {target.name}"]))
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

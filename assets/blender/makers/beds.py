@@ -1,0 +1,141 @@
+"""Beds, made up: mattress, blanket and pillows."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from toolkit.materials import Material
+from toolkit.mesh import Mesh, cube_project
+from toolkit.model import Maker, Model
+from toolkit.sampling import noise_offset, pick
+from toolkit.shapes import loft
+
+from .joinery import Assembly, cushion, fabric, finish, leg, surface
+
+Offset = tuple[float, float, float]
+
+
+def bed(
+    width: float = 1.6, length: float = 2.05, wood: str = "oak", blanket: str = "#7f93a8", sheet: str = "#eeebe4",
+    headboard: str = "panel", throw: str | None = None, offset: Offset = (0, 0, 0),
+) -> Model:  # fmt: skip
+    """A bed with its head at the back (-X): frame, headboard, mattress, blanket, pillows.
+
+    headboard: "panel" of wood, "slats", or "padded"; throw: colour of a strip across the foot.
+    """
+    asm, half, x0, x1 = Assembly(), width / 2, -length / 2, length / 2
+    cross, along = finish(wood, 1, offset), finish(wood, 0, offset)
+    upright = finish(wood, 2, offset)
+    rail_z, rail_top, mattress_top, head_z = 0.16, 0.32, 0.47, 1.0
+    for side in (-1, 1):
+        low, high = sorted((side * half, side * (half - 0.03)))
+        asm.board("body", (x0 + 0.05, low, rail_z), (x1, high, rail_top), along, 0.006)
+    asm.board("body", (x1 - 0.03, -half + 0.03, rail_z), (x1, half - 0.03, rail_top), cross, 0.006)
+    for x in (x0 + 0.12, x1 - 0.1):
+        for y in (-half + 0.07, half - 0.07):
+            leg(asm, "body", (x, y), (x, y), (0, rail_z + 0.02), (0.024, 0.03), upright, 4)
+    asm.board("body", (x0 + 0.05, -half + 0.03, rail_z + 0.06), (x1 - 0.03, half - 0.03, rail_z + 0.09), cross)
+    if headboard == "padded":
+        cloth = fabric(blanket, offset, 0.07)
+        columns = 4
+        step = width / columns
+        for k in range(columns):
+            pad = cushion((head_z - 0.3, step - 0.004, 0.045), (0, 0, 0), cloth, 0.025, 0.012, 0.02)
+            pad.turn(ry=np.pi / 2).move(x0 + 0.02, -half + (k + 0.5) * step, (head_z + 0.3) / 2)
+            asm.add("body", pad)
+        asm.board("body", (x0, -half, 0.06), (x0 + 0.04, half, head_z), cross, 0.01)
+        asm.solid("body", (x0, -half, 0.3), (x0 + 0.08, half, head_z))
+    elif headboard == "slats":
+        for y in (-half, half - 0.05):
+            asm.board("body", (x0, y, 0), (x0 + 0.05, y + 0.05, head_z), upright, 0.008)
+        for z in (0.42, head_z - 0.1):
+            asm.board("body", (x0 + 0.012, -half + 0.05, z), (x0 + 0.038, half - 0.05, z + 0.08), cross, 0.005)
+        for y in np.linspace(-half + 0.16, half - 0.16, 7):
+            asm.board("body", (x0 + 0.018, y - 0.02, 0.5), (x0 + 0.032, y + 0.02, head_z - 0.1), upright)
+    else:
+        asm.board("body", (x0, -half, 0.06), (x0 + 0.05, half, head_z), cross, 0.012, segments=2)
+    white = fabric(sheet, offset, 0.025)
+    mattress_low = rail_z + 0.09
+    size = (length - 0.1, width - 0.08, mattress_top - mattress_low)
+    mattress = cushion(size, (0.025, 0, mattress_low), white, 0.06, 0.01, 0.05)
+    asm.add("body", mattress, solid=True)
+    # the blanket hangs over both sides and the foot; its upper edge is turned down
+    cloth = fabric(blanket, offset, 0.05)
+    cover_x0, cover_x1 = x0 + 0.62, x1 - 0.04
+    asm.add("body", _blanket(cover_x0, cover_x1, width, rail_top - 0.1, mattress_top, cloth, offset, True))
+    fold = cushion((0.22, width - 0.045, 0.018), (cover_x0 + 0.1, 0, mattress_top + 0.022), white, 0.05, 0.006, 0.012)
+    asm.add("body", fold)
+    if throw:
+        strip = _blanket(x1 - 0.62, x1 - 0.22, width + 0.012, rail_top - 0.04, mattress_top + 0.008, fabric(throw, offset), offset)
+        asm.add("body", strip)
+    count = 2 if width >= 1.3 else 1
+    for k in range(count):
+        y = (k - (count - 1) / 2) * (width * 0.47)
+        wide = min(0.68, width * 0.78)
+        pillow = cushion((0.42, wide, 0.07), (0, 0, 0), white, 0.09, 0.035, 0.045)
+        pillow.turn(ry=-0.28).move(x0 + 0.33, y, mattress_top + 0.055)
+        asm.add("body", pillow)
+        asm.solid("body", (x0 + 0.12, y - wide / 2, mattress_top), (x0 + 0.54, y + wide / 2, mattress_top + 0.12))
+    low, high = (cover_x0 + 0.25, -half + 0.1), (x1 - 0.1, half - 0.1)
+    asm.solid("body", (cover_x0, -half + 0.02, mattress_top), (x1 - 0.03, half - 0.02, mattress_top + 0.03))
+    return Model(
+        title=f"{'double' if width >= 1.3 else 'single'} bed, {wood} frame",
+        parts=asm.parts(),
+        mass=55.0,
+        supports=[surface("top", low, high, mattress_top + 0.033)],
+        ground_shadow=True,
+    )
+
+
+def _blanket(
+    x0: float, x1: float, width: float, hem: float, top: float, mat: Material, offset: Offset, drop: bool = False
+) -> Mesh:
+    """Cloth over the mattress: rounded at the edges, softly waved; `drop` hangs it over the foot."""
+    half, thick = width / 2, 0.03
+    across = [(-half - 0.008, hem), (-half - 0.014, (hem + top) / 2), (-half + 0.004, top - 0.01), (-half + 0.05, top + thick * 0.8)]
+    across += [(y, top + thick) for y in np.linspace(-half + 0.2, half - 0.2, 5)]
+    across += [(-y, z) for y, z in across[3::-1]]
+    phase = np.array(offset[:2]) % 6.28
+    # (x, how high the cloth may reach): level along the bed, then down over the foot
+    stations = [(x, top + thick) for x in np.linspace(x0, x1, 8)]
+    if drop:
+        stations += [(x1 + 0.03, top + 0.012), (x1 + 0.042, top - 0.03), (x1 + 0.046, hem + 0.004)]
+    rings = []
+    for x, roof in stations:
+        wave = [0.004 * np.sin(9 * x + 3 * y + phase[0]) + 0.003 * np.sin(7 * y - 5 * x + phase[1]) for y, _ in across]
+        outer = [
+            (x, y + 1.5 * w * np.sign(y) * (abs(y) > half - 0.02), min(z + w * (abs(y) < half), roof))
+            for (y, z), w in zip(across, wave, strict=True)
+        ]
+        lining = roof - 0.016 if roof > top else roof - 0.002
+        inner = [
+            (x - 0.018 * (roof <= top + 0.02), y * (half - 0.018) / half, max(min(z - 0.016, lining), hem))
+            for y, z in across
+        ]
+        rings.append(np.array(outer + inner[::-1]))
+    return cube_project(loft(rings, mat))
+
+
+def bed_random(rng: np.random.Generator) -> dict:
+    """Parameters of a random bed."""
+    return {
+        "width": pick(rng, [1.0, 1.4, 1.6]),
+        "wood": pick(rng, ["oak", "walnut", "#e9e7e1"]),
+        "blanket": pick(rng, ["#7f93a8", "#8a9a7e", "#b98372", "#c9b79a"]),
+        "headboard": pick(rng, ["panel", "slats", "padded"]),
+        "throw": pick(rng, [None, "#c9a24b", "#5d6d7c"]),
+        "offset": noise_offset(rng),
+    }
+
+
+MODELS = {
+    "bed": Maker(
+        bed,
+        bed_random,
+        2,
+        [
+            {"width": 1.6, "wood": "oak", "headboard": "panel", "blanket": "#7f93a8", "throw": "#d3b56a"},
+            {"width": 1.0, "wood": "#e9e7e1", "headboard": "slats", "blanket": "#8fa184", "throw": None},
+        ],
+    ),
+}

@@ -1,0 +1,255 @@
+"""Tileable room surfaces (floors, walls, ceiling), painted with numpy alone.
+
+Plain Python, no Blender: ``python assets/blender/surfaces.py`` writes
+``assets/textures/surface_<id>.png`` and the records that ``assemble.py`` puts under
+``surfaces:`` of the manifest. Each surface draws from its own generator, seeded by its id, so
+that adding one never changes another. Everything wraps around at the edges: the noise is shaped
+in Fourier space, and the grids divide the tile evenly.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from zlib import crc32
+
+import numpy as np
+from PIL import Image
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+TEXTURES = REPOSITORY / "assets" / "textures"
+RECORDS = REPOSITORY / "build" / "assets" / "surfaces"
+
+Array = np.ndarray
+
+
+def colour(code: str) -> Array:
+    """``'#c8a070'`` as three floats in 0…1 (sRGB, as stored)."""
+    code = code.lstrip("#")
+    return np.array([int(code[i : i + 2], 16) / 255 for i in (0, 2, 4)])
+
+
+def tile_noise(
+    rng: np.random.Generator,
+    size: int,
+    fineness: float,
+    stretch: tuple[float, float] = (1.0, 1.0),
+    slope: float = 1.5,
+) -> Array:
+    """Periodic noise of zero mean and unit deviation, (size, size).
+
+    ``fineness`` is the feature count along the tile; ``stretch`` > 1 lengthens the features
+    along (rows, columns); ``slope`` is how fast finer detail fades.
+    """
+    spectrum = np.fft.rfft2(rng.standard_normal((size, size)))
+    row = np.fft.fftfreq(size, 1 / size)[:, None] * stretch[0]
+    col = np.fft.rfftfreq(size, 1 / size)[None, :] * stretch[1]
+    radius = np.hypot(row, col) / fineness
+    weight = radius**2 / (1 + radius ** (2 + 2 * slope))
+    field = np.fft.irfft2(spectrum * weight, s=(size, size))
+    return (field - field.mean()) / field.std()
+
+
+def soft_line(distance_px: Array, width_px: float) -> Array:
+    """1 on a line, 0 beside it, with one pixel of blur."""
+    return np.clip(width_px / 2 + 0.5 - distance_px, 0, 1)
+
+
+def planks(
+    rng: np.random.Generator,
+    light: str,
+    dark: str,
+    rows: int = 12,
+    size: int = 512,
+    spread: float = 0.35,
+    groove: float = 0.42,
+) -> Array:
+    """Floor boards along the columns, each with its own tone and grain, joints staggered."""
+    y, x = np.mgrid[0:size, 0:size]
+    height = size / rows
+    row = (y // height).astype(int)
+    across = np.minimum(y % height, height - y % height)
+    grain_fine = tile_noise(rng, size, 90, (1, 14), 0.8)
+    grain_broad = tile_noise(rng, size, 22, (1, 9), 1.2)
+    pores = tile_noise(rng, size, 160, (1, 10), 0.4)
+    tone = np.zeros((size, size))
+    line = soft_line(across, 1.2) * 0.8
+    shift = np.zeros((size, size), int)
+    start = 0
+    for r in range(rows):
+        # Two boards a row; the joint moves by more than a fifth of a tile from row to row.
+        start = (start + int(rng.integers(size // 5, size // 2))) % size
+        length = int(rng.integers(size * 2 // 5, size * 3 // 5))
+        place = (np.arange(size) - start) % size
+        first = place < length
+        inside = row == r
+        tones = rng.normal(0, spread, 2)
+        shifts = rng.integers(0, size, 2)
+        tone[inside] = np.broadcast_to(np.where(first, *tones), (size, size))[inside]
+        shift[inside] = np.broadcast_to(np.where(first, *shifts), (size, size))[inside]
+        edge = np.minimum.reduce([place, size - place, np.abs(place - length)])
+        joint = np.broadcast_to(soft_line(edge, 1.2) * 0.8, (size, size))
+        line[inside] = np.maximum(line, joint)[inside]
+    rolled = (x + shift) % size
+    source = (y + shift * 7) % size
+    grain = 0.55 * grain_broad[source, rolled] + 0.35 * grain_fine[source, rolled]
+    mixture = np.clip(0.5 + 0.22 * tone + 0.13 * grain, 0, 1)[..., None]
+    image = colour(dark) * (1 - mixture) + colour(light) * mixture
+    image *= 1 - 0.07 * np.clip(pores[source, rolled] - 1.0, 0, 1.5)[..., None]
+    return image * (1 - groove * line[..., None])
+
+
+def tiles(
+    rng: np.random.Generator,
+    base: str,
+    joint: str,
+    count: int,
+    columns: int | None = None,
+    offset: bool = False,
+    size: int = 512,
+    spread: float = 0.012,
+    cloud: float = 0.015,
+    joint_px: float = 3.0,
+) -> Array:
+    """Ceramic tiles: ``count`` rows, ``columns`` columns, a soft bevel and a grout joint."""
+    columns = columns or count
+    y, x = np.mgrid[0:size, 0:size]
+    high, wide = size / count, size / columns
+    row = (y // high).astype(int)
+    moved = (x + np.where((row % 2 == 1) & offset, wide / 2, 0)) % size
+    col = (moved // wide).astype(int)
+    to_row = np.minimum(y % high, high - y % high)
+    to_col = np.minimum(moved % wide, wide - moved % wide)
+    border = np.minimum(to_row, to_col)
+    tone = rng.normal(0, spread, (count, columns))[row, col]
+    turn = rng.integers(0, size, (count, columns))[row, col]
+    broad = tile_noise(rng, size, 7, (1, 1), 0.75)[(y + turn) % size, (x + 3 * turn) % size]
+    fine = tile_noise(rng, size, 160, (1, 1), 0.3)
+    image = colour(base) * (1 + tone + cloud * broad + 0.006 * fine)[..., None]
+    # A lit upper-left and a shaded lower-right edge make each tile slightly cushioned.
+    bevel = np.clip(1 - (border - joint_px / 2) / 4, 0, 1)
+    lit = np.where(np.minimum(y % high, moved % wide) == border, 1.0, -1.0)
+    image *= (1 + 0.035 * bevel * lit)[..., None]
+    grout = soft_line(border, joint_px)[..., None]
+    grit = 1 + 0.03 * tile_noise(rng, size, 200, (1, 1), 0.2)[..., None]
+    return image * (1 - grout) + colour(joint) * grit * grout
+
+
+def plaster(rng: np.random.Generator, base: str, size: int = 256, rough: float = 1.0) -> Array:
+    """Painted wall: roller grain and very faint clouds."""
+    clouds = tile_noise(rng, size, 4, (1, 1), 1.6)
+    roller = tile_noise(rng, size, 110, (1, 1), 0.3)
+    relief = np.roll(roller, 1, 0) - np.roll(roller, -1, 0)
+    value = 1 + rough * (0.004 * clouds + 0.008 * roller + 0.004 * relief)
+    return colour(base) * value[..., None]
+
+
+def carpet(rng: np.random.Generator, base: str, size: int = 512) -> Array:
+    """Short pile: tufts in rough rows, two tones of yarn, wide brushed patches."""
+    tuft = tile_noise(rng, size, 230, (1, 1), 0.2)
+    yarn = tile_noise(rng, size, 120, (1, 1), 0.3)
+    brushed = tile_noise(rng, size, 5, (1, 1.6), 1.4)
+    value = 1 + 0.06 * tuft + 0.025 * yarn + 0.012 * brushed
+    image = colour(base) * value[..., None]
+    image += np.clip(yarn - 1.3, 0, 1)[..., None] * np.array([0.02, 0.02, 0.025])
+    return image
+
+
+Painter = Callable[[np.random.Generator], Array]
+DRY = ["living_room", "bedroom", "hall"]
+WET = ["kitchen", "bathroom"]
+
+# id: (kind, width of the tile in metres, room types, painter)
+SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
+    "wood_oak": (
+        "floor", 1.5, [*DRY, "kitchen"],
+        lambda rng: planks(rng, "#c8a273", "#9d7448"),
+    ),
+    "wood_walnut": (
+        "floor", 1.5, DRY,
+        lambda rng: planks(rng, "#916844", "#65442b", spread=0.4, groove=0.5),
+    ),
+    "wood_pale": (
+        "floor", 1.6, [*DRY, "kitchen"],
+        lambda rng: planks(rng, "#dccdb3", "#bda986", rows=10, spread=0.3, groove=0.3),
+    ),
+    "tile_white": (
+        "floor", 1.2, WET,
+        lambda rng: tiles(rng, "#dddcd7", "#a9a8a3", 4),
+    ),
+    "tile_slate": (
+        "floor", 1.6, [*WET, "hall"],
+        lambda rng: tiles(rng, "#777c80", "#5a5d5f", 4, spread=0.03, cloud=0.04),
+    ),
+    "tile_beige": (
+        "floor", 1.35, [*WET, "hall"],
+        lambda rng: tiles(rng, "#cdbda3", "#a39580", 3, spread=0.015, cloud=0.022),
+    ),
+    "carpet_grey": (
+        "floor", 1.0, ["bedroom", "living_room"],
+        lambda rng: carpet(rng, "#a3a19e"),
+    ),
+    "plaster_white": (
+        "wall", 1.0, [*DRY, *WET], lambda rng: plaster(rng, "#f3f1eb"),
+    ),
+    "plaster_warm": (
+        "wall", 1.0, [*DRY, "kitchen"], lambda rng: plaster(rng, "#efe2cb"),
+    ),
+    "plaster_sage": (
+        "wall", 1.0, ["living_room", "bedroom", "kitchen"],
+        lambda rng: plaster(rng, "#ccd5bf"),
+    ),
+    "plaster_blue": (
+        "wall", 1.0, ["bedroom", "living_room", "hall"], lambda rng: plaster(rng, "#c4d2dd"),
+    ),
+    "plaster_sand": (
+        "wall", 1.0, DRY, lambda rng: plaster(rng, "#e2ccab", rough=1.3),
+    ),
+    "tile_wall_white": (
+        "wall", 0.9, WET,
+        lambda rng: tiles(
+            rng, "#f1f2f0", "#c9cbca", 6, columns=3, offset=True, joint_px=2.5, spread=0.007,
+            cloud=0.006,
+        ),
+    ),
+    "ceiling_white": (
+        "ceiling", 1.0, [*DRY, *WET], lambda rng: plaster(rng, "#fafaf7", rough=0.7),
+    ),
+}
+
+
+def save_png(image: Array, path: Path) -> None:
+    """Write 0…1 floats as a PNG of at most 256 colours (no visible loss at these contrasts)."""
+    eight_bit = (np.clip(image, 0, 1) * 255 + 0.5).astype(np.uint8)
+    picture = Image.fromarray(eight_bit).quantize(
+        256, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE
+    )
+    picture.save(path, optimize=True)
+
+
+def surface(surface_id: str) -> Array:
+    """The picture of one surface, (size, size, 3) floats in 0…1."""
+    rng = np.random.default_rng([crc32(surface_id.encode()), 0])
+    return SURFACES[surface_id][3](rng)
+
+
+def main() -> None:
+    """Write every texture and the records."""
+    TEXTURES.mkdir(parents=True, exist_ok=True)
+    RECORDS.mkdir(parents=True, exist_ok=True)
+    for surface_id, (kind, size_m, rooms, _) in SURFACES.items():
+        name = f"surface_{surface_id}.png"
+        save_png(surface(surface_id), TEXTURES / name)
+        record = {
+            "id": surface_id,
+            "kind": kind,
+            "texture": f"textures/{name}",
+            "size_m": size_m,
+            "rooms": rooms,
+        }
+        (RECORDS / f"{surface_id}.json").write_text(json.dumps(record))
+
+
+if __name__ == "__main__":
+    main()

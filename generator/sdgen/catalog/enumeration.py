@@ -1,0 +1,90 @@
+"""The unique anomalies of a catalogue, its digest, and its fit with an asset library."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Collection, Mapping
+
+from sdgen.catalog.records import Catalog, PlaceRecipe, Recipe, UniqueAnomaly
+from sdgen.errors import InputError, did_you_mean
+
+
+def catalog_sha256(catalog: Catalog) -> str:
+    """SHA-256 of the resolved catalogue's canonical JSON (sorted keys, no white space)."""
+    data = catalog.model_dump(mode="json")
+    text = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    return hashlib.sha256(text.encode("ascii")).hexdigest()
+
+
+def enumerate_anomalies(catalog: Catalog) -> tuple[UniqueAnomaly, ...]:
+    """All unique anomalies, sorted and without repeats: what could be asked for."""
+    found = {
+        _key(item): item
+        for hazard in catalog.hazards
+        for recipe in hazard.anomalies
+        for item in _of_recipe(hazard.id, recipe)
+    }
+    return tuple(found[key] for key in sorted(found))
+
+
+def _key(item: UniqueAnomaly) -> tuple[str, ...]:
+    return tuple(part or "" for part in item.model_dump().values())
+
+
+def _of_recipe(hazard: str, recipe: Recipe) -> list[UniqueAnomaly]:
+    if not isinstance(recipe, PlaceRecipe):
+        return [
+            UniqueAnomaly(hazard=hazard, category=c, state=recipe.state, relation=None, target=None)
+            for c in recipe.categories
+        ]
+    return [
+        UniqueAnomaly(
+            hazard=hazard, category=c, state=recipe.state, relation=recipe.relation, target=target
+        )
+        for c in recipe.categories
+        for target in recipe.targets
+    ]
+
+
+def check_against_library(catalog: Catalog, library_states: Mapping[str, Collection[str]]) -> None:
+    """Check that every hazard can be made with the models there are.
+
+    ``library_states`` maps each category that has a model to the states its models can be in.
+    A recipe may name categories without a model (they are skipped) as long as one has one; a
+    state that none of its models knows is a problem. Raises InputError with all problems.
+    """
+    problems: list[str] = []
+    for hazard in catalog.hazards:
+        made = 0
+        for index, recipe in enumerate(hazard.anomalies):
+            where = f"hazard {hazard.id}: anomalies[{index}]"
+            present = [c for c in recipe.categories if c in library_states]
+            fitting = [c for c in present if _knows(recipe.state, library_states[c])]
+            if present and not fitting:
+                known = sorted({s for c in present for s in library_states[c]})
+                near = did_you_mean(recipe.state or "", known)
+                problems.append(
+                    f"{where}: no model of {', '.join(present)} can be {recipe.state}{near}"
+                )
+                made += 1
+            elif fitting and isinstance(recipe, PlaceRecipe):
+                targets = [t for t in recipe.targets if t == "floor" or t in library_states]
+                if not targets:
+                    problems.append(
+                        f"{where}: no model of any target ({', '.join(recipe.targets)})"
+                    )
+                made += 1
+            elif fitting:
+                made += 1
+        if not made:
+            names = sorted({c for recipe in hazard.anomalies for c in recipe.categories})
+            problems.append(
+                f"hazard {hazard.id}: no model of any of its objects ({', '.join(names)})"
+            )
+    if problems:
+        raise InputError(problems)
+
+
+def _knows(state: str | None, states: Collection[str]) -> bool:
+    return state is None or state in states

@@ -1,0 +1,349 @@
+"""What the hazard catalogue says, resolved and checked (``catalogue.json``)."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from sdgen.geometry import Vec3
+from sdgen.scene import Notify, Record
+
+Group = Literal["safety", "sanitation", "child_safety"]
+Label = Literal["unsafe", "unsanitary", "unsafe for children"]
+
+
+# --- the predicate language: one tagged record a term -------------------------------------------
+
+
+class CategoryTerm(Record):
+    """The object is of one of these categories."""
+
+    kind: Literal["category"] = "category"
+    any_of: tuple[str, ...]
+
+
+class StateTerm(Record):
+    """The object is in one of these states."""
+
+    kind: Literal["state"] = "state"
+    any_of: tuple[str, ...]
+
+
+class RelationTerm(Record):
+    """The object stands in ``relation`` to an object (or floor) of one of these categories.
+
+    Empty ``targets`` means any target. ``target_state`` further asks that the target be in
+    that state.
+    """
+
+    kind: Literal["relation"] = "relation"
+    relation: str
+    targets: tuple[str, ...] = ()
+    target_state: str | None = None
+
+
+class RoomTerm(Record):
+    """The object is in a room of one of these types."""
+
+    kind: Literal["room"] = "room"
+    any_of: tuple[str, ...]
+
+
+class HeightTerm(Record):
+    """Height of the object's lowest point above the floor, metres, within limits.
+
+    ``evidence`` names the measured height in the evidence (``reach_height_m`` where a child's
+    reach decides).
+    """
+
+    kind: Literal["height"] = "height"
+    min_m: float | None = None
+    max_m: float | None = None
+    margin_m: float = 0.03
+    evidence: Literal["height_m", "reach_height_m"] = "height_m"
+
+
+class DistanceTerm(Record):
+    """Gap between the object's box and the nearest object of one of these categories."""
+
+    kind: Literal["distance"] = "distance"
+    to: tuple[str, ...]
+    to_state: str | None = None
+    min_m: float | None = None
+    max_m: float | None = None
+    margin_m: float = 0.05
+
+
+class ZoneTerm(Record):
+    """At least half of the object's footprint lies in a zone of one of these kinds."""
+
+    kind: Literal["zone"] = "zone"
+    any_of: tuple[str, ...]
+    overlap: float = 0.5
+    margin: float = 0.15
+
+
+class AllTerm(Record):
+    """Every term holds."""
+
+    kind: Literal["all"] = "all"
+    terms: tuple[Predicate, ...]
+
+
+class AnyTerm(Record):
+    """Some term holds."""
+
+    kind: Literal["any"] = "any"
+    terms: tuple[Predicate, ...]
+
+
+class NotTerm(Record):
+    """The term does not hold."""
+
+    kind: Literal["not"] = "not"
+    term: Predicate
+
+
+Predicate = Annotated[
+    CategoryTerm
+    | StateTerm
+    | RelationTerm
+    | RoomTerm
+    | HeightTerm
+    | DistanceTerm
+    | ZoneTerm
+    | AllTerm
+    | AnyTerm
+    | NotTerm,
+    Field(discriminator="kind"),
+]
+AllTerm.model_rebuild()
+AnyTerm.model_rebuild()
+NotTerm.model_rebuild()
+
+
+# --- how to make an anomaly or a lookalike ------------------------------------------------------
+
+
+class PlaceRecipe(Record):
+    """Put a new object of one of ``categories`` (in ``state``, if any) ``relation`` a target.
+
+    ``targets`` are receptacle categories or ``floor``; ``zone`` asks for a spot in such a zone
+    (with target ``floor``), ``avoid_zones`` for one clear of them; ``rooms`` restricts rooms.
+    """
+
+    kind: Literal["place"] = "place"
+    categories: tuple[str, ...]
+    state: str | None = None
+    relation: Literal["ON", "INSIDE"]
+    targets: tuple[str, ...]
+    zone: tuple[str, ...] = ()
+    avoid_zones: tuple[str, ...] = ()
+    rooms: tuple[str, ...] = ()
+    min_height_m: float | None = None
+    max_height_m: float | None = None
+    weight: float = 1.0
+
+
+class SetRecipe(Record):
+    """Bring an object that the home already has into ``state`` (a joint or a mesh variant)."""
+
+    kind: Literal["set"] = "set"
+    categories: tuple[str, ...]
+    state: str
+    rooms: tuple[str, ...] = ()
+    weight: float = 1.0
+
+
+Recipe = Annotated[PlaceRecipe | SetRecipe, Field(discriminator="kind")]
+
+
+class Concern(Record):
+    """Whom a hazard concerns: everyone, or households with a member up to ``max_age``.
+
+    ``by_reach`` further asks that such a child can reach ``evidence.reach_height_m``.
+    """
+
+    who: Literal["everyone", "children"]
+    max_age: int | None = None
+    by_reach: bool = False
+
+
+class RemedyRule(Record):
+    """One step that undoes the anomaly: an action word, and where to, if anywhere."""
+
+    action: str
+    targets: tuple[str, ...] = ()
+
+
+class Hazard(Record):
+    """One class of the catalogue."""
+
+    id: str
+    title: str
+    paper_class: str = ""
+    group: Group
+    label: Label
+    concerns: Concern
+    urgency: Literal["high", "medium", "low"]
+    message: str
+    source: str
+    predicate: Predicate
+    relation: str | None = None
+    evidence_state: str | None = None
+    anomalies: tuple[Recipe, ...]
+    lookalikes: tuple[Recipe, ...] = ()
+    remedy: tuple[RemedyRule, ...]
+    pack: str = "core"
+
+
+class Abode(Record):
+    """Where a category normally lives: a prior for clutter."""
+
+    relation: Literal["ON", "INSIDE"]
+    targets: tuple[str, ...]
+    rooms: tuple[str, ...] = ()
+    weight: float = 1.0
+
+
+class Category(Record):
+    """An object category."""
+
+    name: str
+    superclass: str
+    extents_min_m: Vec3
+    extents_max_m: Vec3
+    mass_min_kg: float
+    mass_max_kg: float
+    properties: tuple[str, ...] = ()
+    lives: tuple[Abode, ...] = ()
+    kind: Literal["small", "furniture", "opening", "structure", "hazard_only"] = "small"
+
+
+class ClutterPrior(Record):
+    """How many small things a receptacle category holds in a room type."""
+
+    receptacle: str
+    count_min: int
+    count_max: int
+
+
+class RoomType(Record):
+    """A room type: its surfaces' kinds come from the library; clutter counts by receptacle."""
+
+    name: str
+    clutter: tuple[ClutterPrior, ...] = ()
+    floor_clutter_min: int = 0
+    floor_clutter_max: int = 2
+
+
+class HouseholdTemplate(Record):
+    """A kind of household to sample from. Ages are inclusive ranges.
+
+    ``pets`` and ``conditions`` are what it may have, each in half of the households.
+    ``notifications`` gives, by hazard, choices that are equally likely; a hazard that is not
+    named gets the default of its urgency.
+    """
+
+    name: str
+    weight: float
+    members: tuple[tuple[str, int, int], ...]
+    pets: tuple[str, ...] = ()
+    conditions: tuple[str, ...] = ()
+    notifications: dict[str, tuple[Notify, ...]] = Field(default_factory=dict)
+
+
+class ReachRow(Record):
+    """Up to this age a child grasps things this high (metres, standing, arm up)."""
+
+    max_age: int
+    reach_m: float
+
+
+class FurnitureItem(Record):
+    """One piece of a base home: category, bottom centre, heading (front along +X at 0).
+
+    ``on`` names a category placed before it in the room: the piece stands on the nearest such
+    one, at that model's real height, and z is ignored. ``against_wall`` makes ``position_m`` the
+    middle of the back instead of the centre, so that models of any depth touch the wall.
+    ``jitter_m`` shifts it by up to so much along x and y. ``width_m`` [least, most] restricts the
+    models to those that wide (their y extent), where units stand side by side.
+    """
+
+    category: str
+    position_m: Vec3
+    yaw_deg: float
+    width_m: tuple[float, float] | None = None
+    optional: bool = False
+    on: str | None = None
+    against_wall: bool = False
+    jitter_m: float = Field(default=0.0, ge=0.0)
+
+
+class BaseRoom(Record):
+    """A room of a base home: axis-aligned rectangles that join to its outline."""
+
+    name: str
+    type: str
+    rectangles_m: tuple[tuple[float, float, float, float], ...]
+    furniture: tuple[FurnitureItem, ...] = ()
+
+
+class BaseOpening(Record):
+    """A door or window of a base home: centre on the wall's middle line.
+
+    A door's leaf swings into the room that is listed first; with ``hinge_flip`` into the other.
+    """
+
+    kind: Literal["door", "front_door", "window"]
+    center_m: tuple[float, float]
+    along: Literal["x", "y"]
+    sill_m: float = 0.0
+    small: bool = False
+    hinge_flip: bool = False
+
+
+class BaseHome(Record):
+    """A hand-drawn home."""
+
+    id: str
+    title: str
+    height_m: float = 2.6
+    rooms: tuple[BaseRoom, ...]
+    openings: tuple[BaseOpening, ...]
+
+
+class Catalog(Record):
+    """The whole catalogue, resolved: what a build uses and ``catalogue.json`` holds."""
+
+    hazards: tuple[Hazard, ...]
+    categories: tuple[Category, ...]
+    room_types: tuple[RoomType, ...]
+    households: tuple[HouseholdTemplate, ...]
+    reach: tuple[ReachRow, ...]
+    homes: tuple[BaseHome, ...]
+
+    def hazard(self, hazard_id: str) -> Hazard:
+        """The hazard of this id (KeyError when there is none)."""
+        for item in self.hazards:
+            if item.id == hazard_id:
+                return item
+        raise KeyError(hazard_id)
+
+    def category(self, name: str) -> Category:
+        """The category of this name (KeyError when there is none)."""
+        for item in self.categories:
+            if item.name == name:
+                return item
+        raise KeyError(name)
+
+
+class UniqueAnomaly(Record):
+    """An enumerated (hazard, category, state, relation, target category)."""
+
+    hazard: str
+    category: str
+    state: str | None
+    relation: str | None
+    target: str | None

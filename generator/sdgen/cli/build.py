@@ -1,0 +1,275 @@
+"""``sdgen build``: the main job."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import click
+
+from sdgen.cli.disk import bytes_needed, check_destination, disk_line
+from sdgen.cli.params import hazard_count, parsed, scene_range, sensor_list, size, split_names
+from sdgen.errors import BuildIncomplete, UsageError
+from sdgen.options import BuildOptions, Sensor
+
+if TYPE_CHECKING:
+    from sdgen.engines.report import BuildReport
+
+FOLDER = click.Path(exists=True, path_type=Path)
+
+
+def usable_cores() -> int:
+    """Cores this process may use (a container may see more than it has)."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+@click.command(short_help="Build a data set of labelled homes.")
+@click.option(
+    "--n",
+    type=click.IntRange(min=0, max=1_000_000),
+    metavar="N",
+    default=10,
+    show_default=True,
+    help="Number of scenes.",
+)
+@click.option(
+    "--seed",
+    type=click.IntRange(min=0, max=2**63 - 1),
+    metavar="N",
+    default=0,
+    show_default=True,
+    help="Root seed; 0 is a seed like any other.",
+)
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    help="Destination [default: output/sdgen-n{N}-s{SEED}]. A larger --n on the same one "
+    "extends it.",
+)
+@click.option(
+    "--homes",
+    type=click.Choice(["base", "procedural", "mixed"]),
+    default="mixed",
+    show_default=True,
+    help="Base homes, generated ones, or both.",
+)
+@click.option(
+    "--hazards",
+    metavar="MIN-MAX",
+    callback=parsed(hazard_count),
+    default="0-5",
+    show_default=True,
+    help="Anomalies a scene.",
+)
+@click.option(
+    "--views",
+    type=click.IntRange(min=0, max=99),
+    metavar="K",
+    default=8,
+    show_default=True,
+    help="Cameras a scene.",
+)
+@click.option(
+    "--size",
+    "pixels",
+    metavar="WxH",
+    callback=parsed(size),
+    default="640x480",
+    show_default=True,
+    help="Pixels of each view.",
+)
+@click.option(
+    "--sensors",
+    metavar="LIST",
+    callback=parsed(sensor_list),
+    default="rgb,depth,instance",
+    show_default=True,
+    help="What each view writes, or none.",
+)
+@click.option(
+    "--rgb",
+    type=click.Choice(["png", "jpg"]),
+    default="png",
+    show_default=True,
+    help="Format of the colour pictures.",
+)
+@click.option(
+    "--supersample",
+    type=click.Choice(["1", "2"]),
+    default="1",
+    show_default=True,
+    help="2 renders RGB at twice the size and averages.",
+)
+@click.option(
+    "--renderer",
+    type=click.Choice(["auto", "egl", "cpu"]),
+    default="auto",
+    show_default=True,
+    help="auto takes EGL where it starts, else PyBullet's CPU renderer.",
+)
+@click.option(
+    "--catalog",
+    "catalogs",
+    type=FOLDER,
+    multiple=True,
+    help="Extra catalogue folder or file; repeatable.",
+)
+@click.option(
+    "--extensions", multiple=True, metavar="NAME,...", help="Shipped extension packs to switch on."
+)
+@click.option("--assets", type=FOLDER, multiple=True, help="Extra asset folder; repeatable.")
+@click.option("--twins", is_flag=True, help="Also write each scene's benign twin.")
+@click.option(
+    "--draw",
+    type=click.Choice(["balanced", "iid"]),
+    default="balanced",
+    show_default=True,
+    help="How the number of anomalies and their classes are drawn.",
+)
+@click.option(
+    "--workers",
+    type=click.IntRange(min=1, max=1024),
+    metavar="N",
+    help="Processes [default: cores].",
+)
+@click.option(
+    "--engine",
+    type=click.Choice(["local", "ray"]),
+    default="local",
+    show_default=True,
+    help="Who runs the workers.",
+)
+@click.option("--ray-address", metavar="ADDRESS", help="Ray cluster to join (with --engine ray).")
+@click.option(
+    "--range",
+    "index_range",
+    metavar="A:B",
+    callback=parsed(scene_range),
+    help="Only scenes A to B-1, for array jobs.",
+)
+@click.option("--overwrite", is_flag=True, help="Start anew instead of resuming.")
+def build(
+    n: int,
+    seed: int,
+    out: Path | None,
+    homes: Literal["base", "procedural", "mixed"],
+    hazards: tuple[int, int],
+    views: int,
+    pixels: tuple[int, int],
+    sensors: tuple[Sensor, ...],
+    rgb: Literal["png", "jpg"],
+    supersample: str,
+    renderer: Literal["auto", "egl", "cpu"],
+    catalogs: tuple[Path, ...],
+    extensions: tuple[str, ...],
+    assets: tuple[Path, ...],
+    twins: bool,
+    draw: Literal["balanced", "iid"],
+    workers: int | None,
+    engine: str,
+    ray_address: str | None,
+    index_range: tuple[int, int] | None,
+    overwrite: bool,
+) -> None:
+    """Build a data set of labelled homes.
+
+    The same command resumes where an earlier run stopped; scene i depends only on the
+    catalogue, the models, the content options, the seed and i.
+
+    \b
+    Example: sdgen build --n 1000 --seed 7
+    Example: sdgen build --n 50 --seed 7 --views 4 --size 320x240 --out small
+    """
+    _refuse_missing_features(homes, twins, engine, ray_address)
+    options = BuildOptions(
+        n=n,
+        seed=seed,
+        homes=homes,
+        hazards_min=hazards[0],
+        hazards_max=hazards[1],
+        draw=draw,
+        extensions=split_names(extensions),
+        views=views,
+        width=pixels[0],
+        height=pixels[1],
+        sensors=sensors,
+        rgb=rgb,
+        supersample=2 if supersample == "2" else 1,
+        renderer=renderer,
+        twins=twins,
+    )
+    first, end = index_range if index_range is not None else (0, n)
+    if end > n:
+        raise UsageError(f"--range {first}:{end} goes past --n {n}")
+    out = out if out is not None else Path("output") / f"sdgen-n{n}-s{seed}"
+    check_destination(out)
+    if homes == "mixed":
+        click.echo("homes: base homes only in this version", err=True)
+    todo = end - first - (0 if overwrite else _present(out, first, end))
+    click.echo(f"{out}: {end - first} homes, {todo} to build", err=True)
+    click.echo(disk_line(out, bytes_needed(options, todo)), err=True)
+    report = _run(options, out, catalogs, assets, workers, (first, end), overwrite)
+    _close(report)
+
+
+def _refuse_missing_features(homes: str, twins: bool, engine: str, ray_address: str | None) -> None:
+    if ray_address is not None and engine != "ray":
+        raise UsageError("--ray-address goes with --engine ray")
+    missing = []
+    if homes == "procedural":
+        missing.append("--homes procedural (use base)")
+    if twins:
+        missing.append("--twins")
+    if engine == "ray":
+        missing.append("--engine ray (use local)")
+    if missing:
+        raise UsageError(f"not available in this version: {', '.join(missing)}")
+
+
+def _present(out: Path, first: int, end: int) -> int:
+    """Scene folders of the range that an earlier run left, for the disk estimate."""
+    return sum((out / "scenes" / f"{index:06d}").is_dir() for index in range(first, end))
+
+
+def _run(
+    options: BuildOptions,
+    out: Path,
+    catalogs: tuple[Path, ...],
+    assets: tuple[Path, ...],
+    workers: int | None,
+    index_range: tuple[int, int],
+    overwrite: bool,
+) -> BuildReport:
+    # Imported here: simulator and meshes take a second that --help should not.
+    from sdgen.catalog.load import load_catalog
+    from sdgen.cli.progress import watch
+    from sdgen.engines import local
+    from sdgen.library import load_library
+
+    catalog = load_catalog(catalogs, extensions=options.extensions)
+    library = load_library(assets)
+    with watch(index_range[1] - index_range[0]) as on_event:
+        return local.build(
+            options=options,
+            out=out,
+            catalog=catalog,
+            library=library,
+            workers=workers if workers is not None else usable_cores(),
+            index_range=index_range,
+            overwrite=overwrite,
+            on_event=on_event,
+        )
+
+
+def _close(report: BuildReport) -> None:
+    from sdgen.cli.progress import summary
+
+    click.echo(summary(report))
+    if not report.complete:
+        missing = report.requested - report.made - report.resumed
+        names = ", ".join(failed.scene_id for failed in report.failed[:20])
+        raise BuildIncomplete(f"{missing} of {report.requested} scenes could not be made: {names}")
+    click.echo(f"look at it: sdgen view {report.out}")

@@ -1,0 +1,195 @@
+"""``sdgen catalog``: what can go wrong, and whether a catalogue of one's own is good."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
+from sdgen.catalog.load import load_catalog
+from sdgen.catalog.predicate_text import in_words
+from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
+from sdgen.errors import UsageError, did_you_mean
+from sdgen.library import load_library
+
+_CATALOG = click.option(
+    "--catalog",
+    "catalogs",
+    type=click.Path(exists=True, path_type=Path),
+    multiple=True,
+    help="Extra catalogue folder or file; repeatable.",
+)
+_EXTENSIONS = click.option(
+    "--extensions",
+    multiple=True,
+    metavar="NAME,...",
+    help="Shipped extension packs to switch on.",
+)
+_JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+
+
+def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
+    """The options that say which catalogue is meant."""
+    return _CATALOG(_EXTENSIONS(command))
+
+
+def _load(catalogs: Sequence[Path], extensions: Sequence[str]) -> Catalog:
+    names = [name.strip() for item in extensions for name in item.split(",") if name.strip()]
+    return load_catalog(catalogs, extensions=names)
+
+
+@click.group()
+def catalog() -> None:
+    """List, show and check what can go wrong.
+
+    Example: sdgen catalog list
+    """
+
+
+@catalog.command("list")
+@_sources
+@_JSON
+def list_hazards(catalogs: tuple[Path, ...], extensions: tuple[str, ...], as_json: bool) -> None:
+    """List every hazard.
+
+    Example: sdgen catalog list --json
+    """
+    found = _load(catalogs, extensions)
+    counts: dict[str, int] = {}
+    for item in enumerate_anomalies(found):
+        counts[item.hazard] = counts.get(item.hazard, 0) + 1
+    rows: list[dict[str, Any]] = [
+        {
+            "id": hazard.id,
+            "title": hazard.title,
+            "group": hazard.group,
+            "label": hazard.label,
+            "unique_anomalies": counts.get(hazard.id, 0),
+        }
+        for hazard in found.hazards
+    ]
+    if as_json:
+        click.echo(json.dumps(rows, indent=1, ensure_ascii=False))
+        return
+    for row in rows:
+        click.echo(
+            f"{row['id']:24} {row['group']:13} {row['unique_anomalies']:5} unique  {row['title']}"
+        )
+    click.echo(f"{len(rows)} hazards, {sum(counts.values())} unique anomalies")
+
+
+@catalog.command("show")
+@_sources
+@_JSON
+@click.argument("hazard_id", metavar="HAZARD")
+def show_hazard(
+    catalogs: tuple[Path, ...], extensions: tuple[str, ...], as_json: bool, hazard_id: str
+) -> None:
+    """Show all of one hazard.
+
+    Example: sdgen catalog show stove_on
+    """
+    found = _load(catalogs, extensions)
+    known = [hazard.id for hazard in found.hazards]
+    if hazard_id not in known:
+        raise UsageError(f"no hazard {hazard_id!r}{did_you_mean(hazard_id, known)}")
+    hazard = found.hazard(hazard_id)
+    if as_json:
+        click.echo(json.dumps(hazard.model_dump(mode="json"), indent=1, ensure_ascii=False))
+        return
+    for line in _sheet(hazard):
+        click.echo(line)
+
+
+@catalog.command("enumerate")
+@_sources
+@_JSON
+def enumerate_all(catalogs: tuple[Path, ...], extensions: tuple[str, ...], as_json: bool) -> None:
+    """List every unique anomaly: hazard, category, state, relation, target.
+
+    Example: sdgen catalog enumerate --json
+    """
+    found = enumerate_anomalies(_load(catalogs, extensions))
+    if as_json:
+        click.echo(json.dumps([item.model_dump(mode="json") for item in found], indent=1))
+        return
+    for item in found:
+        words = (item.hazard, item.category, item.state, item.relation, item.target)
+        click.echo("  ".join(f"{word or '-':18}" for word in words).rstrip())
+    click.echo(f"{len(found)} unique anomalies")
+
+
+@catalog.command("validate")
+@_EXTENSIONS
+@click.option(
+    "--assets",
+    type=click.Path(exists=True, path_type=Path),
+    multiple=True,
+    help="Extra asset folder; repeatable.",
+)
+@click.argument("paths", metavar="PATH...", nargs=-1, type=click.Path(path_type=Path))
+def validate_paths(
+    extensions: tuple[str, ...], assets: tuple[Path, ...], paths: tuple[Path, ...]
+) -> None:
+    """Check catalogue folders or files, together with the shipped catalogue and the models.
+
+    Example: sdgen catalog validate my_hazards/
+    """
+    found = _load(paths, extensions)
+    states: dict[str, set[str]] = {}
+    for asset in load_library(assets).assets.values():
+        states.setdefault(asset.category, set()).update(asset.state_names)
+    check_against_library(found, states)
+    unique = len(enumerate_anomalies(found))
+    click.echo(
+        f"good: {len(found.hazards)} hazards, {unique} unique anomalies, "
+        f"{len(found.categories)} categories, {len(found.room_types)} room types, "
+        f"{len(found.households)} households, {len(found.homes)} homes"
+    )
+
+
+def _sheet(hazard: Hazard) -> list[str]:
+    who = hazard.concerns
+    concerns = "everyone"
+    if who.who == "children":
+        concerns = f"households with a child up to {who.max_age}"
+        concerns += " that can reach it" if who.by_reach else ""
+    rows = [
+        ("group", f"{hazard.group} ({hazard.label})"),
+        ("paper class", hazard.paper_class or "-"),
+        ("concerns", concerns),
+        ("urgency", hazard.urgency),
+        ("message", hazard.message),
+        ("made by", [_recipe_line(item) for item in hazard.anomalies]),
+        ("lookalikes", [_recipe_line(item) for item in hazard.lookalikes]),
+        ("remedy", [" ".join((r.action, *r.targets)) for r in hazard.remedy]),
+        ("holds when", in_words(hazard.predicate)),
+        ("source", hazard.source),
+    ]
+    lines = [f"{hazard.id}: {hazard.title}"]
+    for name, value in rows:
+        listed = value if isinstance(value, list) else [value]
+        for index, text in enumerate(listed):
+            lines.append(f"  {name if index == 0 else '':12} {text}")
+    return lines
+
+
+def _recipe_line(recipe: Recipe) -> str:
+    things = ", ".join(recipe.categories)
+    if not isinstance(recipe, PlaceRecipe):
+        return f"set {things} {recipe.state}"
+    text = f"{recipe.state.lower() + ' ' if recipe.state else ''}{things} {recipe.relation} "
+    text += ", ".join(recipe.targets)
+    if recipe.zone:
+        text += f" in a {' or '.join(recipe.zone)}"
+    if recipe.avoid_zones:
+        text += f" clear of {', '.join(recipe.avoid_zones)}"
+    if recipe.min_height_m is not None:
+        text += f" at {recipe.min_height_m:g} m or higher"
+    if recipe.max_height_m is not None:
+        text += f" at {recipe.max_height_m:g} m or lower"
+    return text

@@ -1,0 +1,130 @@
+"""The ``sdgen`` command: one lazy group, and the one place that maps errors to exit codes."""
+
+from __future__ import annotations
+
+import errno
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from importlib import import_module
+from importlib.util import find_spec
+
+import click
+
+import sdgen
+from sdgen.errors import InputError, SdgenError, did_you_mean
+
+#: Command -> one line for ``sdgen --help``. Module ``sdgen.cli.<name>`` defines ``<name>``; it is
+#: imported only when the command is used, so ``sdgen --help`` stays quick.
+COMMANDS = {
+    "build": "Build a data set of labelled homes.",
+    "validate": "Check a data set: schemas, hashes, masks, every label again.",
+    "stats": "Count what a data set holds.",
+    "view": "Make a page that shows a data set.",
+    "export": "Pack a data set for other tools.",
+    "detect": "Run a detector over a data set.",
+    "evaluate": "Score predictions against a data set.",
+    "catalog": "List, show and check what can go wrong.",
+    "assets": "List and show the models.",
+    "doctor": "Say what this machine can do, and what is missing.",
+}
+
+EXIT_INTERRUPTED = 130
+EPILOG = "Example: sdgen build --n 12 --seed 7 && sdgen view output/sdgen-n12-s7"
+
+
+class LazyGroup(click.Group):
+    """A group that knows its commands by name and imports each when it is used."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return [name for name in COMMANDS if find_spec(f"sdgen.cli.{name}") is not None]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in self.list_commands(ctx):
+            return None
+        command: click.Command = getattr(import_module(f"sdgen.cli.{cmd_name}"), cmd_name)
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if args and not args[0].startswith("-") and self.get_command(ctx, args[0]) is None:
+            hint = did_you_mean(args[0], self.list_commands(ctx))
+            raise click.UsageError(f"no command {args[0]!r}{hint}", ctx)
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, COMMANDS[name]) for name in self.list_commands(ctx)])
+
+
+@click.group(cls=LazyGroup, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(sdgen.__version__, prog_name="sdgen")
+def cli() -> None:
+    """Homes with household hazards: images, scene graphs, proved anomaly labels."""
+
+
+def run(args: Sequence[str] | None = None) -> int:
+    """Run one command line; returns its exit code, and every error as one clear line."""
+    try:
+        result = cli.main(args=args, prog_name="sdgen", standalone_mode=False)
+        return result if isinstance(result, int) else 0
+    except click.exceptions.NoArgsIsHelpError as error:
+        error.show()
+        return error.exit_code
+    except click.ClickException as error:
+        _say(f"error: {error.format_message().rstrip('.')}{_help_hint(error)}")
+        return error.exit_code
+    except (click.Abort, KeyboardInterrupt):
+        _say("interrupted: resume with the same command")
+        return EXIT_INTERRUPTED
+    except BrokenPipeError:
+        # Whoever read our output has gone; keep the interpreter from flushing into the pipe again.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except Exception as error:
+        if os.environ.get("SDGEN_DEBUG"):
+            traceback.print_exc()
+        _say(describe(error))
+        return error.exit_code if isinstance(error, SdgenError) else 1
+
+
+def describe(error: Exception) -> str:
+    """What went wrong, for a person: one line (one a problem for bad input files)."""
+    if isinstance(error, InputError):
+        return "\n".join(f"error: {problem}" for problem in error.problems)
+    if isinstance(error, SdgenError):
+        return f"error: {error}"
+    if isinstance(error, OSError) and error.strerror:
+        where = f"{error.filename}: " if error.filename else ""
+        return f"error: {where}{error.strerror}{_os_advice(error)}"
+    if isinstance(error, MemoryError):
+        return "error: out of memory; use fewer --workers or a smaller --size, then resume"
+    text = " ".join(str(error).split()) or "no message"
+    return (
+        f"error: unexpected {type(error).__name__}: {text} "
+        "(a bug in sdgen: please report it with the output of SDGEN_DEBUG=1 and 'sdgen doctor')"
+    )
+
+
+def _help_hint(error: click.ClickException) -> str:
+    ctx = error.ctx if isinstance(error, click.UsageError) else None
+    return f" (see '{ctx.command_path} --help')" if ctx is not None else ""
+
+
+def _os_advice(error: OSError) -> str:
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        return "; free some space, then resume with the same command"
+    if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
+        return "; choose a place you may write to and read from"
+    return ""
+
+
+def _say(text: str) -> None:
+    click.echo(text, err=True)
+
+
+def main() -> None:
+    """Entry point of the ``sdgen`` script."""
+    sys.exit(run())

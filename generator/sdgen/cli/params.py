@@ -1,0 +1,84 @@
+"""Option values, read strictly: one that makes no sense is a usage error with an example."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import TypeVar
+
+import click
+
+from sdgen.errors import did_you_mean
+from sdgen.options import Sensor
+
+SIZE_MIN, SIZE_MAX = 16, 4096
+HAZARDS_MAX = 20
+SENSORS: tuple[Sensor, ...] = ("rgb", "depth", "instance")
+
+T = TypeVar("T")
+
+
+def parsed(parse: Callable[[str], T]) -> Callable[[click.Context, click.Parameter, str], T | None]:
+    """A click callback that reads an option's text with ``parse``; None stays None."""
+
+    def callback(ctx: click.Context, param: click.Parameter, value: str | None) -> T | None:
+        if value is None:
+            return None
+        try:
+            return parse(value.strip())
+        except ValueError as error:
+            raise click.BadParameter(f"{value!r} {error}", ctx, param) from None
+
+    return callback
+
+
+def size(text: str) -> tuple[int, int]:
+    """``640x480`` -> (width, height) in pixels. ValueError says what is wrong."""
+    match = re.fullmatch(r"(\d{1,6})x(\d{1,6})", text, flags=re.ASCII)
+    if match is None:
+        raise ValueError("is not WIDTHxHEIGHT, for example 640x480")
+    width, height = int(match[1]), int(match[2])
+    if not (SIZE_MIN <= width <= SIZE_MAX and SIZE_MIN <= height <= SIZE_MAX):
+        raise ValueError(f"is out of range: each side has {SIZE_MIN} to {SIZE_MAX} pixels")
+    return width, height
+
+
+def hazard_count(text: str) -> tuple[int, int]:
+    """``0-5`` -> (0, 5): how many anomalies a scene gets; ``3`` means exactly three."""
+    match = re.fullmatch(r"(\d{1,6})(?:-(\d{1,6}))?", text, flags=re.ASCII)
+    if match is None:
+        raise ValueError("is not MIN-MAX, for example 0-5")
+    least, most = int(match[1]), int(match[2] or match[1])
+    if least > most:
+        raise ValueError("has the larger number first")
+    if most > HAZARDS_MAX:
+        raise ValueError(f"is too many: at most {HAZARDS_MAX} anomalies a scene")
+    return least, most
+
+
+def scene_range(text: str) -> tuple[int, int]:
+    """``0:500`` -> (0, 500): scene indices, the last one not included."""
+    match = re.fullmatch(r"(\d{1,12}):(\d{1,12})", text, flags=re.ASCII)
+    if match is None:
+        raise ValueError("is not FIRST:END, for example 0:500")
+    first, end = int(match[1]), int(match[2])
+    if first >= end:
+        raise ValueError("holds no scene: the end must be the larger number")
+    return first, end
+
+
+def sensor_list(text: str) -> tuple[Sensor, ...]:
+    """``depth,rgb`` -> ("rgb", "depth"), in a fixed order; ``none`` -> ()."""
+    words = [word.strip() for word in text.split(",")]
+    if words == ["none"]:
+        return ()
+    for word in words:
+        if word not in SENSORS:
+            raise ValueError(f"names no sensor {word!r}{did_you_mean(word, [*SENSORS, 'none'])}")
+    return tuple(sensor for sensor in SENSORS if sensor in words)
+
+
+def split_names(values: tuple[str, ...]) -> tuple[str, ...]:
+    """``("a,b", "c")`` -> ``("a", "b", "c")``, without repeats and blanks, order kept."""
+    names = [name.strip() for value in values for name in value.split(",")]
+    return tuple(dict.fromkeys(name for name in names if name))

@@ -1,0 +1,242 @@
+"""Opens a data set: records at once, pictures when asked for. Files may come from anybody."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.catalog.records import Catalog
+from sdgen.dataset.images import read_gray, read_rgb
+from sdgen.dataset.records import VISIBILITY_FILE, DatasetInfo, ManifestEntry
+from sdgen.dataset.scene_folder import BUILD_FOLDER, view_folder
+from sdgen.dataset.text import read_lines, read_record
+from sdgen.errors import InputError, did_you_mean
+from sdgen.library.records import AssetInfo
+from sdgen.scene import (
+    FORMAT_VERSION,
+    Anomalies,
+    Camera,
+    Graph,
+    Household,
+    PhysicsReport,
+    Record,
+    Scene,
+    Visibility,
+)
+
+if TYPE_CHECKING:
+    import networkx as nx
+
+    from sdgen.dataset.graph_views import GraphView
+
+R = TypeVar("R", bound=Record)
+
+SAFE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
+
+
+@dataclass(frozen=True)
+class SceneItem:
+    """One scene: records read on first use, arrays on every use. Raises InputError, located."""
+
+    root: Path
+    entry: ManifestEntry
+
+    @property
+    def id(self) -> str:
+        """``000041``, or ``000041-twin``."""
+        return self.entry.id
+
+    @property
+    def folder(self) -> Path:
+        """The scene's folder."""
+        return self.root / "scenes" / self.entry.id
+
+    def where(self, name: str) -> str:
+        """How errors call a file of this scene."""
+        return f"scenes/{self.entry.id}/{name}"
+
+    def read(self, model: type[R], name: str) -> R:
+        """A file of the scene as a record."""
+        return read_record(model, self.folder / name, self.where(name))
+
+    @cached_property
+    def scene(self) -> Scene:
+        """``scene.json``."""
+        return self.read(Scene, "scene.json")
+
+    @cached_property
+    def scene_graph(self) -> Graph:
+        """``graph.json``."""
+        return self.read(Graph, "graph.json")
+
+    @cached_property
+    def anomalies(self) -> Anomalies:
+        """``anomalies.json``."""
+        return self.read(Anomalies, "anomalies.json")
+
+    @cached_property
+    def household(self) -> Household:
+        """``household.json``."""
+        return self.read(Household, "household.json")
+
+    @cached_property
+    def physics(self) -> PhysicsReport:
+        """``physics.json``."""
+        return self.read(PhysicsReport, "physics.json")
+
+    @cached_property
+    def visibility(self) -> Visibility:
+        """``visibility.json``."""
+        return self.read(Visibility, VISIBILITY_FILE)
+
+    @cached_property
+    def cameras(self) -> tuple[Camera, ...]:
+        """``view.json`` of every view."""
+        return tuple(
+            self.read(Camera, f"{view_folder(k)}/view.json") for k in range(self.entry.views)
+        )
+
+    def rgb_path(self, view: int) -> Path | None:
+        """The colour picture of a view, None when the build wrote none."""
+        for kind in ("png", "jpg"):
+            if self.has(view, f"rgb.{kind}"):
+                return self.folder / view_folder(view) / f"rgb.{kind}"
+        return None
+
+    def has(self, view: int, name: str) -> bool:
+        """True when the manifest lists this file of a view."""
+        return f"{view_folder(view)}/{name}" in self.entry.files
+
+    def rgb(self, view: int) -> npt.NDArray[np.uint8]:
+        """Colours of a view, (H, W, 3) uint8."""
+        path = self.rgb_path(view)
+        name = path.name if path is not None else "rgb.png"
+        where = self.where(f"{view_folder(view)}/{name}")
+        return read_rgb(self.folder / view_folder(view) / name, self._size(view), where)
+
+    def depth_mm(self, view: int) -> npt.NDArray[np.uint16]:
+        """Planar depth of a view as stored, (H, W) uint16 millimetres, 0 = nothing."""
+        return self._gray(view, "depth.png", 16)
+
+    def depth(self, view: int) -> npt.NDArray[np.float32]:
+        """Planar depth of a view, (H, W) float32 metres, 0 = nothing."""
+        return np.asarray(self.depth_mm(view) / np.float32(1000), dtype=np.float32)
+
+    def instance(self, view: int) -> npt.NDArray[np.uint16]:
+        """Node id of every pixel of a view, (H, W) uint16, 0 = nothing."""
+        return self._gray(view, "instance.png", 16)
+
+    def part(self, view: int) -> npt.NDArray[np.uint8]:
+        """1-based index into the object's drawn parts, (H, W) uint8, 0 for structures."""
+        return np.asarray(self._gray(view, "part.png", 8), dtype=np.uint8)
+
+    def _gray(self, view: int, name: str, bits: int) -> npt.NDArray[np.uint16]:
+        path = self.folder / view_folder(view) / name
+        where = self.where(f"{view_folder(view)}/{name}")
+        return read_gray(path, self._size(view), bits, where)
+
+    def _size(self, view: int) -> tuple[int, int]:
+        camera = self.cameras[view]
+        return camera.width, camera.height
+
+
+class Dataset(Sequence[SceneItem]):
+    """A data set as a sequence of scenes, in the order of their index (twins left out).
+
+    ``split`` keeps one of ``train``, ``val``, ``test``; ``twins`` gives each scene's benign twin
+    instead. Works as a map-style data set of PyTorch; picklable. Raises InputError for a folder
+    that is no complete data set.
+    """
+
+    def __init__(self, path: str | Path, split: str | None = None, twins: bool = False) -> None:
+        self.path = Path(path)
+        self.info = _open(self.path)
+        if split is not None and split not in self.info.splits:
+            known = list(self.info.splits)
+            raise InputError([f"{self.path}: no split {split!r}{did_you_mean(split, known)}"])
+        self.entries = _manifest(self.path)
+        self._shown = tuple(
+            entry
+            for entry in self.entries
+            if (entry.twin_of is not None) == twins and split in (None, entry.split)
+        )
+
+    def __len__(self) -> int:
+        return len(self._shown)
+
+    def __getitem__(self, index: int) -> SceneItem:  # type: ignore[override]
+        return SceneItem(self.path, self._shown[index])
+
+    def __iter__(self) -> Iterator[SceneItem]:
+        return (SceneItem(self.path, entry) for entry in self._shown)
+
+    def scene(self, scene_id: str) -> SceneItem:
+        """The scene of this id, twins too. Raises InputError when there is none."""
+        for entry in self.entries:
+            if entry.id == scene_id:
+                return SceneItem(self.path, entry)
+        known = [entry.id for entry in self.entries]
+        raise InputError([f"{self.path}: no scene {scene_id!r}{did_you_mean(scene_id, known)}"])
+
+    def graph(self, index: int, graph_view: GraphView = "full") -> nx.MultiDiGraph:
+        """The graph of a scene as ``networkx.MultiDiGraph``; see ``graph_views``."""
+        from sdgen.dataset.graph_views import to_networkx
+
+        item = self[index]
+        return to_networkx(item.scene_graph, item.visibility, graph_view)
+
+    @cached_property
+    def catalog(self) -> Catalog:
+        """The catalogue the build used."""
+        return read_record(Catalog, self.path / "catalogue.json", "catalogue.json")
+
+    @cached_property
+    def infos(self) -> Mapping[str, AssetInfo]:
+        """Records of the models the scenes use, by id."""
+        assets = read_lines(AssetInfo, self.path / "assets.jsonl", "assets.jsonl")
+        return {asset.id: asset for asset in assets}
+
+
+def _open(path: Path) -> DatasetInfo:
+    if not (path / "dataset.json").is_file():
+        if not path.is_dir():
+            problem = "no such folder"
+        elif (path / BUILD_FOLDER).is_dir():
+            problem = "an unfinished build; resume it with the same 'sdgen build' command"
+        else:
+            problem = "no data set (it has no dataset.json)"
+        raise InputError([f"{path}: {problem}"])
+    info = read_record(DatasetInfo, path / "dataset.json", "dataset.json")
+    if info.format_version.split(".")[0] != FORMAT_VERSION.split(".")[0]:
+        raise InputError(
+            [
+                f"dataset.json: format_version: {info.format_version!r} cannot be read by this "
+                f"version of sdgen (it reads {FORMAT_VERSION})"
+            ]
+        )
+    return info
+
+
+def _manifest(path: Path) -> tuple[ManifestEntry, ...]:
+    entries = read_lines(ManifestEntry, path / "manifest.jsonl", "manifest.jsonl")
+    problems = []
+    seen: set[str] = set()
+    for entry in entries:
+        if entry.id in seen:
+            problems.append(f"manifest.jsonl: scene {entry.id} appears twice")
+        seen.add(entry.id)
+        if entry.views > 10_000:
+            problems.append(f"manifest.jsonl: scene {entry.id}: {entry.views} views")
+        for name in entry.files:
+            if not SAFE_NAME.fullmatch(name):
+                problems.append(f"manifest.jsonl: scene {entry.id}: unsafe file name {name!r}")
+    if problems:
+        raise InputError(problems)
+    return entries

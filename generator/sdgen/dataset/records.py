@@ -1,0 +1,140 @@
+"""The records of a data set as a whole: ``dataset.json`` and ``manifest.jsonl``."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from pydantic import Field
+
+from sdgen.options import BuildOptions
+from sdgen.scene import FORMAT_VERSION, Record
+
+LICENCE = "CC-BY-4.0"
+
+#: Files of every scene folder that decide its ``content_sha256``, in this order.
+CONTENT_FILES = ("scene.json", "graph.json", "anomalies.json", "household.json", "physics.json")
+VISIBILITY_FILE = "visibility.json"
+
+SCENE_ID = r"^[0-9]{6,}(-twin)?$"
+SHA256 = r"^[0-9a-f]{64}$"
+
+
+class ManifestEntry(Record):
+    """One line of ``manifest.jsonl``: what a scene holds and the digest of each of its files."""
+
+    id: str = Field(pattern=SCENE_ID)
+    index: int = Field(ge=0)
+    twin_of: str | None = None
+    home: str
+    split: str
+    anomalies: int = Field(ge=0)
+    hazards: dict[str, int] = Field(default_factory=dict)
+    lookalikes: int = Field(ge=0)
+    objects: int = Field(ge=0)
+    views: int = Field(ge=0)
+    all_visible: bool
+    content_sha256: str = Field(pattern=SHA256)
+    files: dict[str, str]
+
+
+class Vocabularies(Record):
+    """The words the files use, sorted."""
+
+    hazards: tuple[str, ...]
+    groups: tuple[str, ...]
+    labels: tuple[str, ...]
+    notify: tuple[str, ...]
+    categories: tuple[str, ...]
+    superclasses: tuple[str, ...]
+    properties: tuple[str, ...]
+    states: tuple[str, ...]
+    relations: tuple[str, ...]
+    tags: tuple[str, ...]
+    room_types: tuple[str, ...]
+
+
+class Counts(Record):
+    """Totals over all scenes (twins apart)."""
+
+    scenes: int
+    twins: int
+    views: int
+    objects: int
+    anomalies: int
+    lookalikes: int
+    anomalies_by_hazard: dict[str, int]
+    scenes_by_anomalies: dict[str, int]
+    scenes_by_split: dict[str, int]
+    scenes_by_home: dict[str, int]
+    scenes_not_all_visible: int
+
+
+class Build(Record):
+    """What decides a data set's bytes; the same for all of its scenes."""
+
+    format_version: str = FORMAT_VERSION
+    versions: dict[str, str]
+    options: BuildOptions
+    catalogue_sha256: str = Field(pattern=SHA256)
+    assets_sha256: str = Field(pattern=SHA256)
+    hazards_enabled: tuple[str, ...]
+
+
+class DatasetInfo(Record):
+    """``dataset.json``.
+
+    ``versions`` names what decides bytes (sdgen, pybullet, numpy …, the architecture),
+    ``renderers`` whatever drew the pictures, ``failed`` the scenes that could not be made, with
+    the reasons counted.
+    """
+
+    format_version: str
+    versions: dict[str, str]
+    renderers: tuple[str, ...]
+    seed: int
+    n: int
+    options: BuildOptions
+    catalogue_sha256: str = Field(pattern=SHA256)
+    assets_sha256: str = Field(pattern=SHA256)
+    hazards_enabled: tuple[str, ...]
+    vocabularies: Vocabularies
+    splits: dict[str, tuple[str, ...]]
+    counts: Counts
+    failed: dict[str, dict[str, int]] = Field(default_factory=dict)
+    licence: str = LICENCE
+
+    def build(self) -> Build:
+        """What decided the bytes of this data set."""
+        return Build(
+            format_version=self.format_version,
+            versions=self.versions,
+            options=self.options,
+            catalogue_sha256=self.catalogue_sha256,
+            assets_sha256=self.assets_sha256,
+            hazards_enabled=self.hazards_enabled,
+        )
+
+
+def count(entries: tuple[ManifestEntry, ...]) -> Counts:
+    """Totals of these scenes."""
+    scenes = [entry for entry in entries if entry.twin_of is None]
+
+    def tally(values: list[str]) -> dict[str, int]:
+        return {value: values.count(value) for value in sorted(set(values))}
+
+    hazards: Counter[str] = Counter()
+    for entry in scenes:
+        hazards.update(entry.hazards)
+    return Counts(
+        scenes=len(scenes),
+        twins=len(entries) - len(scenes),
+        views=sum(entry.views for entry in scenes),
+        objects=sum(entry.objects for entry in scenes),
+        anomalies=sum(entry.anomalies for entry in scenes),
+        lookalikes=sum(entry.lookalikes for entry in scenes),
+        anomalies_by_hazard=dict(sorted(hazards.items())),
+        scenes_by_anomalies=tally([str(entry.anomalies) for entry in scenes]),
+        scenes_by_split=tally([entry.split for entry in scenes]),
+        scenes_by_home=tally([entry.home for entry in scenes]),
+        scenes_not_all_visible=sum(not entry.all_visible for entry in scenes),
+    )

@@ -1,0 +1,191 @@
+"""One scene as a folder: written aside, synced, renamed into place whole."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import TracebackType
+
+from pydantic import BaseModel
+
+from sdgen.dataset.disk import (
+    file_sha256,
+    remove_tree,
+    replace_file,
+    sha256_hex,
+    sync_file,
+    sync_folder,
+)
+from sdgen.dataset.images import gray_bytes, rgb_bytes
+from sdgen.dataset.records import CONTENT_FILES, VISIBILITY_FILE, ManifestEntry
+from sdgen.dataset.text import record_bytes
+from sdgen.options import BuildOptions
+from sdgen.scene import Frame, Graph, Record, SceneBundle, Visibility
+
+BUILD_FOLDER = ".build"
+
+
+class FinishedScene(Record):
+    """What a worker leaves beside a finished scene until the manifest takes it over."""
+
+    entry: ManifestEntry
+    assets: tuple[str, ...]
+
+
+def content_sha256(files: dict[str, bytes]) -> str:
+    """Digest of all that a scene says but views and visibility: names, lengths and bytes."""
+    framed = bytearray()
+    for name in CONTENT_FILES:
+        framed += f"{name}\n{len(files[name])}\n".encode() + files[name]
+    return sha256_hex(bytes(framed))
+
+
+def view_folder(index: int) -> str:
+    """Folder of a view inside its scene's folder."""
+    return f"views/{index:02d}"
+
+
+def view_files(options: BuildOptions) -> tuple[str, ...]:
+    """Files of every view under these options, ``view.json`` first."""
+    names = ["view.json"]
+    if "rgb" in options.sensors:
+        names.append(f"rgb.{options.rgb}")
+    if "depth" in options.sensors:
+        names.append("depth.png")
+    if "instance" in options.sensors:
+        names += ["instance.png", "part.png"]
+    return tuple(names)
+
+
+@dataclass(frozen=True)
+class SceneWriter:
+    """Writes scenes below ``root``. Small and picklable: every worker has one."""
+
+    root: Path
+    options: BuildOptions
+
+    def begin(self, bundle: SceneBundle, graph: Graph) -> SceneFolder:
+        """Start a scene's folder; use as a context manager and ``finish`` it."""
+        return SceneFolder(self, bundle, graph)
+
+    def write(
+        self, bundle: SceneBundle, graph: Graph, visibility: Visibility, frames: Iterable[Frame]
+    ) -> ManifestEntry:
+        """Write a whole scene at once. OSError (a full disk, say) leaves nothing behind."""
+        with self.begin(bundle, graph) as folder:
+            for frame in frames:
+                folder.add(frame)
+            return folder.finish(visibility)
+
+
+@dataclass
+class SceneFolder:
+    """A scene folder in the making; nothing of it shows in ``scenes/`` before ``finish``."""
+
+    writer: SceneWriter
+    bundle: SceneBundle
+    graph: Graph
+    _hashes: dict[str, str] = field(default_factory=dict)
+
+    def __enter__(self) -> SceneFolder:
+        scene_id = self.bundle.scene.id
+        self._partial = self.writer.root / BUILD_FOLDER / f"{scene_id}.partial"
+        remove_tree(self._partial)
+        self._partial.mkdir(parents=True)
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        remove_tree(self._partial)
+
+    def add(self, frame: Frame) -> None:
+        """Encode and write what the options ask of one view."""
+        options = self.writer.options
+        folder = view_folder(frame.camera.index)
+        if "rgb" in options.sensors:
+            self._put(f"{folder}/rgb.{options.rgb}", rgb_bytes(frame.rgb, options.rgb))
+        if "depth" in options.sensors:
+            self._put(f"{folder}/depth.png", gray_bytes(frame.depth_mm))
+        if "instance" in options.sensors:
+            self._put(f"{folder}/instance.png", gray_bytes(frame.instance))
+            self._put(f"{folder}/part.png", gray_bytes(frame.part))
+
+    def finish(self, visibility: Visibility) -> ManifestEntry:
+        """Write the records, then show the scene: its manifest line first, the folder last."""
+        bundle = self.bundle
+        records: dict[str, BaseModel] = {
+            "scene.json": bundle.scene,
+            "graph.json": self.graph,
+            "anomalies.json": bundle.anomalies,
+            "household.json": bundle.household,
+            "physics.json": bundle.physics,
+        }
+        files = {name: record_bytes(record) for name, record in records.items()}
+        for name, data in files.items():
+            self._put(name, data)
+        self._put(VISIBILITY_FILE, record_bytes(visibility))
+        for camera in bundle.cameras:
+            self._put(f"{view_folder(camera.index)}/view.json", record_bytes(camera))
+        hazards = Counter(anomaly.hazard for anomaly in bundle.anomalies.anomalies)
+        entry = ManifestEntry(
+            id=bundle.scene.id,
+            index=bundle.scene.index,
+            twin_of=bundle.scene.twin_of,
+            home=bundle.scene.home.id,
+            split=bundle.split,
+            anomalies=len(bundle.anomalies.anomalies),
+            hazards=dict(sorted(hazards.items())),
+            lookalikes=len(bundle.anomalies.lookalikes),
+            objects=len(bundle.scene.objects),
+            views=len(bundle.cameras),
+            all_visible=visibility.all_visible,
+            content_sha256=content_sha256(files),
+            files=dict(sorted(self._hashes.items())),
+        )
+        assets = tuple(sorted({item.asset for item in bundle.scene.objects}))
+        _show(self.writer.root, self._partial, FinishedScene(entry=entry, assets=assets))
+        return entry
+
+    def _put(self, name: str, data: bytes) -> None:
+        path = self._partial / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data)
+        self._hashes[name] = sha256_hex(data)
+
+
+def _show(root: Path, partial: Path, done: FinishedScene) -> None:
+    # Synced together, so that the disk writes one file while the next is being encoded. A full
+    # disk shows here at the latest.
+    for name in sorted(done.entry.files):
+        sync_file(partial / name)
+    for folder in sorted({p.parent for p in partial.rglob("*")}):
+        sync_folder(folder)
+    entries = root / BUILD_FOLDER / "entries"
+    entries.mkdir(exist_ok=True)
+    replace_file(entries / f"{done.entry.id}.json", record_bytes(done))
+    target = root / "scenes" / done.entry.id
+    target.parent.mkdir(exist_ok=True)
+    remove_tree(target)
+    os.replace(partial, target)
+    sync_folder(target.parent)
+
+
+def whole(root: Path, entry: ManifestEntry) -> bool:
+    """True when a scene's folder holds exactly the files of its manifest line, byte for byte."""
+    folder = root / "scenes" / entry.id
+    if folder.is_symlink() or not folder.is_dir():
+        return False
+    found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
+    if found != set(entry.files):
+        return False
+    return all(
+        not (folder / name).is_symlink() and file_sha256(folder / name) == digest
+        for name, digest in entry.files.items()
+    )

@@ -1,0 +1,161 @@
+"""Records to text and back: one deterministic layout, whatever the locale or platform.
+
+A value that fits on a line stays on it, others get one line an item, so that files are compact,
+readable and good to compare. Keys of records keep their order, keys of mappings are sorted,
+floats are written by ``repr``; UTF-8, LF, one newline at the end.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from sdgen.errors import InputError, did_you_mean
+
+T = TypeVar("T", bound=BaseModel)
+
+LINE = 110
+
+
+def plain(value: Any) -> Any:
+    """A record as dicts and lists: record keys in their order, mapping keys sorted."""
+    if isinstance(value, BaseModel):
+        return {name: plain(getattr(value, name)) for name in type(value).model_fields}
+    if isinstance(value, Mapping):
+        return {str(key): plain(value[key]) for key in sorted(value)}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    return value
+
+
+def compact(value: Any) -> str:
+    """``value`` (dicts, lists, scalars) on one line. ValueError for NaN and infinities."""
+    return json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(", ", ": "))
+
+
+def pretty(value: Any, indent: str = "") -> str:
+    """``value`` with whatever fits a line of ``LINE`` characters kept on one."""
+    if not isinstance(value, dict | list) or not value:
+        return compact(value)
+    short = compact(value)
+    if len(indent) + len(short) <= LINE:
+        return short
+    inner = indent + " "
+    if isinstance(value, dict):
+        items = [f"{inner}{compact(key)}: {pretty(item, inner)}" for key, item in value.items()]
+        return "{\n" + ",\n".join(items) + "\n" + indent + "}"
+    items = [inner + pretty(item, inner) for item in value]
+    return "[\n" + ",\n".join(items) + "\n" + indent + "]"
+
+
+def record_bytes(record: BaseModel) -> bytes:
+    """A record as the bytes of its file."""
+    return (pretty(plain(record)) + "\n").encode("utf-8")
+
+
+def line_bytes(record: BaseModel) -> bytes:
+    """A record as one line of a ``.jsonl`` file."""
+    return (compact(plain(record)) + "\n").encode("utf-8")
+
+
+# --- reading, strictly ---------------------------------------------------------------------------
+
+
+def _refuse_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    out: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in out:
+            raise ValueError(f"key {key!r} appears twice")
+        out[key] = value
+    return out
+
+
+def _refuse_constant(name: str) -> Any:
+    raise ValueError(f"{name} is not a number of JSON")
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(f"{text} is too large a number")
+    return value
+
+
+def parse(data: bytes, where: str) -> Any:
+    """JSON from bytes. Raises InputError ``where: line: problem``."""
+    try:
+        text = data.decode("utf-8")
+        return json.loads(
+            text,
+            object_pairs_hook=_refuse_duplicates,
+            parse_constant=_refuse_constant,
+            parse_float=_finite,
+        )
+    except UnicodeDecodeError as error:
+        raise InputError([f"{where}: not UTF-8 text (byte {error.start})"]) from None
+    except json.JSONDecodeError as error:
+        raise InputError([f"{where}:{error.lineno}: not JSON: {error.msg}"]) from None
+    except RecursionError:
+        raise InputError([f"{where}: nested too deeply"]) from None
+    except ValueError as error:
+        raise InputError([f"{where}: {error}"]) from None
+
+
+def read_bytes(path: Path, where: str) -> bytes:
+    """Bytes of a regular file. Raises InputError when it is missing or not a plain file."""
+    try:
+        if path.is_symlink() or not path.is_file():
+            what = "not a plain file" if path.exists() or path.is_symlink() else "missing"
+            raise InputError([f"{where}: {what}"])
+        return path.read_bytes()
+    except OSError as error:
+        raise InputError([f"{where}: cannot be read ({error.strerror})"]) from None
+
+
+def to_record(model: type[T], data: bytes, where: str) -> T:
+    """JSON bytes as a record. Raises InputError with all problems, ``where: key path: problem``."""
+    parse(data, where)  # what pydantic's parser lets pass: duplicate keys, NaN, 1e999
+    try:
+        # Strict, in JSON mode: a list may become a tuple, but "1" stays no number.
+        return model.model_validate_json(data, strict=True)
+    except ValidationError as error:
+        raise InputError(located(error, model, where)) from None
+
+
+def located(error: ValidationError, model: type[BaseModel], where: str) -> list[str]:
+    """The problems of a validation error, one line each."""
+    problems = []
+    for item in error.errors(include_url=False):
+        path = ".".join(str(step) for step in item["loc"])
+        text = item["msg"]
+        if item["type"] == "extra_forbidden":
+            hint = did_you_mean(str(item["loc"][-1]), list(model.model_fields))
+            text = f"unknown key{hint if len(item['loc']) == 1 else ''}"
+        problems.append(f"{where}: {path}: {text}" if path else f"{where}: {text}")
+    return problems
+
+
+def read_record(model: type[T], path: Path, where: str) -> T:
+    """A record from its file. Raises InputError, located."""
+    return to_record(model, read_bytes(path, where), where)
+
+
+def read_lines(model: type[T], path: Path, where: str) -> tuple[T, ...]:
+    """Records of a ``.jsonl`` file. Raises InputError with every problem, ``where:line: …``."""
+    out: list[T] = []
+    problems: list[str] = []
+    for number, line in enumerate(read_bytes(path, where).split(b"\n"), start=1):
+        if not line.strip():
+            continue
+        try:
+            out.append(to_record(model, line, f"{where}:{number}"))
+        except InputError as error:
+            problems.extend(error.problems)
+    if problems:
+        raise InputError(problems)
+    return tuple(out)

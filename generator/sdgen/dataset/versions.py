@@ -1,0 +1,23 @@
+"""Versions of what decides bytes: promised equal only for one set of them."""
+
+from __future__ import annotations
+
+import platform
+from importlib.metadata import PackageNotFoundError, version
+
+import sdgen
+
+#: Content follows from numpy (random lanes, geometry), shapely, trimesh and pybullet; pictures
+#: also from pillow.
+PACKAGES = ("numpy", "pillow", "pybullet", "shapely", "trimesh")
+
+
+def package_versions() -> dict[str, str]:
+    """Installed versions by name, ``machine`` (the architecture) and ``sdgen`` included."""
+    out = {"machine": platform.machine(), "sdgen": sdgen.__version__}
+    for name in PACKAGES:
+        try:
+            out[name] = version(name)
+        except PackageNotFoundError:
+            out[name] = "unknown"
+    return dict(sorted(out.items()))

@@ -1,0 +1,139 @@
+"""Builds a data set on this machine: a supervised pool of worker processes, one folder."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from pathlib import Path
+
+from sdgen.catalog.load import check_against_library
+from sdgen.catalog.records import Catalog
+from sdgen.dataset.writer import DatasetWriter
+from sdgen.engines.pool import Limits, Outcome, Pool, resident_mb
+from sdgen.engines.report import (
+    BuildReport,
+    Note,
+    OnEvent,
+    SceneDone,
+    SceneFailed,
+    ignore_event,
+)
+from sdgen.engines.worker import SceneResult, SceneWorker, WorkerSetup
+from sdgen.errors import SceneRejected
+from sdgen.hazards.draw import check_range
+from sdgen.library import Library
+from sdgen.options import BuildOptions
+from sdgen.render.backend import Choice, choose_renderer
+
+
+def build(
+    options: BuildOptions,
+    out: Path,
+    catalog: Catalog,
+    library: Library,
+    workers: int = 1,
+    index_range: tuple[int, int] | None = None,
+    overwrite: bool = False,
+    on_event: OnEvent = ignore_event,
+    limits: Limits | None = None,
+    cores: int | None = None,
+) -> BuildReport:
+    """Build scenes ``index_range`` (all by default) of a data set into ``out``, or go on with it.
+
+    Raises SdgenError for a folder that cannot be used, a catalogue that does not fit the library,
+    a renderer that does not start, a full disk. A scene whose attempts are spent is in
+    ``failed``, never silently missing. ``workers`` processes; with as many as ``cores`` each
+    draws with one thread.
+    """
+    start = time.monotonic()
+    check_against_library(catalog, library.states_by_category())
+    check_range(options.hazards_min, options.hazards_max, len(catalog.hazards))
+    first, end = index_range if index_range is not None else (0, options.n)
+    wanted = {f"{index:06d}": index for index in range(first, end)}
+    choice = _renderer(options, on_event)
+    with DatasetWriter.open(
+        out, options, catalog, library.infos, library.sha256, overwrite=overwrite
+    ) as writer:
+        for scene_id in writer.repaired:
+            on_event(Note(f"scene {scene_id} was damaged and will be made again"))
+        anomalies: Counter[str] = Counter()
+        resumed = [key for key in wanted if key in writer.done]
+        for key in resumed:
+            entry = writer.done[key]
+            anomalies.update(entry.hazards)
+            names = tuple(Counter(entry.hazards).elements())
+            on_event(SceneDone(entry.index, entry.id, names, resumed=True))
+        jobs = [index for key, index in wanted.items() if key not in writer.done]
+        setup = WorkerSetup(
+            catalog=catalog,
+            library_folders=library.folders,
+            library_sha256=library.sha256,
+            options=options,
+            writer=writer.scene_writer,
+            choice=choice,
+            one_thread=workers >= (cores or workers),
+        )
+        failed: list[SceneFailed] = []
+        rejections: Counter[str] = Counter()
+        made = frames = homes = 0
+        unseen: list[str] = []
+        with Pool(min(workers, max(1, len(jobs))), SceneWorker, (setup,), limits) as pool:
+            for event in pool.run(jobs):
+                if not isinstance(event, Outcome):
+                    on_event(Note(f"worker replaced: {event.why}"))
+                    continue
+                if isinstance(event.error, SceneRejected):
+                    failure = SceneFailed(event.job, f"{event.job:06d}", event.error.reasons)
+                    failed.append(failure)
+                    rejections.update(event.error.reasons)
+                    on_event(failure)
+                    continue
+                result = event.result
+                assert isinstance(result, SceneResult)
+                made += 1
+                frames += result.frames
+                homes += result.home_attempts
+                rejections.update(result.rejections)
+                anomalies.update(result.hazards)
+                if not result.all_visible and options.views > options.hazards_max:
+                    unseen.append(result.scene_id)
+                on_event(
+                    SceneDone(
+                        event.job,
+                        result.scene_id,
+                        result.hazards,
+                        frames=result.frames,
+                        seconds=result.seconds,
+                    )
+                )
+            peak = max(pool.peak_mb, resident_mb())
+        if unseen and choice is not None:
+            shown = ", ".join(unseen[:10])
+            on_event(Note(f"{len(unseen)} scenes do not show every anomaly: {shown}"))
+        writer.finish(
+            renderers=(choice.renderer_string,) if choice is not None and made else (),
+            failed={item.scene_id: item.reasons for item in failed},
+        )
+    return BuildReport(
+        out=out,
+        requested=len(wanted),
+        made=made,
+        resumed=len(resumed),
+        failed=tuple(sorted(failed, key=lambda item: item.index)),
+        frames=frames,
+        seconds=time.monotonic() - start,
+        peak_memory_mb=peak,
+        home_attempts=homes,
+        rejections=dict(rejections),
+        anomalies=dict(anomalies),
+        renderer=choice.renderer_string if choice is not None else "none",
+    )
+
+
+def _renderer(options: BuildOptions, on_event: OnEvent) -> Choice | None:
+    if not options.sensors or options.views == 0:
+        return None
+    choice = choose_renderer(options.renderer)
+    if choice.reason:
+        on_event(Note(f"EGL does not start ({choice.reason}); going on with the CPU renderer"))
+    return choice

@@ -1,0 +1,244 @@
+"""A supervised pool of spawned processes: one job each at a time, recycled by measured memory.
+
+A worker that crashes, hangs or bloats costs its job one retry, not the build.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import multiprocessing
+import os
+import signal
+import time
+import traceback
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from multiprocessing.connection import Connection, wait
+from multiprocessing.context import SpawnProcess
+from typing import Any
+
+from sdgen.errors import SceneRejected, SdgenError
+
+RETRIES = 1
+_POLL_S = 1.0
+
+
+@dataclass(frozen=True)
+class Limits:
+    """When a worker is given up: seconds a job, megabytes a worker holds after a job."""
+
+    timeout_s: float = 900.0
+    memory_mb: float = 1100.0
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How one job ended: a ``result``, or an ``error`` (a rejection keeps its type)."""
+
+    job: int
+    result: Any = None
+    error: SdgenError | None = None
+
+
+@dataclass(frozen=True)
+class Recycled:
+    """A worker was replaced, and why."""
+
+    why: str
+
+
+#: ``make()`` runs once in a worker and returns what does the jobs, with a ``close()``.
+Factory = Callable[..., Any]
+
+
+def resident_mb() -> float:
+    """Memory this process holds now, megabytes."""
+    try:
+        with open("/proc/self/statm", encoding="ascii") as file:
+            pages = int(file.read().split()[1])
+        return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+    except (OSError, ValueError):
+        import resource
+
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def _serve(pipe: Connection, factory: Factory, args: tuple[Any, ...], quiet: bool) -> None:
+    """Body of a worker process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if quiet:
+        # The simulator and its drivers write to the C streams; the parent owns the terminal.
+        sink = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(sink, 1)
+        os.dup2(sink, 2)
+    try:
+        work = factory(*args)
+    except SdgenError as error:
+        pipe.send(("broken", -1, error, 0.0))
+        return
+    except BaseException:
+        pipe.send(("broken", -1, SdgenError(_last_line()), 0.0))
+        return
+    with contextlib.suppress(EOFError, KeyboardInterrupt):
+        while True:
+            job = pipe.recv()
+            if job is None:
+                break
+            try:
+                pipe.send(("done", job, work(job), resident_mb()))
+            except SdgenError as error:
+                pipe.send(("error", job, error, resident_mb()))
+            except BaseException:
+                pipe.send(("crash", job, _last_line(), resident_mb()))
+                break
+    with contextlib.suppress(Exception):
+        work.close()
+
+
+def _last_line() -> str:
+    text = traceback.format_exc()
+    if os.environ.get("SDGEN_DEBUG"):
+        return text
+    frames = [line.strip() for line in text.splitlines() if line.strip().startswith("File ")]
+    return f"{text.strip().splitlines()[-1]} ({frames[-1] if frames else 'no frame'})"
+
+
+@dataclass
+class _Worker:
+    process: SpawnProcess
+    pipe: Connection
+    job: int | None = None
+    since: float = field(default_factory=time.monotonic)
+    peak_mb: float = 0.0
+
+
+class Pool:
+    """Runs jobs (integers) in ``workers`` processes. Use as a context manager."""
+
+    def __init__(
+        self, workers: int, factory: Factory, args: tuple[Any, ...], limits: Limits | None = None
+    ) -> None:
+        self._context = multiprocessing.get_context("spawn")
+        self._factory = factory
+        self._args = args
+        self._limits = limits or Limits()
+        self._count = max(1, workers)
+        self._workers: list[_Worker] = []
+        self.peak_mb = 0.0
+
+    def __enter__(self) -> Pool:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End every worker at once."""
+        for worker in self._workers:
+            worker.process.terminate()
+        for worker in self._workers:
+            worker.process.join(5)
+            if worker.process.is_alive():
+                worker.process.kill()
+            worker.pipe.close()
+        self._workers.clear()
+
+    def run(self, jobs: Iterable[int]) -> Iterator[Outcome | Recycled]:
+        """Outcomes in the order they come. A broken worker set-up raises its SdgenError."""
+        waiting = deque(jobs)
+        tries: dict[int, int] = {}
+        open_jobs = len(waiting)
+        while open_jobs:
+            self._hand_out(waiting)
+            for worker, message in self._listen():
+                kind, job, payload = message
+                if kind == "broken":
+                    raise payload
+                if kind in ("done", "error"):
+                    open_jobs -= 1
+                    error = payload if kind == "error" else None
+                    if error is not None and not isinstance(error, SceneRejected):
+                        raise error
+                    yield Outcome(job, None if error else payload, error)
+                    if worker.peak_mb > self._limits.memory_mb:
+                        self._retire(worker, gently=True)
+                        yield Recycled(f"a worker held {worker.peak_mb:.0f} MB")
+                    continue
+                self._retire(worker, gently=False)
+                tries[job] = tries.get(job, 0) + 1
+                yield Recycled(f"scene {job:06d}: {payload}")
+                if tries[job] <= RETRIES:
+                    waiting.appendleft(job)
+                else:
+                    open_jobs -= 1
+                    reason = {f"worker: {payload}": tries[job]}
+                    yield Outcome(job, error=SceneRejected(f"{job:06d}", reason))
+
+    def _hand_out(self, waiting: deque[int]) -> None:
+        idle = [worker for worker in self._workers if worker.job is None]
+        while waiting and (idle or len(self._workers) < self._count):
+            worker = idle.pop() if idle else self._spawn()
+            worker.job = waiting.popleft()
+            worker.since = time.monotonic()
+            # A worker that died meanwhile is found by its sentinel.
+            with contextlib.suppress(OSError):
+                worker.pipe.send(worker.job)
+
+    def _spawn(self) -> _Worker:
+        ours, theirs = self._context.Pipe()
+        quiet = not os.environ.get("SDGEN_DEBUG")
+        process = self._context.Process(
+            target=_serve, args=(theirs, self._factory, self._args, quiet), daemon=True
+        )
+        process.start()
+        theirs.close()
+        worker = _Worker(process, ours)
+        self._workers.append(worker)
+        return worker
+
+    def _retire(self, worker: _Worker, gently: bool) -> None:
+        self._workers.remove(worker)
+        if gently:
+            with contextlib.suppress(OSError):
+                worker.pipe.send(None)
+            worker.process.join(10)
+        if worker.process.is_alive():
+            worker.process.kill()
+            worker.process.join()
+        worker.pipe.close()
+
+    def _listen(self) -> list[tuple[_Worker, tuple[str, int, Any]]]:
+        busy = [worker for worker in self._workers if worker.job is not None]
+        by_pipe = {id(worker.pipe): worker for worker in busy}
+        by_sentinel = {worker.process.sentinel: worker for worker in busy}
+        ready = wait([w.pipe for w in busy] + list(by_sentinel), timeout=_POLL_S)
+        out: list[tuple[_Worker, tuple[str, int, Any]]] = []
+        heard: set[int] = set()
+        for item in sorted(ready, key=lambda r: not isinstance(r, Connection)):
+            worker = by_pipe[id(item)] if isinstance(item, Connection) else None
+            if worker is None:
+                assert isinstance(item, int)
+                worker = by_sentinel[item]
+            if id(worker) in heard:
+                continue
+            heard.add(id(worker))
+            out.append((worker, self._hear(worker)))
+        for worker in busy:
+            late = time.monotonic() - worker.since > self._limits.timeout_s
+            if late and id(worker) not in heard and worker.job is not None:
+                text = f"no answer in {self._limits.timeout_s:.0f} s"
+                out.append((worker, ("crash", worker.job, text)))
+        return out
+
+    def _hear(self, worker: _Worker) -> tuple[str, int, Any]:
+        assert worker.job is not None
+        try:
+            kind, job, payload, resident = worker.pipe.recv()
+        except (EOFError, OSError):
+            worker.process.join(1)
+            return "crash", worker.job, f"worker died (exit code {worker.process.exitcode})"
+        worker.peak_mb = max(worker.peak_mb, resident)
+        self.peak_mb = max(self.peak_mb, resident_mb() + sum(w.peak_mb for w in self._workers))
+        worker.job = None
+        return kind, job if kind != "broken" else -1, payload

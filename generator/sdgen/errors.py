@@ -1,0 +1,71 @@
+"""Every error a user can meet, with the exit code it maps to.
+
+Expected rejections (a placement that does not fit) are values, not exceptions; only broken
+input, a spent attempt budget or a broken machine raises.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+
+class SdgenError(Exception):
+    """Root of all errors sdgen raises on purpose: one line, what and where, how to mend it."""
+
+    exit_code = 1
+
+
+class UsageError(SdgenError):
+    """The command line asks for something that makes no sense."""
+
+    exit_code = 2
+
+
+class InputError(SdgenError):
+    """A file from outside is bad. Carries all problems found, each located."""
+
+    def __init__(self, problems: Sequence[str]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(self.problems))
+
+
+class AssetError(InputError):
+    """A mesh, texture or manifest is missing or broken."""
+
+
+class SceneRejected(SdgenError):
+    """A scene's stated attempt budget is spent.
+
+    ``reasons`` counts the rejections by reason, most frequent first.
+    """
+
+    def __init__(self, scene_id: str, reasons: dict[str, int]) -> None:
+        self.scene_id = scene_id
+        self.reasons = dict(sorted(reasons.items(), key=lambda item: (-item[1], item[0])))
+        top = ", ".join(f"{reason} x{count}" for reason, count in list(self.reasons.items())[:4])
+        super().__init__(f"scene {scene_id}: could not be made ({top or 'no reason recorded'})")
+
+    def __reduce__(self) -> tuple[type[SceneRejected], tuple[str, dict[str, int]]]:
+        return (SceneRejected, (self.scene_id, self.reasons))
+
+
+class BuildIncomplete(SdgenError):
+    """Some scenes could not be made; the rest of the data set is good."""
+
+    exit_code = 3
+
+
+class RendererError(SdgenError):
+    """No renderer could be started."""
+
+
+def did_you_mean(word: str, choices: Sequence[str]) -> str:
+    """`` (did you mean x?)`` for the nearest choice, else the list of choices when short."""
+    import difflib
+
+    near = difflib.get_close_matches(word, choices, n=1)
+    if near:
+        return f" (did you mean {near[0]!r}?)"
+    if 0 < len(choices) <= 12:
+        return f" (one of: {', '.join(sorted(choices))})"
+    return ""

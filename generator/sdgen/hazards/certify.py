@@ -1,0 +1,52 @@
+"""Proof: which (object, hazard) pairs hold, which surely do not, and whether any is in doubt."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sdgen.catalog.predicate import Verdict, evaluate
+from sdgen.catalog.records import Catalog
+from sdgen.library.records import AssetInfo
+from sdgen.relations import Facts
+from sdgen.scene import Scene
+
+
+@dataclass(frozen=True)
+class Positive:
+    """A pair that holds, or that lies within a dead band (``verdict.sure`` is False)."""
+
+    object_id: int
+    hazard: str
+    verdict: Verdict
+
+
+@dataclass(frozen=True)
+class Survey:
+    """All pairs of a scene: those that hold or are in doubt, and how many were looked at."""
+
+    found: tuple[Positive, ...]
+    pairs: int
+
+
+def facts_of(scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog) -> Facts:
+    """Facts of a scene with the catalogue's category properties."""
+    return Facts(scene, infos, {c.name: c.properties for c in catalog.categories})
+
+
+def survey(facts: Facts, catalog: Catalog) -> Survey:
+    """Evaluate every hazard's predicate for every object."""
+    found = []
+    pairs = 0
+    for item in sorted(facts.scene.objects, key=lambda o: o.id):
+        for hazard in catalog.hazards:
+            verdict = evaluate(hazard.predicate, item.id, facts)
+            pairs += 1
+            if verdict.value or not verdict.sure:
+                found.append(Positive(item.id, hazard.id, verdict))
+    return Survey(tuple(found), pairs)
+
+
+def certify(scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog) -> tuple[Positive, ...]:
+    """Pairs that hold or are in doubt, from records alone (what ``validate`` runs again)."""
+    return survey(facts_of(scene, infos, catalog), catalog).found

@@ -1,0 +1,77 @@
+"""Brings a scene's drawn anomalies and some lookalikes about."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sdgen.catalog.records import SetRecipe
+from sdgen.hazards.splits import withheld_anomaly
+from sdgen.hazards.ways import Made, Site, Way, bring_about, shuffled, ways
+from sdgen.home.layout import Layout
+from sdgen.seeding import Rng
+
+WAYS_TRIED = 20
+LOOKALIKE_SHARE = 0.85
+LOOKALIKE_WAYS_TRIED = 6
+
+
+@dataclass(frozen=True)
+class Injection:
+    """What was brought about; ``failed`` names the hazard that found no way."""
+
+    anomalies: tuple[Made, ...]
+    failed: str | None = None
+
+
+def inject(
+    hazards: Sequence[str], layout: Layout, site: Site, training: bool, rng: Rng
+) -> Injection:
+    """One anomaly of each drawn hazard. ``training`` leaves withheld unique anomalies out."""
+    made: list[Made] = []
+    for hazard_id in hazards:
+        hazard = site.catalog.hazard(hazard_id)
+        found = ways(hazard_id, hazard.anomalies, layout, site)
+        if training:
+            found = [way for way in found if not withheld_anomaly(way.unique)] or found
+        one = _first(shuffled(found, rng)[:WAYS_TRIED], layout, site, made, rng)
+        if one is None:
+            return Injection(tuple(made), hazard_id)
+        made.append(one)
+    return Injection(tuple(made))
+
+
+def add_lookalikes(
+    layout: Layout, site: Site, anomalies: Sequence[Made], rng: Rng
+) -> tuple[Made, ...]:
+    """One benign near miss for most hazards, whether or not they were drawn."""
+    made: list[Made] = []
+    for hazard in site.catalog.hazards:
+        wanted = rng.random() < LOOKALIKE_SHARE
+        order = shuffled(ways(hazard.id, hazard.lookalikes, layout, site), rng)
+        if not wanted:
+            continue
+        one = _first(order[:LOOKALIKE_WAYS_TRIED], layout, site, [*anomalies, *made], rng)
+        if one is not None:
+            made.append(one)
+    return tuple(made)
+
+
+def _first(
+    order: Sequence[Way], layout: Layout, site: Site, made: Sequence[Made], rng: Rng
+) -> Made | None:
+    taken = {m.object_id for m in made}
+    for way in order:
+        one = bring_about(way, layout, site, taken, rng)
+        if one is not None:
+            return one
+    return None
+
+
+def undo(made: Made, layout: Layout) -> None:
+    """Take back what was brought about: a new object goes, a changed one is as it was."""
+    if isinstance(made.way.recipe, SetRecipe):
+        assert made.before is not None
+        layout.put(made.before)
+    else:
+        layout.drop(made.object_id)

@@ -1,0 +1,124 @@
+"""The records of anomalies and lookalikes, from what the predicates measured."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from sdgen.catalog.predicate import measure
+from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe
+from sdgen.hazards.certify import Positive
+from sdgen.hazards.ways import Made
+from sdgen.households import decide
+from sdgen.library.states import state_parts
+from sdgen.relations import Facts
+from sdgen.scene import Anomaly, Household, Lookalike, Remedy
+
+
+def evidence_parts(facts: Facts, hazard: Hazard, object_id: int) -> tuple[str, ...]:
+    """Drawn parts that show the anomaly: those of the hazard's state, else all."""
+    body = facts.bodies[object_id]
+    item = body.item
+    if hazard.evidence_state is not None and hazard.evidence_state in facts.states(object_id):
+        return state_parts(body.info, hazard.evidence_state, item.variant, item.joints)
+    return body.info.variants[item.variant]
+
+
+def anomaly_records(
+    found: Sequence[Positive],
+    facts: Facts,
+    catalog: Catalog,
+    household: Household,
+) -> tuple[Anomaly, ...]:
+    """Anomalies sorted by object id; ids ``a00`` … follow that order and say nothing else."""
+    out = []
+    ordered = sorted(found, key=lambda p: (p.object_id, p.hazard))
+    for number, positive in enumerate(ordered):
+        hazard = catalog.hazard(positive.hazard)
+        item = facts.bodies[positive.object_id].item
+        relation, target = _relation(hazard, facts, item.id)
+        evidence = dict(positive.verdict.evidence)
+        report, notify, reason = decide(hazard, evidence, household, catalog.reach)
+        out.append(
+            Anomaly(
+                id=f"a{number:02d}",
+                hazard=hazard.id,
+                group=hazard.group,
+                label=hazard.label,
+                object_id=item.id,
+                category=item.category,
+                states=facts.states(item.id),
+                relation=relation,
+                target_id=target,
+                room_id=item.room_id,
+                evidence=evidence,
+                evidence_parts=evidence_parts(facts, hazard, item.id),
+                report=report,
+                notify=notify,
+                reason=reason,
+                urgency=hazard.urgency,
+                message=message(hazard, facts, item.id, target),
+                remedy=remedy(hazard, facts, item.id),
+            )
+        )
+    return tuple(out)
+
+
+def _relation(hazard: Hazard, facts: Facts, object_id: int) -> tuple[str | None, int | None]:
+    if all(not isinstance(recipe, PlaceRecipe) for recipe in hazard.anomalies):
+        return None, None
+    for relation in (hazard.relation, "INSIDE", "ON"):
+        if relation is not None:
+            targets = facts.holds(object_id, relation)
+            if targets:
+                return relation, targets[0]
+    return None, None
+
+
+def _words(category: str) -> str:
+    return category.replace("_", " ")
+
+
+def message(hazard: Hazard, facts: Facts, object_id: int, target_id: int | None) -> str:
+    """The hazard's sentence with the object, its target and the room filled in."""
+    words = {
+        "object": _words(facts.category(object_id)),
+        "target": _words(facts.category(target_id)) if target_id is not None else "",
+        "room": _words(facts.room_type(object_id)),
+    }
+    text = hazard.message
+    for key, value in words.items():
+        text = text.replace("{" + key + "}", value)
+    return text
+
+
+def remedy(hazard: Hazard, facts: Facts, object_id: int) -> tuple[Remedy, ...]:
+    """The hazard's steps, each with the nearest object of its target categories in this home."""
+    here = facts.bodies[object_id].center
+    out = []
+    for rule in hazard.remedy:
+        target: int | None = None
+        best = math.inf
+        for other_id, other in sorted(facts.bodies.items()):
+            if other_id == object_id or other.item.category not in rule.targets:
+                continue
+            apart = math.dist(here.tolist(), other.center.tolist())
+            if apart < best:
+                best, target = apart, other_id
+        out.append(Remedy(action=rule.action, object_id=object_id, target_id=target))
+    return tuple(out)
+
+
+def lookalike_records(
+    made: Sequence[Made], facts: Facts, catalog: Catalog
+) -> tuple[Lookalike, ...]:
+    """Lookalikes sorted by object id, with what the missed predicate measures of them."""
+    records: Mapping[int, Lookalike] = {
+        m.object_id: Lookalike(
+            object_id=m.object_id,
+            near_miss_of=m.hazard,
+            evidence=measure(catalog.hazard(m.hazard).predicate, m.object_id, facts),
+        )
+        for m in made
+    }
+    return tuple(records[k] for k in sorted(records))

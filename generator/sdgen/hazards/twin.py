@@ -1,0 +1,43 @@
+"""The benign twin of a scene: the same ids, cameras and household, its anomalies undone.
+
+What was put there is taken away; what was brought into a state is back at rest. The records alone
+are enough: an anomaly whose hazard changes states (it has no relation) is undone by its object's
+rest state, every other by leaving its object out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from sdgen.actions import at_rest
+from sdgen.catalog.records import Catalog, SetRecipe
+from sdgen.library.records import AssetInfo
+from sdgen.scene import Anomaly, Scene
+
+
+def undone(
+    scene: Scene,
+    anomalies: Collection[Anomaly],
+    catalog: Catalog,
+    infos: Mapping[str, AssetInfo],
+) -> Scene:
+    """The scene with these anomalies undone; its id gets ``-twin`` and ``twin_of`` names it."""
+    by_object = {anomaly.object_id: anomaly for anomaly in anomalies}
+    objects = []
+    for item in scene.objects:
+        anomaly = by_object.get(item.id)
+        if anomaly is None:
+            objects.append(item)
+        elif _is_state_change(catalog, anomaly):
+            objects.append(at_rest(item, infos[item.asset]))
+    return scene.model_copy(
+        update={"id": f"{scene.id}-twin", "twin_of": scene.id, "objects": tuple(objects)}
+    )
+
+
+def _is_state_change(catalog: Catalog, anomaly: Anomaly) -> bool:
+    recipes = catalog.hazard(anomaly.hazard).anomalies
+    return any(
+        isinstance(recipe, SetRecipe) and anomaly.category in recipe.categories
+        for recipe in recipes
+    )

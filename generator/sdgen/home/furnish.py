@@ -1,0 +1,180 @@
+"""Furniture and openings of a base home: which model stands where."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from shapely.geometry import Polygon
+
+from sdgen.actions import at_rest, in_state, settled_states
+from sdgen.catalog.records import BaseHome, BaseRoom, FurnitureItem
+from sdgen.geometry import Vec3, apply, matrix, quat_from_yaw, round_position, round_quat
+from sdgen.home.layout import Intent, Layout
+from sdgen.home.shell import frame_size
+from sdgen.library.records import Asset, AssetInfo
+from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
+from sdgen.seeding import Rng
+
+#: Which models a scene may use (its split decides): category -> models.
+Models = Callable[[str], tuple[Asset, ...]]
+
+OPTIONAL_SHARE = 0.75
+#: Joint values of an interior door: most stand open, as in homes.
+DOOR_OPEN_SHARE = 0.8
+SWITCHED_ON_SHARE = 0.35
+SWITCHED = ("floor_lamp", "desk_lamp", "tv")
+
+
+def fill_openings(base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng) -> bool:
+    """Doors and windows into their holes. False when a kind has no model of the right size."""
+    for source, opening in zip(base.openings, home.openings, strict=True):
+        width, _ = frame_size(source)
+        fitting = [m for m in models(opening.kind) if abs(m.extents_m[1] - width) < 0.06]
+        if not fitting:
+            return False
+        asset = fitting[int(rng.integers(len(fitting)))]
+        item = ObjectInstance(
+            id=opening.object_id,
+            category=opening.kind,
+            asset=asset.id,
+            pose=Pose(position_m=opening.center_m, quat_xyzw=round_quat(_inwards(opening, home))),
+            room_id=opening.room_ids[0],
+            fixed=True,
+        )
+        item = at_rest(item, asset)
+        if opening.kind == "door" and asset.joints and rng.random() < DOOR_OPEN_SHARE:
+            joint = asset.joints[0]
+            value = float(rng.uniform(0.75, 0.98) * joint.upper)
+            item = settled_states(
+                item.model_copy(update={"joints": {joint.name: round(value, 4)}}), asset
+            )
+        layout.put(item)
+    return True
+
+
+def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
+    """Heading of an opening: +X points into its first room."""
+    room = next(r for r in home.rooms if r.id == opening.room_ids[0])
+    outline = Polygon(room.polygon_m)
+    x, y, _ = opening.center_m
+    steps = ((0.0, 1.0), (0.0, -1.0)) if opening.along == "x" else ((1.0, 0.0), (-1.0, 0.0))
+
+    def inside(step: tuple[float, float]) -> float:
+        probe = Polygon(
+            [
+                (x + step[0] * 0.2 + dx, y + step[1] * 0.2 + dy)
+                for dx, dy in ((-0.05, -0.05), (0.05, -0.05), (0.05, 0.05), (-0.05, 0.05))
+            ]
+        )
+        return float(outline.intersection(probe).area)
+
+    dx, dy = max(steps, key=inside)
+    return quat_from_yaw(math.atan2(dy, dx))
+
+
+def furnish(base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng) -> str | None:
+    """Furniture of every room. Returns the category that found no place, or None."""
+    for source, room in zip(base.rooms, home.rooms, strict=True):
+        failed = _furnish_room(source, room, layout, models, rng)
+        if failed is not None:
+            return failed
+    return None
+
+
+def _furnish_room(
+    source: BaseRoom, room: Room, layout: Layout, models: Models, rng: Rng
+) -> str | None:
+    placed: dict[str, list[int]] = {}
+    for piece in source.furniture:
+        skip = rng.random() >= OPTIONAL_SHARE
+        if piece.optional and skip:
+            continue
+        candidates = [m for m in models(piece.category) if _wide_enough(piece, m)]
+        order = rng.permutation(len(candidates)) if candidates else np.array([], dtype=int)
+        done = False
+        for k in order.tolist():
+            done = _try_piece(piece, candidates[k], room, layout, placed, rng)
+            if done:
+                break
+        if not done and not piece.optional and candidates:
+            return piece.category
+    return None
+
+
+def _wide_enough(piece: FurnitureItem, model: AssetInfo) -> bool:
+    if piece.width_m is None:
+        return True
+    return piece.width_m[0] <= model.extents_m[1] <= piece.width_m[1]
+
+
+def _fits_width(piece: FurnitureItem, asset: AssetInfo) -> bool:
+    if piece.width_m is None:
+        return True
+    low, high = piece.width_m
+    return low <= asset.extents_m[1] <= high
+
+
+def _try_piece(
+    piece: FurnitureItem,
+    asset: AssetInfo,
+    room: Room,
+    layout: Layout,
+    placed: dict[str, list[int]],
+    rng: Rng,
+) -> bool:
+    yaw = math.radians(piece.yaw_deg)
+    x, y, z = piece.position_m
+    intent = None
+    if piece.on is not None:
+        target = _nearest(layout, placed.get(piece.on, []), x, y)
+        if target is None:
+            return False
+        z = _top_of(layout, target)
+        intent = Intent("ON", target)
+    if piece.against_wall:
+        # The given point is where the back touches; the centre lies half a depth in front.
+        x += math.cos(yaw) * asset.extents_m[0] / 2
+        y += math.sin(yaw) * asset.extents_m[0] / 2
+    if piece.jitter_m:
+        x += float(rng.uniform(-piece.jitter_m, piece.jitter_m))
+        y += float(rng.uniform(-piece.jitter_m, piece.jitter_m))
+    item = ObjectInstance(
+        id=next(layout.ids),
+        category=asset.category,
+        asset=asset.id,
+        pose=Pose(position_m=round_position((x, y, z)), quat_xyzw=round_quat(quat_from_yaw(yaw))),
+        room_id=room.id,
+        fixed=True,
+    )
+    item = at_rest(item, asset)
+    if piece.category in SWITCHED and rng.random() < SWITCHED_ON_SHARE:
+        item = in_state(item, asset, "ON", rng) or item
+    blocks = layout.blocks_of(item)
+    flat = asset.extents_m[2] <= 0.03
+    under = tuple(i for i in layout.items if flat or layout.info(i).extents_m[2] <= 0.03) + (
+        (intent.target_id,) if intent else ()
+    )
+    if layout.clashes(blocks, ignore=under, gap_m=0.0) is not None:
+        return False
+    layout.put(item, intent)
+    placed.setdefault(piece.category, []).append(item.id)
+    return True
+
+
+def _nearest(layout: Layout, ids: list[int], x: float, y: float) -> int | None:
+    def apart(object_id: int) -> float:
+        px, py, _ = layout.items[object_id].pose.position_m
+        return math.hypot(px - x, py - y)
+
+    return min(ids, key=apart, default=None)
+
+
+def _top_of(layout: Layout, object_id: int) -> float:
+    """World height of the object's highest open support (its box's top without one)."""
+    item, info = layout.items[object_id], layout.info(object_id)
+    tops = [s.z_m for s in info.supports if s.container is None and s.headroom_m is None]
+    local: Vec3 = (0.0, 0.0, max(tops) if tops else info.extents_m[2])
+    world = matrix(item.pose.position_m, item.pose.quat_xyzw)
+    return float(apply(world, [local])[0][2])

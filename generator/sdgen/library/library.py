@@ -1,0 +1,136 @@
+"""The models a build can use: records at once, meshes when asked for."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from sdgen.errors import AssetError
+from sdgen.library.cache import cached_texture, digest, unpack
+from sdgen.library.manifest import read_manifest
+from sdgen.library.meshes import Hull, MeshData, read_glb, read_hulls
+from sdgen.library.records import Asset, AssetInfo, Surface
+from sdgen.resources import data_path
+
+
+class Library:
+    """Assets and surfaces of one or more folders. Meshes are read once and kept."""
+
+    def __init__(self, folders: Sequence[Path], sha256: str | None = None) -> None:
+        """Read the manifests of ``folders``; ``sha256`` is their digest where it is known."""
+        self.folders = tuple(folders)
+        self._folder_of: dict[str, Path] = {}
+        assets: dict[str, Asset] = {}
+        surfaces: dict[str, Surface] = {}
+        hasher = hashlib.sha256()
+        for folder in folders:
+            found, found_surfaces = read_manifest(folder)
+            hasher.update((folder / "manifest.yaml").read_bytes())
+            for asset in found:
+                if asset.id in assets:
+                    raise AssetError([f"{folder}: {asset.id}: an asset folder before has this id"])
+                assets[asset.id] = asset
+                self._folder_of[asset.id] = folder
+            for surface in found_surfaces:
+                surfaces[surface.id] = surface
+                self._folder_of["surface:" + surface.id] = folder
+        self.assets: Mapping[str, Asset] = dict(sorted(assets.items()))
+        self.surfaces: Mapping[str, Surface] = dict(sorted(surfaces.items()))
+        self._by_category: dict[str, tuple[Asset, ...]] = {}
+        for asset in self.assets.values():
+            before = self._by_category.get(asset.category, ())
+            self._by_category[asset.category] = (*before, asset)
+        self._infos = {key: asset.info() for key, asset in self.assets.items()}
+        self._meshes: dict[str, dict[str, MeshData]] = {}
+        self._hulls: dict[str, tuple[Hull, ...]] = {}
+        self._objs: dict[str, dict[str, Path]] = {}
+        self._manifest_hash = hasher
+        self._sha256 = sha256
+
+    @property
+    def sha256(self) -> str:
+        """Digest of all manifests, meshes, hulls and textures: what decides bytes."""
+        if self._sha256 is None:
+            total = self._manifest_hash.copy()
+            for asset in self.assets.values():
+                folder = self._folder_of[asset.id]
+                files = {asset.mesh, asset.hulls, asset.texture}
+                files |= {part.texture for part in asset.parts if part.texture}
+                for name in sorted(files):
+                    total.update(_bytes(folder / name, asset.id))
+            for surface in self.surfaces.values():
+                folder = self._folder_of["surface:" + surface.id]
+                total.update(_bytes(folder / surface.texture, surface.id))
+            self._sha256 = total.hexdigest()
+        return self._sha256
+
+    @property
+    def infos(self) -> Mapping[str, AssetInfo]:
+        """Records without file names, by asset id."""
+        return self._infos
+
+    @property
+    def categories(self) -> tuple[str, ...]:
+        """Categories that have at least one model, sorted."""
+        return tuple(sorted(self._by_category))
+
+    def by_category(self, category: str) -> tuple[Asset, ...]:
+        """Models of a category, sorted by id; empty when there is none."""
+        return self._by_category.get(category, ())
+
+    def info(self, asset_id: str) -> AssetInfo:
+        """Record of one model (KeyError when there is none)."""
+        return self._infos[asset_id]
+
+    def states_by_category(self) -> dict[str, set[str]]:
+        """All states some model of each category can be in."""
+        return {
+            category: {state for asset in assets for state in asset.state_names}
+            for category, assets in self._by_category.items()
+        }
+
+    def mesh(self, asset_id: str) -> Mapping[str, MeshData]:
+        """Triangles of every part. Raises AssetError for a missing or broken file."""
+        if asset_id not in self._meshes:
+            asset = self.assets[asset_id]
+            self._meshes[asset_id] = read_glb(self._folder_of[asset_id] / asset.mesh, asset)
+        return self._meshes[asset_id]
+
+    def hulls(self, asset_id: str) -> tuple[Hull, ...]:
+        """Convex collision pieces. Raises AssetError for a missing or broken file."""
+        if asset_id not in self._hulls:
+            asset = self.assets[asset_id]
+            self._hulls[asset_id] = read_hulls(self._folder_of[asset_id] / asset.hulls, asset)
+        return self._hulls[asset_id]
+
+    def objs(self, asset_id: str) -> Mapping[str, Path]:
+        """OBJ file of every part, unpacked into the cache on first use."""
+        if asset_id not in self._objs:
+            asset = self.assets[asset_id]
+            folder = self._folder_of[asset_id]
+            textures = {
+                part.name: cached_texture(folder / (part.texture or asset.texture))
+                for part in asset.parts
+            }
+            names = "\n".join(f"{k}={v.name}" for k, v in sorted(textures.items()))
+            key = digest(_bytes(folder / asset.mesh, asset_id), names.encode())
+            self._objs[asset_id] = unpack(key, self.mesh(asset_id), textures)
+        return self._objs[asset_id]
+
+    def surface_texture(self, surface_id: str) -> Path:
+        """Texture file of a room surface, in the cache."""
+        folder = self._folder_of["surface:" + surface_id]
+        return cached_texture(folder / self.surfaces[surface_id].texture)
+
+
+def _bytes(path: Path, owner: str) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise AssetError([f"{path}: file of {owner} cannot be read: {error.strerror}"]) from None
+
+
+def load_library(extra: Sequence[Path] = ()) -> Library:
+    """The shipped library, and further asset folders after it (``--assets PATH``)."""
+    return Library([data_path("assets"), *extra])

@@ -1,0 +1,99 @@
+"""Reads the GLB and hull files of a model into arrays."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.errors import AssetError
+from sdgen.library.records import Asset
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+#: glTF is Y up; our objects are Z up: (x, y, z)_ours = (x, -z, y)_gltf.
+_OURS_FROM_GLTF = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+
+
+@dataclass(frozen=True)
+class MeshData:
+    """A part's triangles in the object's frame, metres, Z up.
+
+    ``vertices`` and ``normals`` (N, 3), ``uvs`` (N, 2) with v upwards, ``faces`` (M, 3).
+    """
+
+    vertices: Floats
+    normals: Floats
+    uvs: Floats
+    faces: Ints
+
+
+@dataclass(frozen=True)
+class Hull:
+    """A convex collision piece of a part: the hull of ``vertices_m`` (N, 3)."""
+
+    part: str
+    vertices_m: Floats
+
+
+def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
+    """Meshes of all parts by name. Raises AssetError for a missing or broken file."""
+    import trimesh
+
+    try:
+        scene = trimesh.load_scene(path, file_type="glb", process=False)
+        found: dict[str, MeshData] = {}
+        for node in scene.graph.nodes_geometry:
+            transform, geometry = scene.graph[node]
+            mesh = scene.geometry[geometry]
+            rotation = _OURS_FROM_GLTF @ transform[:3, :3]
+            uvs = getattr(mesh.visual, "uv", None)
+            count = len(mesh.vertices)
+            found[str(node)] = MeshData(
+                vertices=mesh.vertices @ rotation.T + _OURS_FROM_GLTF @ transform[:3, 3],
+                normals=mesh.vertex_normals @ rotation.T,
+                uvs=np.zeros((count, 2)) if uvs is None else np.asarray(uvs, dtype=np.float64),
+                faces=np.asarray(mesh.faces, dtype=np.int64),
+            )
+    except Exception as error:  # trimesh raises whatever its parsers meet in a broken file
+        reason = " ".join(str(error).split())[:200] or type(error).__name__
+        raise AssetError([f"{path}: mesh of {asset.id} cannot be read: {reason}"]) from None
+    problems = []
+    for part in asset.parts:
+        data = found.get(part.name)
+        if data is None:
+            problems.append(f"{path}: {asset.id}: the mesh has no node {part.name!r}")
+        elif len(data.faces) == 0 or not np.isfinite(data.vertices).all():
+            problems.append(f"{path}: {asset.id}: part {part.name!r} is empty or not finite")
+    if problems:
+        raise AssetError(problems)
+    return {part.name: found[part.name] for part in asset.parts}
+
+
+def read_hulls(path: Path, asset: Asset) -> tuple[Hull, ...]:
+    """Convex pieces of a model. Raises AssetError for a missing or broken file."""
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        hulls = tuple(
+            Hull(str(piece["part"]), np.asarray(piece["vertices_m"], dtype=np.float64))
+            for piece in data["pieces"]
+        )
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise AssetError([f"{path}: hulls of {asset.id} cannot be read: {error}"]) from None
+    parts = {part.name for part in asset.parts}
+    for hull in hulls:
+        shape = hull.vertices_m.shape
+        if (
+            len(shape) != 2
+            or shape[1] != 3
+            or shape[0] < 4
+            or not np.isfinite(hull.vertices_m).all()
+        ):
+            raise AssetError([f"{path}: {asset.id}: a piece needs four points of three numbers"])
+        if hull.part not in parts:
+            raise AssetError([f"{path}: {asset.id}: a piece names no part: {hull.part!r}"])
+    return hulls

@@ -1,0 +1,131 @@
+"""What the library knows of a model: the record of ``manifest.yaml`` and ``assets.jsonl``."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from sdgen.geometry import Vec2, Vec3
+from sdgen.scene import Record
+
+Rgba = tuple[float, float, float, float]
+
+
+class Joint(Record):
+    """A hinge or slide; a part that names it moves with it. Positive values open."""
+
+    name: str
+    type: Literal["revolute", "prismatic"]
+    origin_m: Vec3
+    axis: Vec3
+    lower: float
+    upper: float
+
+
+class Part(Record):
+    """A named mesh of the model (a GLB node), in the object's frame at joint value 0."""
+
+    name: str
+    faces: int = Field(ge=1)
+    joint: str | None = None
+    rgba: Rgba = (1.0, 1.0, 1.0, 1.0)
+    texture: str | None = None
+
+
+class StateRule(Record):
+    """When a state holds: a joint beyond a limit, or one of some variants."""
+
+    state: str = Field(pattern=r"^[A-Z][A-Z_]*$")
+    joint: str | None = None
+    min: float | None = None
+    max: float | None = None
+    variants: tuple[str, ...] = ()
+    parts: tuple[str, ...] = ()
+
+
+class Support(Record):
+    """An upward surface things can stand on; ``headroom_m`` None = nothing above."""
+
+    name: str
+    part: str
+    z_m: float
+    polygon_m: tuple[Vec2, ...]
+    headroom_m: float | None = None
+    container: str | None = None
+
+
+class Container(Record):
+    """A hollow box things can be inside of; ``closed_by`` names the joint that shuts it."""
+
+    name: str
+    part: str
+    center_m: Vec3
+    size_m: Vec3
+    closed_by: str | None = None
+
+
+class AssetInfo(Record):
+    """One model, as ``assets.jsonl`` carries it: all that labels need, no meshes."""
+
+    id: str
+    category: str
+    title: str = ""
+    licence: str
+    source: str
+    extents_m: Vec3
+    mass_kg: float = Field(gt=0)
+    friction: float = Field(default=0.6, ge=0)
+    parts: tuple[Part, ...]
+    joints: tuple[Joint, ...] = ()
+    variants: dict[str, tuple[str, ...]]
+    states: tuple[StateRule, ...] = ()
+    supports: tuple[Support, ...] = ()
+    containers: tuple[Container, ...] = ()
+
+    def joint(self, name: str) -> Joint:
+        """The joint of this name (KeyError when there is none)."""
+        for item in self.joints:
+            if item.name == name:
+                return item
+        raise KeyError(name)
+
+    def part(self, name: str) -> Part:
+        """The part of this name (KeyError when there is none)."""
+        for item in self.parts:
+            if item.name == name:
+                return item
+        raise KeyError(name)
+
+    @property
+    def faces(self) -> int:
+        """Faces of the default variant."""
+        return sum(self.part(name).faces for name in self.variants["default"])
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """All states the model can be in, sorted."""
+        return tuple(sorted({rule.state for rule in self.states}))
+
+
+class Asset(AssetInfo):
+    """One model of the library: its record and where its files are (relative to the folder)."""
+
+    mesh: str
+    hulls: str
+    texture: str
+
+    def info(self) -> AssetInfo:
+        """The record without file names."""
+        data = self.model_dump(exclude={"mesh", "hulls", "texture"})
+        return AssetInfo.model_validate(data)
+
+
+class Surface(Record):
+    """A tileable floor, wall or ceiling surface; the tile covers ``size_m`` metres."""
+
+    id: str
+    kind: Literal["floor", "wall", "ceiling"]
+    texture: str
+    size_m: float = Field(gt=0)
+    rooms: tuple[str, ...] = ()

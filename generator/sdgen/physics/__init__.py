@@ -1,0 +1,8 @@
+"""Bullet as an adapter: settling, plausibility checks and ray tests. Scene in, values out."""
+
+from sdgen.physics.checks import penetrations, unsupported
+from sdgen.physics.client import Client
+from sdgen.physics.rays import Hits, RayWorld
+from sdgen.physics.settle import Settled, settle
+
+__all__ = ["Client", "Hits", "RayWorld", "Settled", "penetrations", "settle", "unsupported"]

@@ -1,0 +1,77 @@
+"""Turns objects and structures of a scene into Bullet bodies."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sdgen.errors import AssetError
+from sdgen.geometry import Array, apply, matrix, vec3
+from sdgen.library import Library
+from sdgen.library.states import object_from_part
+from sdgen.physics.client import Client
+from sdgen.scene import ObjectInstance, Scene, Structure
+
+
+def object_pieces(library: Library, item: ObjectInstance) -> list[Array]:
+    """Convex pieces (N, 3) of the drawn parts in the object's frame, joints applied.
+
+    Raises AssetError when no drawn part has a piece.
+    """
+    info = library.info(item.asset)
+    drawn = set(info.variants[item.variant])
+    moved = {name: object_from_part(info, name, item.joints) for name in drawn}
+    pieces = [
+        apply(moved[hull.part], hull.vertices_m)
+        for hull in library.hulls(item.asset)
+        if hull.part in drawn
+    ]
+    if not pieces:
+        raise AssetError(
+            [f"{item.asset}: variant {item.variant!r} has no collision piece in its hulls"]
+        )
+    return pieces
+
+
+def centre_of_mass(pieces: list[Array]) -> Array:
+    """Centre of the pieces' boxes, weighted by volume: near enough to tell whether things tip."""
+    low = np.array([piece.min(axis=0) for piece in pieces])
+    high = np.array([piece.max(axis=0) for piece in pieces])
+    volume = np.maximum(high - low, 1e-4).prod(axis=1)
+    centre = (volume[:, None] * (low + high) / 2).sum(axis=0) / volume.sum()
+    return np.asarray(centre, dtype=np.float64)
+
+
+def add_structures(client: Client, scene: Scene) -> dict[int, int]:
+    """Static boxes of all floors, walls and ceilings: body → structure id."""
+    owner: dict[int, int] = {}
+    for structure in sorted(scene.home.structures, key=lambda s: s.id):
+        for body in _structure_bodies(client, structure):
+            owner[body] = structure.id
+    return owner
+
+
+def _structure_bodies(client: Client, structure: Structure) -> list[int]:
+    return [
+        client.body(client.box(piece.size_m), piece.center_m, friction=0.8)
+        for piece in structure.pieces
+    ]
+
+
+def add_object(
+    client: Client, library: Library, item: ObjectInstance, dynamic: bool
+) -> tuple[int, Array]:
+    """The object as one body; returns it and its centre of mass in the object's frame."""
+    info = library.info(item.asset)
+    pieces = object_pieces(library, item)
+    com = centre_of_mass(pieces)
+    # Shapes are made around the centre of mass, so that no inertial frame is needed.
+    shape = client.compound([piece - com for piece in pieces])
+    world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
+    body = client.body(
+        shape,
+        vec3(apply(world_from_object, com)[0]),
+        item.pose.quat_xyzw,
+        mass_kg=info.mass_kg if dynamic else 0.0,
+        friction=info.friction,
+    )
+    return body, com

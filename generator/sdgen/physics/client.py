@@ -1,0 +1,234 @@
+"""The one place that talks to Bullet: every call carries its client id, tuples come out named."""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.geometry import Array, Quat, Vec3, vec3
+from sdgen.physics.bullet import pb
+
+GRAVITY_M_S2 = 9.81
+STEP_S = 1.0 / 240.0
+#: Bullet keeps this skin around every convex hull; taken off the pieces, or things float on it.
+MARGIN_M = 0.001
+RAY_BATCH = int(pb.MAX_RAY_INTERSECTION_BATCH_SIZE) - 1
+
+
+class BodyPose(NamedTuple):
+    """World pose of a body's centre of mass."""
+
+    position_m: Vec3
+    quat_xyzw: Quat
+
+
+class ContactPoint(NamedTuple):
+    """Where two bodies meet. ``normal_on_b`` points from b to a; negative distance = overlap."""
+
+    a: int
+    b: int
+    position_m: Vec3
+    normal_on_b: Vec3
+    distance_m: float
+
+
+class RayHits(NamedTuple):
+    """Nearest body (−1 = none) and distance along each ray as a fraction of its length."""
+
+    body: npt.NDArray[np.int64]
+    fraction: Array
+
+
+class Client:
+    """A Bullet world without graphics. Use as a context manager, one a process, and reuse it:
+    :meth:`reset` gives a fresh world whose results do not depend on what ran before."""
+
+    def __init__(self) -> None:
+        self._id: int = pb.connect(pb.DIRECT)
+        self._folder = tempfile.TemporaryDirectory(prefix="sdgen-shapes-")
+        self.reset()
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Disconnect; a second call does nothing."""
+        if self._id >= 0:
+            pb.disconnect(physicsClientId=self._id)
+            self._id = -1
+            self._folder.cleanup()
+
+    def reset(self) -> None:
+        """Empty the world. Parameters are set anew, since Bullet forgets them."""
+        pb.resetSimulation(physicsClientId=self._id)
+        pb.setGravity(0.0, 0.0, -GRAVITY_M_S2, physicsClientId=self._id)
+        pb.setPhysicsEngineParameter(
+            fixedTimeStep=STEP_S,
+            numSolverIterations=50,
+            deterministicOverlappingPairs=1,
+            physicsClientId=self._id,
+        )
+
+    def box(self, size_m: Sequence[float]) -> int:
+        """Collision shape of a box with these edge lengths."""
+        half = [0.5 * float(v) for v in size_m]
+        shape = pb.createCollisionShape(pb.GEOM_BOX, halfExtents=half, physicsClientId=self._id)
+        return int(shape)
+
+    def compound(self, pieces: Sequence[Array]) -> int:
+        """Collision shape made of convex pieces, the hulls of (N, 3) point sets."""
+        # Bullet makes one convex hull a group of an OBJ file; its Python call takes one point
+        # set only. The name is the content, because Bullet keeps parsed files by name.
+        lines: list[str] = []
+        base = 1
+        for number, piece in enumerate(map(_without_margin, pieces)):
+            lines.append(f"o p{number}")
+            lines += [f"v {x:.7g} {y:.7g} {z:.7g}" for x, y, z in piece]
+            last = base + len(piece) - 1
+            lines += [
+                f"f {k} {min(k + 1, last)} {min(k + 2, last)}" for k in range(base, last + 1, 3)
+            ]
+            base = last + 1
+        shape = pb.createCollisionShape(
+            pb.GEOM_MESH,
+            fileName=str(self._file("\n".join(lines) + "\n")),
+            physicsClientId=self._id,
+        )
+        return int(shape)
+
+    def trimesh(self, vertices: Array, faces: npt.NDArray[np.int64]) -> int:
+        """Collision shape of a triangle mesh as it is, hollows and all (static bodies only)."""
+        shape = pb.createCollisionShape(
+            pb.GEOM_MESH,
+            vertices=vertices.tolist(),
+            indices=faces.ravel().tolist(),
+            flags=pb.GEOM_FORCE_CONCAVE_TRIMESH,
+            physicsClientId=self._id,
+        )
+        return int(shape)
+
+    def trimesh_file(self, path: Path) -> int:
+        """As :meth:`trimesh`, from an OBJ file."""
+        shape = pb.createCollisionShape(
+            pb.GEOM_MESH,
+            fileName=str(path),
+            flags=pb.GEOM_FORCE_CONCAVE_TRIMESH,
+            physicsClientId=self._id,
+        )
+        return int(shape)
+
+    def body(
+        self,
+        shape: int,
+        position_m: Sequence[float],
+        quat_xyzw: Sequence[float] = (0.0, 0.0, 0.0, 1.0),
+        mass_kg: float = 0.0,
+        friction: float = 0.6,
+    ) -> int:
+        """A body; mass 0 makes it static. The shape's origin is its centre of mass."""
+        body = pb.createMultiBody(
+            mass_kg,
+            shape,
+            basePosition=list(position_m),
+            baseOrientation=list(quat_xyzw),
+            physicsClientId=self._id,
+        )
+        if mass_kg > 0:
+            # A little rolling friction, or bottles and balls never come to rest.
+            pb.changeDynamics(
+                body,
+                -1,
+                lateralFriction=friction,
+                rollingFriction=0.002,
+                spinningFriction=0.002,
+                restitution=0.0,
+                linearDamping=0.05,
+                angularDamping=0.1,
+                physicsClientId=self._id,
+            )
+        else:
+            pb.changeDynamics(body, -1, lateralFriction=friction, physicsClientId=self._id)
+        return int(body)
+
+    def pose(self, body: int) -> BodyPose:
+        """World pose of a body's centre of mass."""
+        position, quat = pb.getBasePositionAndOrientation(body, physicsClientId=self._id)
+        x, y, z, w = (float(v) for v in quat)
+        return BodyPose(vec3(position), (x, y, z, w))
+
+    def step(self, count: int = 1) -> None:
+        """Advance by ``count`` steps of 1/240 s."""
+        for _ in range(count):
+            pb.stepSimulation(physicsClientId=self._id)
+
+    def detect(self) -> None:
+        """Find contacts without moving anything."""
+        pb.performCollisionDetection(physicsClientId=self._id)
+
+    def contacts(self) -> tuple[ContactPoint, ...]:
+        """Contacts of the last step."""
+        return tuple(_contact(item) for item in pb.getContactPoints(physicsClientId=self._id))
+
+    def closest(self, a: int, b: int, within_m: float) -> tuple[ContactPoint, ...]:
+        """Points where a and b are nearer than ``within_m``."""
+        found = pb.getClosestPoints(a, b, within_m, physicsClientId=self._id)
+        return tuple(_contact(item) for item in found or ())
+
+    def rays(self, origins_m: Array, targets_m: Array) -> RayHits:
+        """Nearest hit of each segment from (N, 3) origins to (N, 3) targets."""
+        body = np.full(len(origins_m), -1, dtype=np.int64)
+        fraction = np.ones(len(origins_m))
+        for start in range(0, len(origins_m), RAY_BATCH):
+            chunk = slice(start, start + RAY_BATCH)
+            found = pb.rayTestBatch(
+                origins_m[chunk].tolist(),
+                targets_m[chunk].tolist(),
+                numThreads=1,
+                physicsClientId=self._id,
+            )
+            body[chunk] = [item[0] for item in found]
+            fraction[chunk] = [item[2] for item in found]
+        return RayHits(body, fraction)
+
+    def _file(self, text: str) -> Path:
+        name = hashlib.sha256(text.encode("ascii")).hexdigest()[:20]
+        path = Path(self._folder.name) / f"{name}.obj"
+        if not path.exists():
+            path.write_text(text, encoding="ascii")
+        return path
+
+
+def _without_margin(piece: Array) -> Array:
+    """The piece drawn in by the margin along each axis, by a third where it is thinner."""
+    low, high = piece.min(axis=0), piece.max(axis=0)
+    half = (high - low) / 2
+    inset = np.minimum(MARGIN_M, half * 0.34)
+    scale = 1.0 - inset / np.maximum(half, 1e-9)
+    centre = (low + high) / 2
+    return np.asarray(centre + (piece - centre) * scale, dtype=np.float64)
+
+
+def _contact(item: Sequence[object]) -> ContactPoint:
+    a, b, on_a, normal, distance = item[1], item[2], item[5], item[7], item[8]
+    return ContactPoint(
+        int(a),  # type: ignore[call-overload]
+        int(b),  # type: ignore[call-overload]
+        vec3(on_a),  # type: ignore[arg-type]
+        vec3(normal),  # type: ignore[arg-type]
+        float(distance),  # type: ignore[arg-type]
+    )

@@ -1,0 +1,96 @@
+"""A furnished, still empty home: shell, openings, furniture, zones, free space."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from sdgen.catalog.records import BaseHome, Catalog
+from sdgen.errors import UsageError
+from sdgen.freespace import free_shape, random_point, reachable, rounded_rings
+from sdgen.geometry import Vec2
+from sdgen.hazards.splits import SplitModels
+from sdgen.hazards.ways import Site
+from sdgen.home.furnish import fill_openings, furnish
+from sdgen.home.layout import Layout
+from sdgen.home.shell import build_shell
+from sdgen.library import AssetInfo, Library
+from sdgen.options import BuildOptions
+from sdgen.relations import room_at
+from sdgen.scene import AgentStart, Room, Scene
+from sdgen.seeding import Rng, lane
+from sdgen.zones import derive_zones, floor_obstacles
+
+
+@dataclass(frozen=True)
+class Stage:
+    """Where a scene can play: the home, the furniture, and what follows from them."""
+
+    site: Site
+    layout: Layout
+    free_space: tuple[tuple[Vec2, ...], ...]
+    agent_start: AgentStart
+
+    def scene(self, index: int, layout: Layout) -> Scene:
+        """The scene with everything that ``layout`` holds, objects sorted by id."""
+        return Scene(
+            id=f"{index:06d}",
+            index=index,
+            home=self.site.home,
+            zones=tuple(self.site.zones),
+            free_space=self.free_space,
+            agent_start=self.agent_start,
+            objects=tuple(layout.items[k] for k in sorted(layout.items)),
+        )
+
+
+def pick_home(catalog: Catalog, options: BuildOptions, index: int) -> BaseHome:
+    """The base home of a scene, by a lane of its own."""
+    if not catalog.homes:
+        raise UsageError("the catalogue has no home to build in (hazard_catalog/homes)")
+    rng = lane(options.seed, index, "home")
+    return catalog.homes[int(rng.integers(len(catalog.homes)))]
+
+
+def stage_home(
+    base: BaseHome,
+    catalog: Catalog,
+    library: Library,
+    models: SplitModels,
+    ids: Iterator[int],
+    rng: Rng,
+) -> Stage | str:
+    """A furnished home, or the reason why this try came to nothing."""
+    home = build_shell(base, library, ids, rng)
+    layout = Layout(library, ids)
+    if not fill_openings(base, home, layout, models, rng):
+        return "home: no model fits a door or window"
+    failed = furnish(base, home, layout, models, rng)
+    if failed is not None:
+        return f"home: no place for {failed}"
+    furniture = list(layout.items.values())
+    properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
+    infos: Mapping[str, AssetInfo] = library.infos
+    free = free_shape(home, floor_obstacles(furniture, infos))
+    if reachable(home, free):
+        return "home: a room cannot be reached"
+    start = random_point(free, rng)
+    if start is None:
+        return "home: no free floor"
+    zones = derive_zones(home, furniture, infos, properties)
+    return Stage(
+        site=Site(home, zones, catalog, models),
+        layout=layout,
+        free_space=rounded_rings(free),
+        agent_start=_agent_start(start, home.rooms, rng),
+    )
+
+
+def _agent_start(point: Vec2, rooms: tuple[Room, ...], rng: Rng) -> AgentStart:
+    room = room_at(rooms, *point)
+    assert room is not None
+    return AgentStart(
+        position_m=(round(point[0], 3), round(point[1], 3), 0.0),
+        yaw_rad=round(float(rng.uniform(-3.14159, 3.14159)), 4),
+        room_id=room.id,
+    )

@@ -1,0 +1,256 @@
+"""Chooses where to look from: views near given things, and overviews of rooms in turn.
+
+Cameras stand where a robot can, at eye height, and are accepted by ray tests only.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import shapely
+from shapely.geometry import Point, Polygon
+from shapely.geometry.base import BaseGeometry
+
+from sdgen.geometry import Array, Vec2, look_at, vec3
+from sdgen.library import Library
+from sdgen.render.projection import FAR_M, NEAR_M, intrinsics, matrix4
+from sdgen.render.sight import (
+    Cast,
+    Ints,
+    estimate_pixels,
+    overview_rays,
+    part_numbers,
+    part_points,
+)
+from sdgen.scene import Camera, Room, Scene
+from sdgen.seeding import Rng
+
+#: A near view counts when rays promise this many pixels at 640x480: twice what is needed, since
+#: rays are few and pictures exact.
+PIXELS_NEEDED = 200
+EYE_HEIGHT_M = 1.2
+
+_NEAR_DISTANCE_M = (0.8, 2.2)
+_NEAR_CANDIDATES = 48
+_NEAR_DRAWS = 40 * _NEAR_CANDIDATES
+# Beyond this many pixels nearer is not better, so that near views differ.
+_ENOUGH_PIXELS = 4000.0
+_ROOM_CANDIDATES = 24
+_CLEARANCE_M = 0.3
+_HEIGHT_JITTER_M = 0.1
+
+
+@dataclass(frozen=True)
+class Target:
+    """Something a near view shows: an object, and the parts that matter (empty = all)."""
+
+    object_id: int
+    parts: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class View:
+    """A camera pose, and for a near view the pixels at 640x480 that rays promise."""
+
+    kind: Literal["room", "near"]
+    room_id: int
+    world_from_camera: Array
+    estimated_pixels: float = 0.0
+
+
+def best_near_pose(
+    library: Library,
+    scene: Scene,
+    cast: Cast,
+    target: Target,
+    rng: Rng,
+    eye_height_m: float = EYE_HEIGHT_M,
+    pixels_needed: float = PIXELS_NEEDED,
+) -> View | None:
+    """The best of 48 views 0.8 to 2.2 m from a target, or None when none shows enough of it.
+
+    The target is not quite in the middle of the picture. Only rays decide, so a
+    placement can be rejected on None before any picture exists.
+    """
+    item = scene.object(target.object_id)
+    points = part_points(library, item, target.parts)
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    free = free_area(scene)
+    eyes = _eyes_around(free, (float(centre[0]), float(centre[1])), rng)
+    if len(eyes) == 0:
+        return None
+    heights = eye_height_m + rng.uniform(-_HEIGHT_JITTER_M, _HEIGHT_JITTER_M, len(eyes))
+    aims = rng.uniform(-1.0, 1.0, (len(eyes), 2))
+    fade = rng.uniform(0.8, 1.0, len(eyes))
+    stands = np.column_stack([eyes, heights])
+    poses = [_aimed(eye, centre, aim) for eye, aim in zip(stands, aims, strict=True)]
+    clear = _clear(cast, stands)
+    numbers = part_numbers(library, item, target.parts)
+    pixels = estimate_pixels(cast, poses, points, item.id, numbers)
+    score = np.minimum(pixels, _ENOUGH_PIXELS) * fade * clear * (pixels >= pixels_needed)
+    best = int(np.argmax(score))
+    if score[best] <= 0:
+        return None
+    room_id = _room_at(scene, eyes[best], item.room_id)
+    return View("near", room_id, poses[best], float(pixels[best]))
+
+
+def room_views(
+    scene: Scene, cast: Cast, count: int, rng: Rng, eye_height_m: float = EYE_HEIGHT_M
+) -> tuple[View, ...]:
+    """``count`` overviews, rooms in turn in a drawn order; each shows as much as it can that
+    the ones before have not shown. Fewer only when no room has free floor."""
+    free = free_area(scene)
+    rooms = [scene.home.rooms[i] for i in rng.permutation(len(scene.home.rooms))]
+    floors = {room.id: free.intersection(Polygon(room.polygon_m)) for room in rooms}
+    rooms = [room for room in rooms if floors[room.id].area > 0.01]
+    shown: set[int] = set()
+    views: list[View] = []
+    for number in range(count if rooms else 0):
+        room = rooms[number % len(rooms)]
+        pose, found = _best_overview(cast, room, floors[room.id], shown, rng, eye_height_m)
+        shown |= found
+        views.append(View("room", room.id, pose))
+    return tuple(views)
+
+
+def choose(
+    library: Library,
+    scene: Scene,
+    cast: Cast,
+    rng: Rng,
+    count: int,
+    size: tuple[int, int],
+    eye_height_m: float = EYE_HEIGHT_M,
+    targets: Sequence[Target] = (),
+    near: int = 0,
+) -> tuple[Camera, ...]:
+    """``count`` cameras of ``size`` (width, height): up to ``near`` of them one a target, in the
+    order given, the rest overviews; in a drawn order, so that a view's number tells nothing."""
+    views: list[View] = []
+    for target in targets:
+        if len(views) >= min(near, count):
+            break
+        view = best_near_pose(library, scene, cast, target, rng, eye_height_m)
+        if view is not None:
+            views.append(view)
+    views += room_views(scene, cast, count - len(views), rng, eye_height_m)
+    return to_cameras(views, size, rng)
+
+
+def to_cameras(views: Sequence[View], size: tuple[int, int], rng: Rng) -> tuple[Camera, ...]:
+    """Cameras of ``size`` (width, height) at these poses, in a drawn order."""
+    order = rng.permutation(len(views))
+    return tuple(
+        Camera(
+            index=index,
+            kind=views[k].kind,
+            room_id=views[k].room_id,
+            width=size[0],
+            height=size[1],
+            K=intrinsics(*size),
+            world_from_camera=matrix4(views[k].world_from_camera),
+            near_m=NEAR_M,
+            far_m=FAR_M,
+        )
+        for index, k in enumerate(order.tolist())
+    )
+
+
+def free_area(scene: Scene) -> BaseGeometry:
+    """Where a robot's centre, and so a camera, can be."""
+    rings = [Polygon(ring) for ring in scene.free_space if len(ring) >= 3]
+    return shapely.union_all([r if r.is_valid else r.buffer(0) for r in rings])
+
+
+def _eyes_around(free: BaseGeometry, centre: Vec2, rng: Rng) -> Array:
+    """Up to 48 points of the free area in the ring around ``centre``, (N, 2)."""
+    low, high = _NEAR_DISTANCE_M
+    distance = np.sqrt(rng.uniform(low**2, high**2, _NEAR_DRAWS))
+    angle = rng.uniform(-math.pi, math.pi, _NEAR_DRAWS)
+    points = np.array(centre) + distance[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    inside = shapely.contains_xy(free, points[:, 0], points[:, 1])
+    return np.asarray(points[inside][:_NEAR_CANDIDATES], dtype=np.float64)
+
+
+def _aimed(eye: Array, centre: Array, aim: Array) -> Array:
+    """Look at ``centre`` or up to 0.2 of the way to the picture's edge beside it."""
+    straight = look_at(vec3(eye), vec3(centre))
+    reach = float(np.linalg.norm(centre - eye))
+    beside = straight[:3, 0] * aim[0] * 0.14 + straight[:3, 1] * aim[1] * 0.1
+    return look_at(vec3(eye), vec3(centre + reach * beside))
+
+
+def _clear(cast: Cast, stands: Array) -> Array:
+    """1.0 for eyes with nothing within 0.3 m around them at their height, else 0.0."""
+    angles = np.arange(8) * (math.pi / 4)
+    around = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(8)]) * _CLEARANCE_M
+    origins = np.repeat(stands, 8, axis=0)
+    hits = cast(origins, origins + np.tile(around, (len(stands), 1)))
+    return np.asarray((hits.object_id.reshape(-1, 8) == 0).all(axis=1), dtype=np.float64)
+
+
+def _best_overview(
+    cast: Cast, room: Room, floor: BaseGeometry, shown: set[int], rng: Rng, eye_height_m: float
+) -> tuple[Array, set[int]]:
+    """The pose of some candidates that shows most, things shown before counting a quarter."""
+    eyes = _spread(floor, rng)
+    middle = Polygon(room.polygon_m).centroid
+    heights = eye_height_m + rng.uniform(0.0, 2 * _HEIGHT_JITTER_M, len(eyes))
+    looks = rng.uniform(-1.0, 1.0, (len(eyes), 3)) * (0.5, 0.5, 0.15)
+    stands = np.column_stack([eyes, heights])
+    poses = []
+    for eye, look in zip(stands, looks, strict=True):
+        goal = np.array([middle.x, middle.y, 0.65]) + look
+        if math.hypot(goal[0] - eye[0], goal[1] - eye[1]) < 0.3:
+            goal[:2] = eye[:2] + 0.5 * np.sign(goal[:2] - eye[:2] + 1e-9)
+        poses.append(look_at(vec3(eye), vec3(goal)))
+    clear = _clear(cast, stands)
+    rays = [overview_rays(pose) for pose in poses]
+    hits = cast(np.concatenate([r[0] for r in rays]), np.concatenate([r[1] for r in rays]))
+    each = len(rays[0][0])
+    best, best_score, best_seen = 0, -1.0, set[int]()
+    for k in range(len(poses)):
+        rows = slice(k * each, (k + 1) * each)
+        found = hits.object_id[rows][hits.part[rows] > 0]
+        seen = set(found.tolist())
+        score = _worth(found, hits.distance_m[rows], seen, shown) * (0.1 + clear[k])
+        if score > best_score:
+            best, best_score, best_seen = k, score, seen
+    return poses[best], best_seen
+
+
+def _worth(found: Ints, distance_m: Array, seen: set[int], shown: set[int]) -> float:
+    """Distinct things, new ones above all; views close to a wall or one thing count little."""
+    if len(found) == 0:
+        return 0.01
+    fresh = len(seen - shown) + 0.25 * len(seen & shown)
+    biggest = float(np.bincount(found).max()) / len(distance_m)
+    depth = float(np.median(np.minimum(distance_m, 10.0)))
+    return fresh * (1.0 - max(biggest - 0.3, 0.0)) * min(depth / 2.0, 1.0)
+
+
+def _spread(floor: BaseGeometry, rng: Rng) -> Array:
+    """Candidate points of a free floor, those near its rim preferred: corners and doorways."""
+    x0, y0, x1, y1 = floor.bounds
+    points = rng.uniform((x0, y0), (x1, y1), (60 * _ROOM_CANDIDATES, 2))
+    points = points[shapely.contains_xy(floor, points[:, 0], points[:, 1])]
+    if len(points) == 0:
+        point = floor.representative_point()
+        return np.array([[point.x, point.y]])
+    points = points[: 4 * _ROOM_CANDIDATES]
+    centre = floor.centroid
+    away = np.hypot(points[:, 0] - centre.x, points[:, 1] - centre.y)
+    kept = np.argsort(-away * rng.uniform(0.5, 1.0, len(points)), kind="stable")
+    return np.asarray(points[kept[:_ROOM_CANDIDATES]], dtype=np.float64)
+
+
+def _room_at(scene: Scene, eye: Array, default: int) -> int:
+    for room in scene.home.rooms:
+        if Polygon(room.polygon_m).covers(Point(eye)):
+            return room.id
+    return default

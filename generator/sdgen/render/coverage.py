@@ -1,0 +1,87 @@
+"""Which pixels an object would cover with nothing in front of it: triangles without depth.
+
+A scan-line rasteriser in numpy with OpenGL's rule: a pixel belongs to a triangle when its
+centre lies inside.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.geometry import Array
+
+Ints = npt.NDArray[np.int64]
+
+
+def clip_near(triangles: Array, near_m: float) -> Array:
+    """Camera-frame triangles (N, 3, 3) cut at z = ``near_m``; what lies nearer is dropped."""
+    inside = triangles[:, :, 2] >= near_m
+    count = inside.sum(axis=1)
+    whole = triangles[count == 3]
+    pieces = [whole]
+    one = triangles[count == 1]
+    if len(one):
+        # Turn so that the vertex inside comes first, then pull the other two to the plane.
+        a, b, c = _rolled(one, inside[count == 1])
+        pieces.append(np.stack([a, _cut(a, b, near_m), _cut(a, c, near_m)], axis=1))
+    two = triangles[count == 2]
+    if len(two):
+        # Turn so that the vertex outside comes first; the rest is a quadrilateral.
+        a, b, c = _rolled(two, ~inside[count == 2])
+        ab, ac = _cut(b, a, near_m), _cut(c, a, near_m)
+        pieces.append(np.stack([ab, b, c], axis=1))
+        pieces.append(np.stack([ab, c, ac], axis=1))
+    return np.concatenate(pieces)
+
+
+def _rolled(triangles: Array, first: npt.NDArray[np.bool_]) -> tuple[Array, Array, Array]:
+    rows, start = np.arange(len(triangles)), first.argmax(axis=1)
+    a, b, c = (triangles[rows, (start + k) % 3] for k in range(3))
+    return a, b, c
+
+
+def _cut(inside: Array, outside: Array, near_m: float) -> Array:
+    share = (inside[:, 2] - near_m) / (inside[:, 2] - outside[:, 2])
+    return np.asarray(inside + share[:, None] * (outside - inside), dtype=np.float64)
+
+
+def covered(
+    triangles: Array, k: Array, width: int, height: int, near_m: float
+) -> npt.NDArray[np.bool_]:
+    """Pixels (H, W) that front faces of camera-frame triangles (N, 3, 3) cover."""
+    seen = clip_near(triangles, near_m)
+    x = k[0, 0] * seen[:, :, 0] / seen[:, :, 2] + k[0, 2]
+    y = k[1, 1] * seen[:, :, 1] / seen[:, :, 2] + k[1, 2]
+    area = (x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])
+    # Image y points down, so what is counter-clockwise in the world turns negative here.
+    front = area < 0
+    x, y = x[front], y[front]
+    top = np.maximum(np.ceil(y.min(axis=1, initial=np.inf)), 0).astype(np.int64)
+    bottom = np.minimum(np.floor(y.max(axis=1, initial=-np.inf)), height - 1).astype(np.int64)
+    rows = np.maximum(bottom - top + 1, 0)
+    owner = np.repeat(np.arange(len(rows)), rows)
+    row = np.arange(len(owner)) - np.repeat(np.cumsum(rows) - rows, rows) + top[owner]
+    left, right = _span(x[owner], y[owner], row.astype(np.float64))
+    start = np.maximum(np.ceil(left), 0).astype(np.int64)
+    stop = np.minimum(np.floor(right), width - 1).astype(np.int64) + 1
+    kept = stop > start
+    cells = height * (width + 1)
+    change = np.bincount(row[kept] * (width + 1) + start[kept], minlength=cells)
+    change = change - np.bincount(row[kept] * (width + 1) + stop[kept], minlength=cells)
+    return np.asarray(change.reshape(height, width + 1).cumsum(axis=1)[:, :width] > 0)
+
+
+def _span(x: Array, y: Array, row: Array) -> tuple[Array, Array]:
+    """Where the line y = ``row`` enters and leaves each triangle."""
+    left = np.full(len(row), np.inf)
+    right = np.full(len(row), -np.inf)
+    for a, b in ((0, 1), (1, 2), (2, 0)):
+        rise = y[:, b] - y[:, a]
+        level = np.abs(rise) < 1e-12
+        share = (row - y[:, a]) / np.where(level, 1.0, rise)
+        meets = ~level & (share >= 0) & (share <= 1)
+        at = x[:, a] + share * (x[:, b] - x[:, a])
+        left = np.where(meets, np.minimum(left, at), left)
+        right = np.where(meets, np.maximum(right, at), right)
+    return np.where(np.isfinite(left), left, 1.0), np.where(np.isfinite(right), right, 0.0)

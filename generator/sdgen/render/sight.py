@@ -1,0 +1,112 @@
+"""What a camera would see, by rays: no picture is drawn, so geometry alone decides content."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.geometry import Array, apply, inverse, matrix
+from sdgen.library import Library
+from sdgen.library.states import object_from_part
+from sdgen.physics.rays import Hits
+from sdgen.render.projection import intrinsics
+from sdgen.scene import ObjectInstance
+
+Ints = npt.NDArray[np.int64]
+
+#: Pixels are always counted at this size, whatever size is rendered: options of pictures must
+#: not decide content.
+WIDTH, HEIGHT = 640, 480
+REACH_M = 25.0
+
+_GRID = 16
+
+
+#: Origins (N, 3) and targets (N, 3) to hits: ``RayWorld.cast``.
+Cast = Callable[[Array, Array], Hits]
+
+
+def part_points(library: Library, item: ObjectInstance, parts: Collection[str]) -> Array:
+    """Vertices in the world of the drawn ``parts`` of an object (all when empty), (N, 3)."""
+    info = library.info(item.asset)
+    meshes = library.mesh(item.asset)
+    pose = matrix(item.pose.position_m, item.pose.quat_xyzw)
+    drawn = info.variants[item.variant]
+    wanted = [name for name in drawn if name in parts] or list(drawn)
+    return np.concatenate(
+        [
+            apply(pose @ object_from_part(info, name, item.joints), meshes[name].vertices)
+            for name in wanted
+        ]
+    )
+
+
+def part_numbers(library: Library, item: ObjectInstance, parts: Collection[str]) -> Ints:
+    """1-based numbers of the drawn ``parts`` (all when none of them is drawn)."""
+    drawn = library.info(item.asset).variants[item.variant]
+    wanted = [k for k, name in enumerate(drawn, start=1) if name in parts]
+    return np.array(wanted or range(1, len(drawn) + 1), dtype=np.int64)
+
+
+def pixel_rays(world_from_camera: Array, pixels: Array, reach_m: float) -> tuple[Array, Array]:
+    """Origins and targets of rays through canonical ``pixels`` (N, 2), to depth ``reach_m``."""
+    k = np.asarray(intrinsics(WIDTH, HEIGHT))
+    local = np.empty((len(pixels), 3))
+    local[:, 0] = (pixels[:, 0] - k[0, 2]) / k[0, 0] * reach_m
+    local[:, 1] = (pixels[:, 1] - k[1, 2]) / k[1, 1] * reach_m
+    local[:, 2] = reach_m
+    origins = np.repeat(world_from_camera[None, :3, 3], len(pixels), axis=0)
+    return origins, apply(world_from_camera, local)
+
+
+def target_rays(world_from_camera: Array, points_m: Array) -> tuple[Array, Array, float]:
+    """Rays over the picture's rectangle around ``points_m``, and pixels each ray stands for.
+
+    No rays when the points are not in the picture.
+    """
+    seen = apply(inverse(world_from_camera), points_m)
+    seen = seen[seen[:, 2] > 0.05]
+    nothing = np.empty((0, 3))
+    if len(seen) == 0:
+        return nothing, nothing, 0.0
+    k = np.asarray(intrinsics(WIDTH, HEIGHT))
+    u = k[0, 0] * seen[:, 0] / seen[:, 2] + k[0, 2]
+    v = k[1, 1] * seen[:, 1] / seen[:, 2] + k[1, 2]
+    left, right = max(float(u.min()), -0.5), min(float(u.max()), WIDTH - 0.5)
+    top, bottom = max(float(v.min()), -0.5), min(float(v.max()), HEIGHT - 0.5)
+    if right <= left or bottom <= top:
+        return nothing, nothing, 0.0
+    steps = (np.arange(_GRID) + 0.5) / _GRID
+    grid_u, grid_v = np.meshgrid(left + steps * (right - left), top + steps * (bottom - top))
+    pixels = np.stack([grid_u.ravel(), grid_v.ravel()], axis=1)
+    origins, targets = pixel_rays(world_from_camera, pixels, float(seen[:, 2].max()) + 0.5)
+    return origins, targets, (right - left) * (bottom - top) / _GRID**2
+
+
+def estimate_pixels(
+    cast: Cast, poses: list[Array], points_m: Array, object_id: int, parts: Ints
+) -> Array:
+    """Pixels at 640x480 of an object's ``parts`` that each camera pose would see, (len(poses),).
+
+    ``points_m`` are the parts' vertices. All rays go in one cast.
+    """
+    rays = [target_rays(pose, points_m) for pose in poses]
+    if not any(len(r[0]) for r in rays):
+        return np.zeros(len(poses))
+    hits = cast(np.concatenate([r[0] for r in rays]), np.concatenate([r[1] for r in rays]))
+    wanted = (hits.object_id == object_id) & np.isin(hits.part, parts)
+    ends = np.cumsum([len(r[0]) for r in rays])
+    counts = [int(part.sum()) for part in np.split(wanted, ends[:-1])]
+    return np.array([n * r[2] for n, r in zip(counts, rays, strict=True)])
+
+
+def overview_rays(world_from_camera: Array, across: int = 32) -> tuple[Array, Array]:
+    """A coarse grid of rays over the whole picture."""
+    down = across * HEIGHT // WIDTH
+    u = (np.arange(across) + 0.5) * WIDTH / across - 0.5
+    v = (np.arange(down) + 0.5) * HEIGHT / down - 0.5
+    grid_u, grid_v = np.meshgrid(u, v)
+    pixels = np.stack([grid_u.ravel(), grid_v.ravel()], axis=1)
+    return pixel_rays(world_from_camera, pixels, REACH_M)

@@ -1,0 +1,376 @@
+"""The frozen records everything speaks in, from home to frame.
+
+A record that reaches a file is a pydantic model (strict, frozen, tuples); its JSON Schema is
+committed under ``output/schema``. Numpy arrays live in :class:`Frame` only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import BaseModel, ConfigDict, Field
+
+from sdgen.geometry import Quat, Vec2, Vec3
+
+FORMAT_VERSION = "1.0"
+
+Notify = Literal["now", "summary", "silent"]
+EvidenceValue = bool | int | float | str
+
+
+class Record(BaseModel):
+    """Base of all records: frozen, unknown keys are errors."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Pose(Record):
+    """``world_from_object``: position in metres, unit quaternion xyzw."""
+
+    position_m: Vec3
+    quat_xyzw: Quat
+
+
+class Box(Record):
+    """An axis-aligned box in the world."""
+
+    center_m: Vec3
+    size_m: Vec3
+
+
+class Room(Record):
+    """A room: its inner floor outline, counter-clockwise, and what it is for."""
+
+    id: int
+    name: str
+    type: str
+    polygon_m: tuple[Vec2, ...]
+    height_m: float
+
+
+class Structure(Record):
+    """A floor, a wall or a ceiling of one room, as boxes with openings already cut out."""
+
+    id: int
+    category: Literal["floor", "wall", "ceiling"]
+    room_id: int
+    surface: str
+    pieces: tuple[Box, ...]
+
+
+class Opening(Record):
+    """A doorway or a window; ``object_id`` is the door or window object that fills it.
+
+    ``room_ids`` has two rooms, or one when the other side is outdoors. ``center_m`` lies on the
+    floor for doors, on the sill line for windows, in the middle of the wall; ``along`` is the
+    axis of the wall it sits in.
+    """
+
+    object_id: int
+    kind: Literal["door", "front_door", "window"]
+    room_ids: tuple[int, ...]
+    center_m: Vec3
+    along: Literal["x", "y"]
+    width_m: float
+    height_m: float
+
+
+class Zone(Record):
+    """A region with a meaning: an upright prism over ``polygon_m`` between two heights."""
+
+    name: str
+    kind: Literal["doorway", "walkway", "swing", "heat", "water", "child_reach"]
+    polygon_m: tuple[Vec2, ...]
+    z_min_m: float
+    z_max_m: float
+    room_id: int
+    source_id: int | None = None
+
+
+class Home(Record):
+    """Rooms and their shell, before anything stands in them."""
+
+    id: str
+    kind: Literal["base", "procedural"]
+    rooms: tuple[Room, ...]
+    structures: tuple[Structure, ...]
+    openings: tuple[Opening, ...]
+
+
+class ObjectInstance(Record):
+    """One asset in the world. States and parts follow from variant and joints."""
+
+    id: int
+    category: str
+    asset: str
+    pose: Pose
+    room_id: int
+    joints: dict[str, float] = Field(default_factory=dict)
+    variant: str = "default"
+    states: tuple[str, ...] = ()
+    parts: tuple[str, ...] = ()
+    fixed: bool = False
+
+
+class AgentStart(Record):
+    """Where an agent begins: a point of the free space and a heading."""
+
+    position_m: Vec3
+    yaw_rad: float
+    room_id: int
+
+
+class Scene(Record):
+    """``scene.json``: everything needed to evaluate every label again, with ``assets.jsonl``."""
+
+    format_version: str = FORMAT_VERSION
+    id: str
+    index: int
+    home: Home
+    zones: tuple[Zone, ...]
+    free_space: tuple[tuple[Vec2, ...], ...]
+    agent_start: AgentStart
+    objects: tuple[ObjectInstance, ...]
+    twin_of: str | None = None
+
+    def object(self, object_id: int) -> ObjectInstance:
+        """The object with this id (KeyError when there is none)."""
+        for item in self.objects:
+            if item.id == object_id:
+                return item
+        raise KeyError(object_id)
+
+
+class Remedy(Record):
+    """One step that undoes an anomaly."""
+
+    action: str
+    object_id: int
+    target_id: int | None = None
+
+
+class Anomaly(Record):
+    """One instance of a hazard, with the measured terms that prove it."""
+
+    id: str
+    hazard: str
+    group: str
+    label: str
+    object_id: int
+    category: str
+    states: tuple[str, ...]
+    relation: str | None
+    target_id: int | None
+    room_id: int
+    evidence: dict[str, EvidenceValue]
+    evidence_parts: tuple[str, ...]
+    report: bool
+    notify: Notify
+    reason: str
+    urgency: str
+    message: str
+    remedy: tuple[Remedy, ...]
+
+
+class Lookalike(Record):
+    """A benign near miss of a hazard."""
+
+    object_id: int
+    near_miss_of: str
+    evidence: dict[str, EvidenceValue]
+
+
+class Certificate(Record):
+    """What was checked: every (object, enabled hazard) pair, none within the dead band."""
+
+    hazards_enabled: tuple[str, ...]
+    catalogue_sha256: str
+    assets_sha256: str
+    pairs_checked: int
+    pairs_positive: int
+
+
+class Anomalies(Record):
+    """``anomalies.json``."""
+
+    anomalies: tuple[Anomaly, ...]
+    lookalikes: tuple[Lookalike, ...]
+    certificate: Certificate
+
+
+class Member(Record):
+    """Somebody who lives in the home."""
+
+    role: str
+    age: int = Field(ge=0, le=120)
+
+
+class Household(Record):
+    """``household.json``: who lives there and what they want reported."""
+
+    template: str
+    members: tuple[Member, ...]
+    pets: tuple[str, ...] = ()
+    conditions: tuple[str, ...] = ()
+    notifications: dict[str, Notify] = Field(default_factory=dict)
+
+
+class Camera(Record):
+    """``view.json``: an OpenCV camera; ``K`` is for pixel centres at integer coordinates."""
+
+    index: int
+    kind: Literal["room", "near"]
+    room_id: int
+    width: int
+    height: int
+    K: tuple[Vec3, Vec3, Vec3]
+    world_from_camera: tuple[
+        tuple[float, float, float, float],
+        tuple[float, float, float, float],
+        tuple[float, float, float, float],
+        tuple[float, float, float, float],
+    ]
+    near_m: float
+    far_m: float
+
+
+class VisibleObject(Record):
+    """How much of an object one view shows. ``bbox`` is [x, y, w, h], half-open pixels.
+
+    ``fraction`` = visible pixels / pixels of the object alone; ``parts`` counts pixels by part.
+    """
+
+    object_id: int
+    bbox: tuple[int, int, int, int]
+    pixels: int
+    fraction: float
+    parts: dict[str, int]
+
+
+class ViewVisibility(Record):
+    """The objects one view shows, sorted by id."""
+
+    view: int
+    objects: tuple[VisibleObject, ...]
+
+
+class AnomalyVisibility(Record):
+    """Pixels of an anomaly's evidence parts in each view."""
+
+    anomaly_id: str
+    object_id: int
+    evidence_pixels: tuple[int, ...]
+
+
+class Visibility(Record):
+    """``visibility.json``."""
+
+    views: tuple[ViewVisibility, ...]
+    anomalies: tuple[AnomalyVisibility, ...]
+    evidence_pixels_needed: int
+    all_visible: bool
+
+
+class ObjTransform(Record):
+    """Where a node is; VirtualHome's keys: position in metres, rotation xyzw, scale."""
+
+    position: Vec3
+    rotation: Quat
+    scale: Vec3 = (1.0, 1.0, 1.0)
+
+
+class BoundingBox(Record):
+    """A node's axis-aligned box in the world (metres), from the visual mesh."""
+
+    center: Vec3
+    size: Vec3
+
+
+class GraphNode(Record):
+    """A room, structure, door or object, with VirtualHome's keys and our ``tags``."""
+
+    id: int = Field(ge=1, le=65535)
+    class_name: str
+    category: str
+    prefab_name: str
+    obj_transform: ObjTransform
+    bounding_box: BoundingBox
+    properties: tuple[str, ...] = ()
+    states: tuple[str, ...] = ()
+    tags: tuple[str, ...] = ()
+
+
+class GraphEdge(Record):
+    """A relation between two nodes, with VirtualHome's keys."""
+
+    from_id: int
+    to_id: int
+    relation_type: str
+
+
+class Graph(Record):
+    """``graph.json``: nodes sorted by id, edges by (from, to, relation)."""
+
+    nodes: tuple[GraphNode, ...]
+    edges: tuple[GraphEdge, ...]
+
+
+class Violation(Record):
+    """A failed plausibility check, as a value."""
+
+    check: str
+    objects: tuple[int, ...]
+    measured: float
+    limit: float
+
+
+class Contact(Record):
+    """Two bodies that touch at rest."""
+
+    a: int
+    b: int
+    distance_m: float
+
+
+class PhysicsReport(Record):
+    """``physics.json``."""
+
+    settled_drift_m: dict[str, float]
+    contacts: tuple[Contact, ...]
+    steps: int
+    home_attempts: int
+    placement_attempts: int
+    rejections: dict[str, int]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What one camera saw.
+
+    ``rgb`` (H, W, 3) uint8; ``depth_mm`` (H, W) uint16, planar Z, 0 = none; ``instance``
+    (H, W) uint16 node ids, 0 = nothing; ``part`` (H, W) uint8, 1-based index into the object's
+    drawn ``parts``, 0 for structures. ``alone_pixels`` maps object id to the pixels it would
+    cover with nothing in front of it.
+    """
+
+    camera: Camera
+    rgb: npt.NDArray[np.uint8]
+    depth_mm: npt.NDArray[np.uint16]
+    instance: npt.NDArray[np.uint16]
+    part: npt.NDArray[np.uint8]
+    alone_pixels: dict[int, int]
+
+
+@dataclass(frozen=True)
+class SceneBundle:
+    """All of one finished scene, ready to be written."""
+
+    scene: Scene
+    anomalies: Anomalies
+    household: Household
+    physics: PhysicsReport
+    split: str
+    cameras: tuple[Camera, ...]

@@ -1,0 +1,146 @@
+"""What the views show of each object, and of each anomaly's evidence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.scene import (
+    Anomaly,
+    AnomalyVisibility,
+    Frame,
+    Scene,
+    ViewVisibility,
+    Visibility,
+    VisibleObject,
+)
+
+#: Pixels of evidence a 640x480 view must show; other sizes in proportion.
+EVIDENCE_PIXELS = 100
+REFERENCE_PIXELS = 640 * 480
+
+Box = tuple[int, int, int, int]
+
+
+def evidence_pixels_needed(width: int, height: int) -> int:
+    """Evidence pixels that count as seen at this picture size."""
+    return math.ceil(EVIDENCE_PIXELS * width * height / REFERENCE_PIXELS)
+
+
+def part_names(scene: Scene) -> dict[int, tuple[str, ...]]:
+    """Drawn parts of every object, in the order that the part mask's values (from 1) follow."""
+    return {item.id: item.parts for item in scene.objects}
+
+
+def measure_masks(
+    instance: npt.NDArray[np.uint16],
+    part: npt.NDArray[np.uint8] | None,
+    parts_of: Mapping[int, Sequence[str]],
+) -> dict[int, tuple[Box, int, dict[str, int]]]:
+    """Box ``[x, y, w, h]``, pixels and pixels by part of every id in a mask (0 left out).
+
+    ``instance`` and ``part`` have shape (H, W). Pixels whose part value names no drawn part
+    count for the object only.
+    """
+    height, width = instance.shape
+    flat = instance.reshape(-1)
+    totals = np.bincount(flat, minlength=65536)
+    ids = np.flatnonzero(totals)
+    count, pixels = len(ids), totals[ids]
+    rank = np.zeros(65536, dtype=np.int64)
+    rank[ids] = np.arange(count)
+    dense = rank[flat]
+    ys, xs = np.divmod(np.arange(height * width), width)
+    rows = np.bincount(dense * height + ys, minlength=count * height).reshape(count, height)
+    columns = np.bincount(dense * width + xs, minlength=count * width).reshape(count, width)
+    by_part = None
+    if part is not None:
+        by_part = np.bincount(dense * 256 + part.reshape(-1), minlength=count * 256)
+        by_part = by_part.reshape(count, 256)
+    out: dict[int, tuple[Box, int, dict[str, int]]] = {}
+    for k, node_id in enumerate(ids.tolist()):
+        if node_id == 0:
+            continue
+        seen_y, seen_x = np.flatnonzero(rows[k]), np.flatnonzero(columns[k])
+        x, y = int(seen_x[0]), int(seen_y[0])
+        box = (x, y, int(seen_x[-1]) + 1 - x, int(seen_y[-1]) + 1 - y)
+        shown: dict[str, int] = {}
+        if by_part is not None:
+            for value, name in enumerate(parts_of.get(node_id, ()), start=1):
+                if by_part[k, value]:
+                    shown[name] = int(by_part[k, value])
+        out[node_id] = (box, int(pixels[k]), shown)
+    return out
+
+
+def view_visibility(frame: Frame, parts_of: Mapping[int, Sequence[str]]) -> ViewVisibility:
+    """The objects (structures left out) one frame shows, sorted by id."""
+    objects = []
+    for node_id, (box, pixels, parts) in measure_masks(
+        frame.instance, frame.part, parts_of
+    ).items():
+        if node_id not in parts_of:
+            continue
+        alone = max(frame.alone_pixels.get(node_id, pixels), pixels)
+        objects.append(
+            VisibleObject(
+                object_id=node_id,
+                bbox=box,
+                pixels=pixels,
+                fraction=round(pixels / alone, 4),
+                parts=parts,
+            )
+        )
+    return ViewVisibility(view=frame.camera.index, objects=tuple(objects))
+
+
+def evidence_pixels(view: ViewVisibility, anomaly: Anomaly) -> int:
+    """Pixels of an anomaly's evidence parts in a view; of the whole object when none is named."""
+    for item in view.objects:
+        if item.object_id == anomaly.object_id:
+            if not anomaly.evidence_parts:
+                return item.pixels
+            return sum(item.parts.get(name, 0) for name in anomaly.evidence_parts)
+    return 0
+
+
+def all_visible(anomalies: Iterable[AnomalyVisibility], needed: int) -> bool:
+    """True when every anomaly shows at least ``needed`` evidence pixels in some view."""
+    return all(max(item.evidence_pixels, default=0) >= needed for item in anomalies)
+
+
+def visibility_of(
+    scene: Scene,
+    anomalies: Sequence[Anomaly],
+    frames: Iterable[Frame],
+    width: int,
+    height: int,
+) -> Visibility:
+    """``visibility.json`` of a scene from its frames (consumed one at a time, kept by nobody)."""
+    parts_of = part_names(scene)
+    views = tuple(view_visibility(frame, parts_of) for frame in frames)
+    return assemble(views, anomalies, width, height)
+
+
+def assemble(
+    views: Sequence[ViewVisibility], anomalies: Sequence[Anomaly], width: int, height: int
+) -> Visibility:
+    """``visibility.json`` from what each view shows."""
+    shown = tuple(
+        AnomalyVisibility(
+            anomaly_id=anomaly.id,
+            object_id=anomaly.object_id,
+            evidence_pixels=tuple(evidence_pixels(view, anomaly) for view in views),
+        )
+        for anomaly in anomalies
+    )
+    needed = evidence_pixels_needed(width, height)
+    return Visibility(
+        views=tuple(views),
+        anomalies=shown,
+        evidence_pixels_needed=needed,
+        all_visible=all_visible(shown, needed),
+    )

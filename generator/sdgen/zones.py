@@ -1,0 +1,155 @@
+"""Regions with a meaning, derived from the home and its furniture alone.
+
+A doorway's zone reaches 0.6 m into each room; a walkway is the way between a room's doorways (or
+from its only one to its middle), 0.7 m wide; heat and water lie over stoves and around basins.
+Clearances follow common accessibility practice (0.9 m routes; ADA 2010, section 403.5.1, asks for
+0.915 m), narrowed to what a hazard needs to be certain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from itertools import combinations
+
+import numpy as np
+import shapely
+from shapely.geometry import Point, Polygon
+from shapely.geometry.base import BaseGeometry
+
+from sdgen.freespace import free_shape, opening_rectangle, polygons, route
+from sdgen.geometry import Vec2
+from sdgen.library.records import AssetInfo
+from sdgen.relations import CHILD_REACH_M, Body
+from sdgen.scene import Home, ObjectInstance, Opening, Room, Zone
+
+DOORWAY_DEPTH_M = 0.6
+WALKWAY_HALF_M = 0.35
+FLOOR_ZONE_TOP_M = 0.5
+HEAT_ABOVE_M = 0.5
+CHILD_ARM_M = 0.5
+#: Furniture lower than this is walked over (rugs, mats).
+FLAT_M = 0.03
+#: Furniture hung higher than this is walked under.
+OVERHEAD_M = 1.3
+
+
+def floor_obstacles(
+    objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
+) -> list[BaseGeometry]:
+    """Footprints of what stands in a walker's way; doors and windows sit in walls and do not."""
+    out: list[BaseGeometry] = []
+    for item in objects:
+        if item.category in ("door", "front_door", "window"):
+            continue
+        body = Body(item, infos[item.asset])
+        if body.low[2] < OVERHEAD_M and body.high[2] > FLAT_M:
+            out.append(body.footprint)
+    return out
+
+
+def derive_zones(
+    home: Home,
+    furniture: Sequence[ObjectInstance],
+    infos: Mapping[str, AssetInfo],
+    properties: Mapping[str, Collection[str]],
+) -> tuple[Zone, ...]:
+    """All zones of a furnished home, sorted by name.
+
+    ``properties`` maps category to catalogue properties: HEAT_SOURCE and WATER_SOURCE make zones.
+    """
+    out: list[Zone] = []
+    rooms = {room.id: room for room in home.rooms}
+    free = free_shape(home, floor_obstacles(furniture, infos))
+    for opening in home.openings:
+        if opening.kind == "window":
+            continue
+        for room_id in opening.room_ids:
+            room = rooms[room_id]
+            shape = opening_rectangle(opening, 0.06 + DOORWAY_DEPTH_M).intersection(
+                Polygon(room.polygon_m).buffer(0.06, join_style="mitre")
+            )
+            out += _zones("doorway", shape, room, 0.0, FLOOR_ZONE_TOP_M, opening.object_id)
+        first = rooms[opening.room_ids[0]]
+        swing = opening_rectangle(opening, 0.06 + opening.width_m).intersection(
+            Polygon(first.polygon_m)
+        )
+        out += _zones("swing", swing, first, 0.0, 2.0, opening.object_id)
+    for room in home.rooms:
+        out += _walkways(home, room, free)
+        reach = free.intersection(Polygon(room.polygon_m)).buffer(CHILD_ARM_M + 0.25)
+        shape = reach.intersection(Polygon(room.polygon_m))
+        out += _zones("child_reach", _filled(shape), room, 0.0, CHILD_REACH_M, None)
+    for item in furniture:
+        traits = properties.get(item.category, ())
+        body = Body(item, infos[item.asset])
+        room = rooms[item.room_id]
+        top = round(float(body.high[2]), 3)
+        if "HEAT_SOURCE" in traits:
+            out += _zones("heat", body.footprint, room, top - 0.1, top + HEAT_ABOVE_M, item.id)
+        if "WATER_SOURCE" in traits:
+            out += _zones("water", body.footprint, room, 0.0, top + 0.3, item.id)
+    return tuple(sorted(out, key=lambda z: z.name))
+
+
+def doorway_point(opening: Opening, room: Room, inside_m: float = 0.45) -> Vec2:
+    """A point on the floor just inside a doorway."""
+    x, y, _ = opening.center_m
+    middle = Polygon(room.polygon_m).representative_point()
+    candidates = (
+        [(x, y + inside_m), (x, y - inside_m)]
+        if opening.along == "x"
+        else [(x + inside_m, y), (x - inside_m, y)]
+    )
+    outline = Polygon(room.polygon_m)
+    return min(
+        candidates,
+        key=lambda p: (not outline.contains(Point(p)), Point(p).distance(middle)),
+    )
+
+
+def _walkways(home: Home, room: Room, free: BaseGeometry) -> list[Zone]:
+    outline = Polygon(room.polygon_m)
+    doors = [o for o in home.openings if o.kind != "window" and room.id in o.room_ids]
+    inside = free.intersection(outline)
+    pieces = polygons(inside)
+    if not pieces or not doors:
+        return []
+    ends = [doorway_point(opening, room) for opening in doors]
+    if len(ends) == 1:
+        middle = shapely.maximum_inscribed_circle(pieces[0], tolerance=0.05).coords[0]
+        pairs = [(ends[0], (float(middle[0]), float(middle[1])))]
+    else:
+        pairs = list(combinations(ends, 2))
+    paths = [path for a, b in pairs if (path := route(inside, a, b)) is not None]
+    if not paths:
+        return []
+    shape = shapely.union_all([p.buffer(WALKWAY_HALF_M, quad_segs=2) for p in paths])
+    return _zones("walkway", shape.intersection(outline), room, 0.0, FLOOR_ZONE_TOP_M, None)
+
+
+def _filled(shape: BaseGeometry) -> BaseGeometry:
+    return shapely.union_all([Polygon(p.exterior) for p in polygons(shape)])
+
+
+def _zones(
+    kind: str, shape: BaseGeometry, room: Room, low: float, high: float, source: int | None
+) -> list[Zone]:
+    out = []
+    for index, polygon in enumerate(polygons(_filled(shape))):
+        simple = shapely.normalize(polygon.simplify(0.01))
+        points = np.round(np.array(simple.exterior.coords)[:-1], 3) + 0.0
+        name = f"{kind}:{room.name}:{source or 0}:{index}"
+        out.append(
+            Zone.model_validate(
+                {
+                    "name": name,
+                    "kind": kind,
+                    "polygon_m": tuple((float(x), float(y)) for x, y in points),
+                    "z_min_m": round(low, 3),
+                    "z_max_m": round(high, 3),
+                    "room_id": room.id,
+                    "source_id": source,
+                }
+            )
+        )
+    return out

@@ -1,0 +1,221 @@
+"""``sdgen build`` reads its options strictly and hands them on faithfully."""
+
+from __future__ import annotations
+
+import os
+from contextlib import suppress
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from sdgen.cli import build as build_module
+from sdgen.cli import params
+from sdgen.cli.disk import bytes_needed, human_bytes, nearest_folder
+from sdgen.cli.main import run
+from sdgen.cli.progress import summary
+from sdgen.engines.report import BuildReport, SceneFailed
+from sdgen.options import BuildOptions
+
+
+@pytest.fixture
+def asked(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Any]:
+    """What ``build`` would have asked the engine for, in an empty working folder."""
+    calls: list[Any] = []
+
+    def record(options: BuildOptions, out: Path, *rest: Any) -> BuildReport:
+        calls.append(SimpleNamespace(options=options, out=out, rest=rest))
+        return report(out=out, requested=options.n, made=options.n)
+
+    monkeypatch.setattr(build_module, "_run", record)
+    monkeypatch.chdir(tmp_path)
+    return calls
+
+
+def report(**changes: Any) -> BuildReport:
+    values: dict[str, Any] = {
+        "out": Path("d"),
+        "requested": 10,
+        "made": 10,
+        "resumed": 0,
+        "failed": (),
+        "frames": 80,
+        "seconds": 40.0,
+        "peak_memory_mb": 812.0,
+        "home_attempts": 12,
+        "rejections": {"unreachable": 2},
+        "anomalies": {"spill": 4, "stove_on": 5},
+        "renderer": "egl llvmpipe",
+    }
+    return BuildReport(**(values | changes))
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        "--n -1",
+        "--n x",
+        "--n 1.5",
+        "--seed x",
+        "--seed -3",
+        "--size 0x0",
+        "--size 640",
+        "--size 640x480x3",
+        "--size 99999x10",
+        "--hazards 5-2",
+        "--hazards -1-2",
+        "--hazards many",
+        "--hazards 0-500",
+        "--views -1",
+        "--sensors rgb,lidar",
+        "--sensors none,rgb",
+        "--sensors ",
+        "--rgb gif",
+        "--supersample 3",
+        "--renderer cuda",
+        "--range 3:3",
+        "--range 5",
+        "--range 0:11",
+        "--workers 0",
+        "--engine spark",
+        "--ray-address localhost:1",
+        "--catalog nowhere",
+        "--assets nowhere",
+        "--homes castle",
+        "--draw lucky",
+    ],
+)
+def test_nonsense_is_a_usage_error(
+    bad: str, asked: list[Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["build", *bad.split(" ", 1)]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert bad.split()[0] in err
+    assert len(err.splitlines()) == 1
+    assert asked == []
+
+
+@pytest.mark.parametrize("feature", ["--twins", "--engine ray", "--homes procedural"])
+def test_what_is_not_there_yet_is_refused(
+    feature: str, asked: list[Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["build", *feature.split()]) == 2
+    assert "not available in this version" in capsys.readouterr().err
+    assert asked == []
+
+
+def test_defaults_are_those_of_the_contract(asked: list[Any]) -> None:
+    assert run(["build"]) == 0
+    assert asked[0].options == BuildOptions()
+    assert asked[0].out == Path("output/sdgen-n10-s0")
+
+
+def test_options_reach_the_engine(asked: list[Any]) -> None:
+    command = (
+        "build --n 5 --seed 7 --hazards 1-2 --views 3 --size 64x48 --sensors depth,rgb --rgb jpg "
+        "--supersample 2 --renderer cpu --draw iid --workers 3 --range 1:4 --overwrite --out here"
+    )
+    assert run(command.split()) == 0
+    options = asked[0].options
+    assert (options.n, options.seed, options.hazards_min, options.hazards_max) == (5, 7, 1, 2)
+    assert (options.views, options.width, options.height) == (3, 64, 48)
+    assert options.sensors == ("rgb", "depth")
+    assert (options.rgb, options.supersample, options.renderer) == ("jpg", 2, "cpu")
+    assert asked[0].out == Path("here")
+    catalogs, assets, workers, index_range, overwrite = asked[0].rest
+    assert (catalogs, assets, workers, index_range, overwrite) == ((), (), 3, (1, 4), True)
+
+
+def test_seed_zero_is_a_seed(asked: list[Any]) -> None:
+    assert run(["build", "--seed", "0", "--n", "3"]) == 0
+    assert asked[0].options.seed == 0
+    assert asked[0].out.name == "sdgen-n3-s0"
+
+
+def test_says_how_much_disk_it_needs(asked: list[Any], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["build", "--n", "20"]) == 0
+    assert "needs about" in capsys.readouterr().err
+
+
+def test_a_disk_too_small_is_refused_before_the_start(
+    asked: list[Any], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    usage = SimpleNamespace(free=1_000_000)
+    monkeypatch.setattr("sdgen.cli.disk.shutil.disk_usage", lambda _: usage)
+    assert run(["build", "--n", "200"]) == 1
+    assert "free; choose another --out" in capsys.readouterr().err
+    assert asked == []
+
+
+def test_out_below_a_file_is_refused(asked: list[Any], capsys: pytest.CaptureFixture[str]) -> None:
+    Path("letter").write_text("dear", encoding="utf-8")
+    assert run(["build", "--out", "letter/homes"]) == 1
+    assert "is a file, not a folder" in capsys.readouterr().err
+    assert Path("letter").read_text(encoding="utf-8") == "dear"
+
+
+def test_out_that_may_not_be_written_is_refused(
+    asked: list[Any], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Root may write anywhere, so ask the operating system to say no.
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    assert run(["build"]) == 1
+    assert "may not write" in capsys.readouterr().err
+    assert asked == []
+
+
+def test_missing_scenes_exit_3_and_are_named(
+    asked: list[Any], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    failed = (SceneFailed(4, "000004", {"unreachable": 5}),)
+    monkeypatch.setattr(build_module, "_run", lambda *_: report(made=9, failed=failed))
+    assert run(["build"]) == 3
+    assert "1 of 10 scenes could not be made: 000004" in capsys.readouterr().err
+
+
+def test_closing_table_has_the_promised_figures() -> None:
+    text = summary(report())
+    rows = {line[:12].strip(): line[12:].strip() for line in text.splitlines()}
+    assert rows["homes/h"] == "900"
+    assert rows["frames/s"] == "2.00"
+    assert rows["peak memory"] == "812 MB"
+    assert rows["accepted"] == "83% of 12 homes tried"
+    assert rows["rejections"] == "unreachable x2"
+    assert rows["anomalies"] == "stove_on x5, spill x4"
+
+
+@given(st.text(max_size=12))
+def test_parsers_never_crash(text: str) -> None:
+    for parse in (params.size, params.hazard_count, params.scene_range, params.sensor_list):
+        with suppress(ValueError):
+            assert isinstance(parse(text), tuple)
+
+
+@given(st.integers(16, 4096), st.integers(16, 4096))
+def test_sizes_round_trip(width: int, height: int) -> None:
+    assert params.size(f"{width}x{height}") == (width, height)
+
+
+def test_disk_need_grows_with_what_is_written() -> None:
+    plain = BuildOptions(sensors=())
+    jpg = BuildOptions(rgb="jpg")
+    png = BuildOptions()
+    needs = [bytes_needed(options, 10) for options in (plain, jpg, png)]
+    assert needs == sorted(needs)
+    assert needs[0] < needs[-1]
+    assert bytes_needed(png, 20) == 2 * bytes_needed(png, 10)
+
+
+@pytest.mark.parametrize(
+    ("count", "text"),
+    [(0, "0 B"), (999, "999 B"), (1000, "1.0 kB"), (25_400_000, "25 MB"), (1.2e13, "12.0 TB")],
+)
+def test_human_bytes(count: float, text: str) -> None:
+    assert human_bytes(count) == text
+
+
+def test_nearest_folder_is_one_that_exists(tmp_path: Path) -> None:
+    assert nearest_folder(tmp_path / "a" / "b") == tmp_path

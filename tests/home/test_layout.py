@@ -1,0 +1,103 @@
+"""Spots lie within supports, under headroom and clear of what is there already."""
+
+import itertools
+
+import pytest
+from sdgen.actions import at_rest, in_state
+from sdgen.geometry import quat_from_yaw
+from sdgen.home.layout import Intent, Layout, footprint
+from sdgen.library import load_library
+from sdgen.scene import ObjectInstance, Pose
+from sdgen.seeding import lane
+from shapely.geometry import box
+
+LIBRARY = load_library()
+
+
+@pytest.fixture
+def layout():
+    return Layout(LIBRARY, itertools.count(1))
+
+
+def put(layout, category, x=0.0, y=0.0, z=0.0, yaw=0.0):
+    asset = LIBRARY.by_category(category)[0]
+    item = ObjectInstance(
+        id=next(layout.ids),
+        category=category,
+        asset=asset.id,
+        pose=Pose(position_m=(x, y, z), quat_xyzw=quat_from_yaw(yaw)),
+        room_id=1,
+        fixed=True,
+    )
+    layout.put(at_rest(item, asset))
+    return item.id
+
+
+def test_things_on_a_table_do_not_overlap_and_stay_on_it(layout):
+    table = put(layout, "coffee_table", 1, 2, yaw=0.6)
+    top = layout.info(table)
+    surface = footprint(top, 1, 2, 0.6)
+    rng = lane(0, 0, "layout")
+    mug = LIBRARY.by_category("mug")[0]
+    placed = []
+    for _ in range(12):
+        spot = layout.spot_on_object(mug, table, "ON", rng)
+        if spot is None:
+            continue
+        item = layout.new_item(mug, spot, 1)
+        layout.put(item, Intent("ON", table))
+        print_ = footprint(mug, item.pose.position_m[0], item.pose.position_m[1], spot[1])
+        assert surface.contains(print_)
+        z = item.pose.position_m[2]  # the table may have a lower shelf
+        assert not any(print_.intersects(other) for other, height in placed if height == z)
+        placed.append((print_, z))
+    assert len(placed) >= 4
+
+
+def test_inside_a_fridge_headroom_is_kept(layout):
+    fridge = put(layout, "fridge")
+    info = layout.info(fridge)
+    rng = lane(0, 1, "layout")
+    milk = LIBRARY.by_category("milk_carton")[0]
+    for _ in range(10):
+        spot = layout.spot_on_object(milk, fridge, "INSIDE", rng)
+        if spot is None:
+            continue
+        z = spot[0][2]
+        (shelf,) = [s for s in info.supports if s.container and abs(s.z_m - z) < 1e-6]
+        assert shelf.headroom_m is None or milk.extents_m[2] < shelf.headroom_m
+        layout.put(layout.new_item(milk, spot, 1), Intent("INSIDE", fridge))
+    assert layout.spot_on_object(LIBRARY.by_category("wardrobe")[0], fridge, "INSIDE", rng) is None
+
+
+def test_an_open_door_takes_room(layout):
+    fridge = put(layout, "fridge")
+    shut = layout.blocks_of(layout.items[fridge])
+    opened = in_state(layout.items[fridge], layout.info(fridge), "OPEN", lane(0, 2, "layout"))
+    assert opened is not None
+    blocks = layout.blocks_of(opened)
+    assert len(shut) == 1
+    assert len(blocks) == 2
+    assert blocks[1].shape.bounds[2] > shut[0].shape.bounds[2]
+
+
+def test_floor_spots_keep_to_their_area(layout):
+    put(layout, "coffee_table", 1, 1)
+    area, avoid = box(0, 0, 3, 3), box(0, 0, 1.5, 3)
+    ball = LIBRARY.by_category("toy_ball")[0]
+    rng = lane(0, 3, "layout")
+    for _ in range(20):
+        spot = layout.spot_on_floor(ball, area, rng, keep_share=0.7, avoid=avoid, avoid_share=0.2)
+        if spot is not None:
+            print_ = footprint(ball, spot[0][0], spot[0][1], spot[1])
+            assert print_.intersection(area).area >= 0.7 * print_.area
+            assert print_.intersection(avoid).area <= 0.2 * print_.area + 1e-9
+
+
+def test_a_dropped_thing_leaves_no_trace(layout):
+    table = put(layout, "coffee_table")
+    before = dict(layout.items)
+    copy = layout.copy()
+    copy.drop(table)
+    assert layout.items == before
+    assert copy.items == {}

@@ -1,0 +1,144 @@
+import math
+
+import numpy as np
+import pytest
+from sdgen.geometry import look_at
+from sdgen.library import Library
+from sdgen.physics.rays import RayWorld
+from sdgen.render.cameras import (
+    PIXELS_NEEDED,
+    Target,
+    best_near_pose,
+    choose,
+    room_views,
+    to_cameras,
+)
+from sdgen.render.frames import Renderer
+from sdgen.render.projection import intrinsics, project
+from sdgen.render.sight import estimate_pixels, part_numbers, part_points
+from sdgen.scene import Scene
+from sdgen.seeding import lane
+
+from tests.fakes import box_room, thing
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    """A room whose floor is free but for a table's and a cabinet's surroundings."""
+    made = box_room(
+        [
+            thing(10, "table_01", (0.9, 0.9, 0)),
+            thing(11, "cube_01", (0.8, 0.8, 0.74)),
+            thing(12, "cabinet_01", (-1.6, 0.5, 0), joints={"door": -1.5}),
+            thing(13, "cube_02", (-1.75, 0.5, 0.04)),
+            thing(14, "plank_01", (1.2, -1.2, 0)),
+        ]
+    )
+    free = ((-1.0, -1.6), (1.6, -1.6), (1.6, 0.2), (-1.0, 0.2))
+    return made.model_copy(update={"free_space": (free,)})
+
+
+def eye_of(pose: np.ndarray) -> np.ndarray:
+    return pose[:3, 3]
+
+
+@pytest.mark.parametrize("number", [11, 13, 14])
+def test_a_near_view_stands_free_and_promises_what_the_picture_shows(
+    library: Library, scene: Scene, number: int
+) -> None:
+    with RayWorld(library, scene) as world:
+        view = best_near_pose(library, scene, world.cast, Target(number), lane(1, 2, f"a{number}"))
+    assert view is not None
+    assert view.estimated_pixels >= PIXELS_NEEDED
+    x, y, z = eye_of(view.world_from_camera)
+    assert -1.0 <= x <= 1.6
+    assert -1.6 <= y <= 0.2
+    assert z == pytest.approx(1.2, abs=0.11)
+    where = scene.object(number).pose.position_m
+    assert 0.75 < math.hypot(x - where[0], y - where[1]) < 2.3
+    (camera,) = to_cameras([view], (640, 480), lane(1, 2, "order"))
+    with Renderer("auto") as renderer:
+        (frame,) = renderer.render(library, scene, [camera])
+    assert (frame.instance == number).sum() == pytest.approx(view.estimated_pixels, rel=0.15)
+
+
+def test_parts_are_asked_for_by_name(library: Library, scene: Scene) -> None:
+    """The pixels of the parts add up to those of the whole."""
+    item = scene.object(12)
+    every = part_numbers(library, item, ())
+    door = part_numbers(library, item, ("door",))
+    assert (every.tolist(), door.tolist()) == ([1, 2, 3], [3])
+    pose = look_at((0.5, -0.5, 1.2), (-1.6, 0.5, 0.4))
+    points = part_points(library, item, ())
+    with RayWorld(library, scene) as world:
+        whole, front, rest = (
+            estimate_pixels(world.cast, [pose], points, 12, numbers)[0]
+            for numbers in (every, door, every[:2])
+        )
+    assert front > 1000
+    assert rest > 1000
+    assert whole == pytest.approx(front + rest)
+
+
+def test_what_is_hidden_has_no_near_view(library: Library, scene: Scene) -> None:
+    """A cube shut in a cabinet cannot be seen from anywhere."""
+    things = [o for o in scene.objects if o.id != 12]
+    things.append(thing(12, "cabinet_01", (-1.6, 0.5, 0)))
+    walls = [thing(20, "cabinet_01", (-1.6, 0.5, 0), (0, 0, math.sin(a / 2), math.cos(a / 2)))
+             for a in (math.pi / 2,)]  # fmt: skip
+    lid = [thing(21 + k, "table_01", (-1.6, 0.5, 0.1 - k * 0.01)) for k in range(1)]
+    shut = scene.model_copy(update={"objects": tuple(things + walls + lid)})
+    with RayWorld(library, shut) as world:
+        assert best_near_pose(library, shut, world.cast, Target(13), lane(1, 2, "x")) is None
+
+
+def test_the_target_is_in_the_picture_but_not_always_in_its_middle(
+    library: Library, scene: Scene
+) -> None:
+    spots = []
+    with RayWorld(library, scene) as world:
+        for k in range(12):
+            view = best_near_pose(library, scene, world.cast, Target(11), lane(k, 0, "near"))
+            assert view is not None
+            (camera,) = to_cameras([view], (640, 480), lane(0, 0, "order"))
+            pixels, _ = project(camera, np.array([[0.8, 0.8, 0.84]]))
+            spots.append(pixels[0])
+    away = np.abs(np.array(spots) - [319.5, 239.5])
+    assert (away < [220, 160]).all()
+    assert away.max() > 30
+
+
+def test_choose_gives_as_many_as_asked_near_ones_among_them(library: Library, scene: Scene) -> None:
+    targets = [Target(11), Target(14), Target(13)]
+    with RayWorld(library, scene) as world:
+        cameras = choose(
+            library, scene, world.cast, lane(3, 0, "views"), 6, (320, 200), 1.3, targets, 2
+        )
+        again = choose(
+            library, scene, world.cast, lane(3, 0, "views"), 6, (320, 200), 1.3, targets, 2
+        )
+        other = choose(
+            library, scene, world.cast, lane(4, 0, "views"), 6, (320, 200), 1.3, targets, 2
+        )
+    assert cameras == again != other
+    assert [camera.index for camera in cameras] == list(range(6))
+    assert sorted(camera.kind for camera in cameras) == ["near"] * 2 + ["room"] * 4
+    assert all(intrinsics(320, 200) == camera.K for camera in cameras)
+
+
+def test_overviews_look_into_the_room(library: Library, scene: Scene) -> None:
+    with RayWorld(library, scene) as world:
+        views = room_views(scene, world.cast, 3, lane(5, 0, "views"))
+    for view in views:
+        forward = view.world_from_camera[:3, 2]
+        assert abs(forward[2]) < 0.6
+        right = view.world_from_camera[:3, 0]
+        assert right[2] == pytest.approx(0, abs=1e-9)
+    assert len({tuple(eye_of(view.world_from_camera)) for view in views}) == 3
+
+
+def test_no_free_floor_no_views(library: Library, scene: Scene) -> None:
+    bare = scene.model_copy(update={"free_space": ()})
+    with RayWorld(library, bare) as world:
+        assert room_views(bare, world.cast, 3, lane(5, 0, "views")) == ()
+        assert best_near_pose(library, bare, world.cast, Target(11), lane(5, 0, "n")) is None

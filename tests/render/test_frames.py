@@ -1,0 +1,221 @@
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sdgen.render.frames as frames_module
+from sdgen.geometry import apply, look_at
+from sdgen.library import Library
+from sdgen.render.backend import choose_renderer
+from sdgen.render.frames import Renderer
+from sdgen.render.projection import FAR_M, NEAR_M, intrinsics, matrix4, project
+from sdgen.scene import Camera, Frame, Scene
+
+from tests.fakes import GREEN, RED, box_room, thing, write_library
+
+EGL = choose_renderer("auto").kind == "egl"
+KINDS = ["egl", "cpu"] if EGL else ["cpu"]
+
+
+@pytest.fixture(scope="module", params=KINDS)
+def renderer(request: pytest.FixtureRequest) -> Iterator[Renderer]:
+    with Renderer(request.param) as made:
+        yield made
+
+
+def camera(
+    eye: tuple[float, float, float],
+    target: tuple[float, float, float],
+    size: tuple[int, int] = (320, 240),
+) -> Camera:
+    return Camera(
+        index=0,
+        kind="room",
+        room_id=1,
+        width=size[0],
+        height=size[1],
+        K=intrinsics(*size),
+        world_from_camera=matrix4(look_at(eye, target)),
+        near_m=NEAR_M,
+        far_m=FAR_M,
+    )
+
+
+def one(renderer: Renderer, library: Library, scene: Scene, view: Camera, scale: int = 1) -> Frame:
+    (frame,) = renderer.render(library, scene, [view], supersample=scale)
+    return frame
+
+
+def test_a_wall_at_a_known_distance(renderer: Renderer, library: Library) -> None:
+    """Depth is planar: the same all over a wall that faces the camera."""
+    frame = one(renderer, library, box_room(), camera((0, 0, 1.25), (1, 0, 1.25)))
+    wall = frame.depth_mm[frame.instance == 4]
+    assert wall.size > 10000
+    assert wall.min() >= 1998
+    assert wall.max() <= 2002
+
+
+def test_floor_and_ceiling_have_the_depth_of_their_planes(
+    renderer: Renderer, library: Library
+) -> None:
+    view = camera((-1.5, 0.3, 1.25), (1, 0, 1.4))
+    frame = one(renderer, library, box_room(), view)
+    pose = np.asarray(view.world_from_camera)
+    for number, level in ((2, 0.0), (3, 2.5)):
+        rows, columns = np.nonzero(frame.instance == number)
+        assert len(rows) > 1000
+        depth = frame.depth_mm[rows, columns] / 1000.0
+        k = np.asarray(view.K)
+        x = (columns - k[0, 2]) / k[0, 0] * depth
+        y = (rows - k[1, 2]) / k[1, 1] * depth
+        height = apply(pose, np.column_stack([x, y, depth]))[:, 2]
+        assert np.percentile(np.abs(height - level), 95) < 0.02
+
+
+def test_a_projected_point_is_found_in_mask_and_depth(renderer: Renderer, library: Library) -> None:
+    scene = box_room([thing(1234, "cube_01", (0.4, -0.3, 0.0)), thing(77, "cube_02", (1, 1, 0))])
+    view = camera((-1.2, -0.9, 1.4), (0.2, 0, 0.3))
+    frame = one(renderer, library, scene, view)
+    pixels, depth = project(view, np.array([[0.4, -0.3, 0.2]]))  # the middle of the cube's top
+    column, row = (int(v) for v in np.rint(pixels[0]))
+    assert frame.instance[row, column] == 1234
+    assert frame.part[row, column] == 1
+    assert frame.depth_mm[row, column] / 1000 == pytest.approx(depth[0], abs=0.006)
+    rows, columns = np.nonzero(frame.instance == 1234)
+    corners = [[0.4 + a, -0.3 + b, c] for a in (-0.1, 0.1) for b in (-0.1, 0.1) for c in (0, 0.2)]
+    box, _ = project(view, np.array(corners))
+    low, high = box.min(axis=0), box.max(axis=0)
+    assert [columns.min(), rows.min()] == pytest.approx(np.ceil(low), abs=1)
+    assert [columns.max(), rows.max()] == pytest.approx(np.floor(high), abs=1)
+
+
+def test_parts_are_told_apart_and_move_with_their_joints(
+    renderer: Renderer, library: Library
+) -> None:
+    view = camera((1.7, 0.2, 0.6), (0, 0, 0.4))
+    shut = one(renderer, library, box_room([thing(9, "cabinet_01", (0, 0, 0))]), view)
+    turned = thing(9, "cabinet_01", (0, 0, 0), joints={"door": -1.5})
+    opened = one(renderer, library, box_room([turned]), view)
+    assert (shut.part == 3).sum() > 5 * (opened.part == 3).sum() > 0
+    assert (opened.part == 1).sum() > 1000
+    assert (shut.part == 1).sum() < 100
+    assert ((shut.part > 0) == (shut.instance == 9)).all()
+
+
+def test_pixels_alone_count_what_is_hidden_too(renderer: Renderer, library: Library) -> None:
+    scene = box_room([thing(10, "cube_01", (0.5, 0, 0)), thing(11, "cube_02", (0.1, 0.06, 0))])
+    view = camera((-1.5, 0, 0.25), (1, 0, 0.1))
+    frame = one(renderer, library, scene, view)
+    only = one(renderer, library, box_room([thing(10, "cube_01", (0.5, 0, 0))]), view)
+    visible = {k: int((frame.instance == k).sum()) for k in (10, 11)}
+    assert visible[10] < 0.8 * frame.alone_pixels[10]
+    assert frame.alone_pixels[10] == pytest.approx(int((only.instance == 10).sum()), rel=0.03)
+    assert visible[11] == pytest.approx(frame.alone_pixels[11], rel=0.03)
+    assert all(visible[k] <= frame.alone_pixels[k] for k in visible)
+    assert set(frame.alone_pixels) == {10, 11}
+
+
+def test_no_sensors_no_frames(renderer: Renderer, library: Library) -> None:
+    view = camera((0, 0, 1.25), (1, 0, 1.25))
+    assert list(renderer.render(library, box_room(), [view], sensors=())) == []
+
+
+def test_supersampling_changes_colours_only(renderer: Renderer, library: Library) -> None:
+    scene = box_room([thing(10, "table_01", (0.3, 0, 0)), thing(11, "cube_01", (0.2, 0.1, 0.74))])
+    view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5))
+    plain, smooth = one(renderer, library, scene, view), one(renderer, library, scene, view, 2)
+    assert np.array_equal(plain.instance, smooth.instance)
+    assert np.array_equal(plain.depth_mm, smooth.depth_mm)
+    apart = np.abs(plain.rgb.astype(int) - smooth.rgb.astype(int)).max(axis=2)
+    assert 0 < (apart > 8).mean() < 0.1
+
+
+def test_tiles_are_seamless(
+    renderer: Renderer, library: Library, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scene = box_room([thing(10, "table_01", (0.3, 0, 0)), thing(11, "cube_01", (0.2, 0.1, 0.74))])
+    view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5))
+    whole = one(renderer, library, scene, view)
+    monkeypatch.setattr(frames_module, "_TILE", (150, 100))
+    tiled = one(renderer, library, scene, view)
+    assert (whole.instance != tiled.instance).mean() < 0.002
+    assert (np.abs(whole.depth_mm.astype(int) - tiled.depth_mm) > 20).mean() < 0.004
+    assert (np.abs(whole.rgb.astype(int) - tiled.rgb).max(axis=2) > 12).mean() < 0.01
+
+
+def test_textures_do_not_leak_from_scene_to_scene(renderer: Renderer, library: Library) -> None:
+    """After several scenes in one process each cube still wears its own colour."""
+    view = camera((0.0, 0.0, 1.5), (0.01, 0.0, 0.0))
+    for round_ in range(4):
+        names = ["cube_01", "cube_02"] if round_ % 2 else ["cube_02", "cube_01"]
+        extra = [thing(50, "table_01", (1.4, 1.4, 0))] if round_ % 3 else []
+        scene = box_room(
+            [thing(10, names[0], (-0.3, 0, 0)), thing(11, names[1], (0.3, 0, 0)), *extra]
+        )
+        frame = one(renderer, library, scene, view)
+        for number, name in ((10, names[0]), (11, names[1])):
+            seen = frame.rgb[frame.instance == number].mean(axis=0)
+            wanted = RED if name == "cube_01" else GREEN
+            assert seen / seen.max() == pytest.approx(np.array(wanted) / max(wanted), abs=0.06)
+        floor = frame.rgb[frame.instance == 2].mean(axis=0)
+        assert floor / floor.max() == pytest.approx(np.array([160, 120, 80]) / 160, abs=0.06)
+
+
+def test_the_room_is_bright(renderer: Renderer, library: Library) -> None:
+    """Neither ceiling nor walls may put the room in shadow, or shine."""
+    frame = one(renderer, library, box_room(), camera((-1.7, -1.7, 1.5), (1, 1, 0.9)))
+    for number in set(np.unique(frame.instance).tolist()) - {2}:
+        values = frame.rgb[frame.instance == number].astype(float).mean(axis=1)
+        assert values.mean() > 110
+        assert values.std() < 25
+    floor = frame.rgb[frame.instance == 2].astype(float).mean(axis=1)
+    assert (floor > 100).mean() > 0.7
+
+
+_SCRIPT = """
+import hashlib, sys
+from pathlib import Path
+from sdgen.library import Library
+from sdgen.render.frames import Renderer
+from tests.fakes import box_room, thing
+from tests.render.test_frames import camera
+
+library = Library([Path(sys.argv[1])])
+things = [thing(10, "table_01", (0.3, 0, 0)), thing(11, "cube_01", (0.2, 0.1, 0.74)),
+          thing(12, "cabinet_01", (-1, 1.2, 0), joints={"door": -0.7}),
+          thing(13, "cube_02", (1, 1, 0))]
+views = [camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5)), camera((1.6, -1.2, 1.2), (0, 0, 0.5))]
+with Renderer(sys.argv[2]) as renderer:
+    for number in range(int(sys.argv[3])):
+        other = box_room([thing(5 + number, "cube_02", (0.1 * number, 0, 0))], (3.0 + number, 4.0))
+        list(renderer.render(library, other, views[:1], supersample=1 + number % 2))
+    total = hashlib.sha256()
+    for scale in (1, 2):
+        for frame in renderer.render(library, box_room(things), views, supersample=scale):
+            for array in (frame.rgb, frame.depth_mm, frame.instance, frame.part):
+                total.update(array.tobytes())
+            total.update(str(sorted(frame.alone_pixels.items())).encode())
+print("digest", total.hexdigest())
+"""
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_frames_are_the_same_bytes_in_every_process(kind: str, tmp_path: Path) -> None:
+    """In two processes, and whatever either rendered before."""
+    folder = write_library(tmp_path / "assets")
+    root = str(Path(__file__).resolve().parents[2])
+    digests = []
+    for before in (0, 0, 3):
+        done = subprocess.run(
+            [sys.executable, "-c", _SCRIPT, str(folder), kind, str(before)],
+            capture_output=True,
+            text=True,
+            check=False,
+            cwd=root,
+        )
+        assert done.returncode == 0, done.stderr
+        digests += [line for line in done.stdout.splitlines() if line.startswith("digest")]
+    assert len(digests) == 3
+    assert len(set(digests)) == 1

@@ -1,0 +1,111 @@
+"""The documents are true: commands run, links lead somewhere, everything is mentioned."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.cli.main import COMMANDS
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+#: Pages whose console and python blocks are run, in order, in one empty folder.
+STORIES = [ROOT / "README.md", ROOT / "docs" / "quickstart.md"]
+TINY = ["--n", "2", "--views", "2", "--size", "96x72", "--workers", "1"]
+
+
+def blocks(page: Path, *languages: str) -> list[tuple[str, str]]:
+    """(language, text) of a page's fenced blocks in these languages, in order."""
+    fenced = re.findall(r"^```(\w+)\n(.*?)^```", page.read_text(encoding="utf-8"), re.M | re.S)
+    return [(language, text) for language, text in fenced if language in languages]
+
+
+def commands(text: str) -> list[list[str]]:
+    """The command lines of a console block: those that start with a dollar sign."""
+    return [shlex.split(line[2:]) for line in text.splitlines() if line.startswith("$ ")]
+
+
+def tiny(words: list[str]) -> list[str]:
+    """The same command on a data set that takes seconds."""
+    if words[1] != "build":
+        return words
+    at = words.index("--n")
+    return [*words[:at], *words[at + 2 :], *TINY]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", STORIES, ids=lambda page: page.name)
+def test_what_a_page_tells_to_run_runs(page: Path, tmp_path: Path) -> None:
+    story = blocks(page, "console", "python")
+    assert any(language == "console" for language, _ in story)
+    for language, text in story:
+        lines = [[sys.executable, "-c", text]]
+        if language == "console":
+            lines = [[sys.executable, "-m", "sdgen", *tiny(words)[1:]] for words in commands(text)]
+            assert lines, text
+        for line in lines:
+            done = subprocess.run(line, cwd=tmp_path, capture_output=True, text=True, timeout=900)
+            assert done.returncode == 0, f"{line}\n{done.stdout}{done.stderr}"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_console_blocks_hold_our_commands_only(page: Path) -> None:
+    for _, text in blocks(page, "console"):
+        assert all(words[0] == "sdgen" for words in commands(text))
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_every_command_a_page_names_exists(page: Path) -> None:
+    known = set(COMMANDS)
+    lines = [text for _, text in blocks(page, "console", "sh")]
+    named = re.findall(r"(?:^|[`$/ ])sdgen ([a-z]+)", "\n".join(lines), flags=re.M)
+    named += re.findall(r"`sdgen ([a-z]+)", page.read_text(encoding="utf-8"))
+    assert set(named) <= known
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_somewhere(page: Path) -> None:
+    targets = re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8"))
+    local = [target for target in targets if not re.match(r"\w+:", target)]
+    missing = [target for target in local if not (page.parent / target).exists()]
+    assert missing == []
+
+
+def test_every_guide_is_in_the_index() -> None:
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    for page in (ROOT / "docs").glob("*.md"):
+        assert page.name == "index.md" or f"({page.name})" in index
+
+
+def test_every_command_and_option_is_documented() -> None:
+    path = ROOT / "scripts" / "command_reference.py"
+    spec = importlib.util.spec_from_file_location("command_reference", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    written = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
+    assert written == module.reference(), "run 'make docs'"
+
+
+def test_every_hazard_is_documented() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    for hazard in load_catalog().hazards:
+        assert f"`{hazard.id}`" in readme, hazard.id
+
+
+def test_small_python_blocks_run() -> None:
+    for _, text in blocks(ROOT / "docs" / "data-format.md", "python"):
+        exec(compile(text, "docs/data-format.md", "exec"), {})
+
+
+def test_tiny_keeps_the_rest_of_a_command() -> None:
+    words = ["sdgen", "build", "--n", "1000", "--seed", "7", "--out", "homes"]
+    assert tiny(words) == ["sdgen", "build", "--seed", "7", "--out", "homes", *TINY]
+    assert tiny(["sdgen", "stats", "homes"]) == ["sdgen", "stats", "homes"]

@@ -1,0 +1,133 @@
+"""The floors of the package: who may import whom. The table is the contract."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = ROOT / "generator" / "sdgen"
+
+#: Floor -> its rooms. A room imports lower floors, and rooms named before it on its own floor;
+#: rooms named together do not know each other.
+FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
+    1: (("errors", "seeding", "geometry", "resources"),),
+    2: (
+        ("scene",),
+        ("options",),
+        ("library",),
+        ("catalog",),
+        ("relations", "zones"),
+        ("freespace",),
+        ("actions",),
+    ),
+    3: (("home", "hazards", "households"),),
+    4: (("physics",), ("render",)),
+    5: (("truth", "dataset"),),
+    6: (("pipeline",), ("engines",)),
+    7: (("validate", "export", "gallery", "importing", "benchmark"),),
+    8: (("cli",),),
+    9: (("__main__",),),
+}
+#: Room -> (floor, place on the floor).
+ROOMS = {
+    room: (floor, place)
+    for floor, places in FLOORS.items()
+    for place, rooms in enumerate(places)
+    for room in rooms
+}
+
+#: Third-party module -> rooms that may import it (the package's own promise, not taste).
+KEPT_FOR = {
+    "pybullet": {"physics", "render"},
+    "pybullet_data": {"physics", "render"},
+    "click": {"cli"},
+    "bpy": set(),
+    "bmesh": set(),
+}
+
+
+def imports(path: Path) -> Iterator[tuple[str, int]]:
+    """Dotted names a file imports anywhere in it (``from a import b`` gives a and a.b)."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from ((alias.name, node.lineno) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}:{node.lineno}: relative import"
+            assert node.module is not None
+            yield node.module, node.lineno
+            yield from ((f"{node.module}.{alias.name}", node.lineno) for alias in node.names)
+
+
+def room_of(path: Path) -> str:
+    return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
+
+
+def may_import(importer: str, imported: str) -> bool:
+    return importer == imported or ROOMS[imported] < ROOMS[importer]
+
+
+SOURCES = sorted(path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py")
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_file_keeps_to_its_floor(path: Path) -> None:
+    importer = room_of(path)
+    assert importer in ROOMS, f"{importer} has no floor: add it to ROOMS and ARCHITECTURE"
+    for name, line in imports(path):
+        parts = name.split(".")
+        where = f"{path.relative_to(ROOT)}:{line}"
+        if parts[0] in KEPT_FOR:
+            assert importer in KEPT_FOR[parts[0]], f"{where}: {parts[0]} is kept for others"
+        if parts[0] == "sdgen" and len(parts) > 1 and parts[1] in ROOMS:
+            assert may_import(importer, parts[1]), f"{where}: {importer} may not import {parts[1]}"
+
+
+def test_every_room_of_the_package_has_a_floor() -> None:
+    folders = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
+    files = {path.stem for path in PACKAGE.glob("*.py")} - {"__init__"}
+    assert (folders | files) <= set(ROOMS)
+
+
+@pytest.mark.parametrize(
+    ("importer", "imported", "allowed"),
+    [
+        ("cli", "validate", True),
+        ("home", "physics", False),
+        ("home", "hazards", False),
+        ("catalog", "library", True),
+        ("library", "catalog", False),
+        ("engines", "pipeline", True),
+        ("pipeline", "engines", False),
+        ("export", "gallery", False),
+        ("errors", "scene", False),
+        ("dataset", "truth", False),
+        ("truth", "truth", True),
+    ],
+)
+def test_the_rule_itself(importer: str, imported: str, allowed: bool) -> None:
+    assert may_import(importer, imported) is allowed
+
+
+def test_only_the_blender_scripts_import_blender() -> None:
+    offenders = [
+        str(path.relative_to(ROOT))
+        for folder in ("tests", "examples", "scripts", "benchmarks")
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        if any(name.split(".")[0] in ("bpy", "bmesh") for name, _ in imports(path))
+    ]
+    assert offenders == []
+
+
+def test_blender_scripts_import_nothing_of_the_package() -> None:
+    scripts = sorted((ROOT / "assets" / "blender").rglob("*.py"))
+    assert scripts
+    for path in scripts:
+        text = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for node in text:
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                names = [alias.name for alias in node.names] + [getattr(node, "module", "") or ""]
+                assert not any(name.split(".")[0] == "sdgen" for name in names), path

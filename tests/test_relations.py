@@ -1,0 +1,294 @@
+"""Relations follow VirtualHome's geometry, and know when they are near a threshold."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from sdgen.geometry import quat_from_yaw
+from sdgen.library.records import AssetInfo
+from sdgen.relations import Edge, Facts, room_at
+from sdgen.scene import (
+    AgentStart,
+    Box,
+    Home,
+    ObjectInstance,
+    Opening,
+    Pose,
+    Room,
+    Scene,
+    Structure,
+    Zone,
+)
+
+ROOM, HALL, FLOOR, HALL_FLOOR, DOOR = 10, 11, 12, 13, 14
+
+
+def asset(name, extents, **more):
+    data = {
+        "id": name,
+        "category": name,
+        "licence": "CC-BY-4.0",
+        "source": "test",
+        "extents_m": extents,
+        "mass_kg": 1,
+        "parts": [{"name": "body", "faces": 12}, {"name": "door", "faces": 12, "joint": "door"}],
+        "joints": [
+            {
+                "name": "door",
+                "type": "revolute",
+                "origin_m": (0, 0, 0),
+                "axis": (0, 0, 1),
+                "lower": 0,
+                "upper": 2,
+            }
+        ],
+        "variants": {"default": ["body", "door"]},
+    }
+    return AssetInfo.model_validate({**data, **more})
+
+
+def square(half):
+    return [(-half, -half), (half, -half), (half, half), (-half, half)]
+
+
+INFOS = {
+    a.id: a
+    for a in (
+        asset("apple", (0.08, 0.08, 0.08)),
+        asset("box", (0.3, 0.3, 0.3)),
+        asset("rug", (1.5, 1.0, 0.01)),
+        asset(
+            "plate",
+            (0.2, 0.2, 0.02),
+            supports=[{"name": "top", "part": "body", "z_m": 0.01, "polygon_m": square(0.09)}],
+        ),
+        asset(
+            "table",
+            (1.0, 1.0, 0.75),
+            supports=[{"name": "top", "part": "body", "z_m": 0.75, "polygon_m": square(0.49)}],
+        ),
+        asset(
+            "fridge",
+            (0.6, 0.6, 1.7),
+            containers=[
+                {
+                    "name": "inside",
+                    "part": "body",
+                    "center_m": (0, 0, 0.85),
+                    "size_m": (0.5, 0.5, 1.5),
+                    "closed_by": "door",
+                }
+            ],
+            supports=[
+                {
+                    "name": "shelf",
+                    "part": "body",
+                    "z_m": 0.5,
+                    "polygon_m": square(0.24),
+                    "headroom_m": 0.4,
+                    "container": "inside",
+                }
+            ],
+            states=[
+                {"state": "CLOSED", "joint": "door", "max": 0.03},
+                {"state": "OPEN", "joint": "door", "min": 0.5},
+            ],
+        ),
+        asset("sofa", (0.9, 2.0, 0.8)),
+        asset("tv", (0.1, 1.0, 0.6)),
+        asset("stove", (0.6, 0.6, 0.9)),
+    )
+}
+FIXED = {"table", "fridge", "sofa", "tv", "stove", "rug"}
+
+
+def thing(number, name, x, y, z=0.0, yaw=0.0, room=ROOM, **more):
+    pose = Pose(position_m=(x, y, z), quat_xyzw=quat_from_yaw(yaw))
+    return ObjectInstance(
+        id=number,
+        category=name,
+        asset=name,
+        pose=pose,
+        room_id=room,
+        fixed=name in FIXED,
+        **more,
+    )
+
+
+def facts(*objects, zones=()):
+    rooms = (
+        Room(
+            id=ROOM,
+            name="a",
+            type="kitchen",
+            polygon_m=((0, 0), (4, 0), (4, 4), (0, 4)),
+            height_m=2.6,
+        ),
+        Room(
+            id=HALL,
+            name="b",
+            type="hall",
+            polygon_m=((4.12, 0), (6, 0), (6, 4), (4.12, 4)),
+            height_m=2.6,
+        ),
+    )
+    floors = tuple(
+        Structure(
+            id=i,
+            category="floor",
+            room_id=r,
+            surface="s",
+            pieces=(Box(center_m=(2, 2, -0.05), size_m=(4, 4, 0.1)),),
+        )
+        for i, r in ((FLOOR, ROOM), (HALL_FLOOR, HALL))
+    )
+    door = Opening(
+        object_id=DOOR,
+        kind="door",
+        room_ids=(ROOM, HALL),
+        center_m=(4.06, 2, 0),
+        along="y",
+        width_m=0.9,
+        height_m=2.1,
+    )
+    scene = Scene(
+        id="000000",
+        index=0,
+        home=Home(id="h", kind="base", rooms=rooms, structures=floors, openings=(door,)),
+        zones=tuple(zones),
+        free_space=(),
+        agent_start=AgentStart(position_m=(1, 1, 0), yaw_rad=0, room_id=ROOM),
+        objects=tuple(objects),
+    )
+    return Facts(scene, INFOS, {"sofa": ("SITTABLE",), "tv": ("LOOKABLE",)})
+
+
+def test_on_is_the_direct_support_only():
+    f = facts(
+        thing(1, "table", 2, 2),
+        thing(2, "plate", 2, 2, 0.75),
+        thing(3, "apple", 2, 2, 0.76),
+    )
+    assert f.holds(1, "ON") == (FLOOR,)
+    assert f.holds(2, "ON") == (1,)
+    assert f.holds(3, "ON") == (2,)
+    assert Edge(2, ROOM, "INSIDE") in f.edges()
+
+
+@pytest.mark.parametrize(
+    ("gap", "holds", "sure"),
+    [
+        (0.0, True, True),
+        (0.005, True, True),
+        (0.009, True, False),
+        (0.012, False, False),
+        (0.018, False, False),
+    ],
+)
+def test_on_within_a_centimetre_with_a_dead_band(gap, holds, sure):
+    (found,) = facts(thing(1, "table", 2, 2), thing(2, "apple", 2, 2, 0.75 + gap)).related(2, "ON")
+    assert (found.holds, found.sure) == (holds, sure)
+
+
+@pytest.mark.parametrize(
+    ("x", "holds", "sure"), [(2.45, True, True), (2.497, True, False), (2.503, False, False)]
+)
+def test_on_needs_more_than_half_of_the_footprint(x, holds, sure):
+    (found,) = facts(thing(1, "table", 2, 2), thing(2, "apple", x, 2, 0.75)).related(2, "ON")
+    assert (found.holds, found.sure) == (holds, sure)
+
+
+def test_inside_a_fridge_is_not_on_it_and_a_shut_door_shuts_in():
+    shut = thing(1, "fridge", 2, 2)
+    milk = thing(2, "apple", 2, 2, 0.5)
+    f = facts(shut, milk)
+    assert f.holds(2, "INSIDE") == (1,)
+    assert f.holds(2, "ON") == ()
+    assert f.shut_in(2)
+    assert "IN_REACH_OF_CHILD" not in f.tags(2)
+    opened = shut.model_copy(update={"joints": {"door": 1.0}})
+    assert not facts(opened, milk).shut_in(2)
+
+
+def test_near_the_mouth_of_a_container_is_in_doubt():
+    edge = 2 + 0.25
+    for x, holds in ((edge - 0.005, True), (edge + 0.005, False)):
+        (found,) = facts(thing(1, "fridge", 2, 2), thing(2, "apple", x, 2, 0.5)).related(
+            2, "INSIDE"
+        )
+        assert (found.holds, found.sure) == (holds, False)
+
+
+def test_close_only_within_a_room_and_both_ways():
+    f = facts(thing(1, "box", 3.7, 2), thing(2, "box", 3, 2), thing(3, "box", 4.4, 2, room=HALL))
+    close = {(e.from_id, e.to_id) for e in f.edges() if e.relation == "CLOSE"}
+    assert close == {(1, 2), (2, 1)}
+
+
+def test_facing_within_75_degrees():
+    f = facts(thing(1, "sofa", 1, 2), thing(2, "tv", 3.5, 2))
+    assert Edge(1, 2, "FACING") in f.edges()
+    turned = facts(thing(1, "sofa", 1, 2, yaw=math.radians(100)), thing(2, "tv", 3.5, 2))
+    assert Edge(1, 2, "FACING") not in turned.edges()
+
+
+def test_a_door_is_between_its_rooms_and_a_box_in_its_zone_blocks_it():
+    zone = Zone(
+        name="doorway:a",
+        kind="doorway",
+        polygon_m=((3.4, 1.5), (4.06, 1.5), (4.06, 2.5), (3.4, 2.5)),
+        z_min_m=0,
+        z_max_m=0.5,
+        room_id=ROOM,
+        source_id=DOOR,
+    )
+    f = facts(thing(1, "box", 3.7, 2), thing(2, "rug", 3.0, 2), zones=[zone])
+    assert {(e.to_id) for e in f.edges() if e.relation == "BETWEEN"} == {ROOM, HALL}
+    assert Edge(1, DOOR, "BLOCKS") in f.edges()
+    assert Edge(2, DOOR, "BLOCKS") not in f.edges()
+    assert "IN_DOORWAY" in f.tags(1)
+    (share,) = f.zones(1)
+    assert share.fraction == pytest.approx(1.0)
+
+
+def test_near_heat_and_under():
+    heat = Zone(
+        name="heat:a",
+        kind="heat",
+        polygon_m=((1.7, 1.7), (2.3, 1.7), (2.3, 2.3), (1.7, 2.3)),
+        z_min_m=0.8,
+        z_max_m=1.4,
+        room_id=ROOM,
+        source_id=1,
+    )
+    f = facts(thing(1, "stove", 2, 2), thing(2, "apple", 2.5, 2, 0.9), zones=[heat])
+    assert Edge(2, 1, "NEAR_HEAT") in f.edges()
+    g = facts(thing(1, "table", 2, 2), thing(2, "box", 2, 2))
+    assert Edge(2, 1, "UNDER") in g.edges()
+    assert g.holds(2, "ON") == (FLOOR,)
+
+
+@given(st.floats(0.2, 3.8), st.floats(0.2, 3.8), st.floats(-3, 3))
+def test_turning_and_moving_together_changes_no_relation(x, y, yaw):
+    dx, dy = 0.2 * math.cos(yaw), 0.2 * math.sin(yaw)
+    f = facts(thing(1, "table", x, y, yaw=yaw), thing(2, "apple", x + dx, y + dy, 0.75, yaw=yaw))
+    (found,) = f.related(2, "ON")
+    assert found.target_id == 1
+    assert found.holds
+    assert found.sure
+
+
+def test_distance_is_between_boxes():
+    f = facts(thing(1, "stove", 1, 1), thing(2, "box", 2.0, 1), thing(3, "box", 3, 3))
+    gap, nearest = f.distance(2, {"stove"}, None)
+    assert gap == pytest.approx(0.55)
+    assert nearest == 1
+    assert f.distance(2, {"tv"}, None) == (math.inf, None)
+
+
+def test_room_at_reaches_half_a_wall():
+    rooms = facts(thing(1, "box", 1, 1)).scene.home.rooms
+    assert room_at(rooms, 3.99, 1).id == ROOM
+    assert room_at(rooms, 4.02, 1).id == ROOM
+    assert room_at(rooms, 9, 9) is None

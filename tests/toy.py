@@ -1,0 +1,347 @@
+"""A hand-made two-room home with boxes for models, and whole data sets of it without a simulator.
+
+Scene ``i`` has ``i % 4`` anomalies: a stove that is on, then a knife on the table, then milk out
+of the fridge. A knife on a high shelf is the lookalike. Pictures are painted rectangles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from sdgen.catalog.load import catalog_sha256, load_catalog
+from sdgen.catalog.predicate import measure
+from sdgen.catalog.records import Catalog
+from sdgen.dataset import DatasetWriter
+from sdgen.geometry import look_at, quat_from_yaw, round_position, round_quat
+from sdgen.hazards.certify import facts_of, survey
+from sdgen.hazards.labels import anomaly_records
+from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
+from sdgen.library.states import derive_states
+from sdgen.options import BuildOptions
+from sdgen.scene import (
+    AgentStart,
+    Anomalies,
+    Box,
+    Camera,
+    Certificate,
+    Frame,
+    Graph,
+    Home,
+    Household,
+    Lookalike,
+    Member,
+    ObjectInstance,
+    Opening,
+    PhysicsReport,
+    Pose,
+    Room,
+    Scene,
+    SceneBundle,
+    Structure,
+    Visibility,
+)
+from sdgen.truth import build_graph, visibility_of
+
+ASSETS_SHA256 = "a" * 64
+VERSIONS = {"sdgen": "test"}
+SPLITS = ("train", "val", "test")
+
+
+def _info(name: str, size: tuple[float, float, float], **more: Any) -> AssetInfo:
+    more.setdefault("parts", (Part(name="body", faces=12),))
+    more.setdefault("variants", {"default": ("body",)})
+    return AssetInfo(
+        id=name,
+        category=name[:-3],
+        licence="CC0",
+        source="test",
+        extents_m=size,
+        mass_kg=1.0,
+        **more,
+    )
+
+
+def _top(size: tuple[float, float, float]) -> Support:
+    x, y = size[0] / 2 - 0.01, size[1] / 2 - 0.01
+    outline = ((-x, -y), (x, -y), (x, y), (-x, y))
+    return Support(name="top", part="body", z_m=size[2], polygon_m=outline)
+
+
+@lru_cache
+def infos() -> dict[str, AssetInfo]:
+    """Six models: plain boxes, a stove that can be lit, a fridge with a door and an inside."""
+    door = Joint(
+        name="door", type="revolute", origin_m=(0.3, 0.3, 0), axis=(0, 0, 1), lower=0, upper=1.9
+    )
+    table, shelf = (1.2, 0.8, 0.74), (0.4, 0.9, 1.8)
+    found = [
+        _info("kitchen_table_01", table, supports=(_top(table),)),
+        _info("bookshelf_01", shelf, supports=(_top(shelf),)),
+        _info("knife_01", (0.2, 0.03, 0.01)),
+        _info("milk_carton_01", (0.07, 0.07, 0.2)),
+        _info("cushion_01", (0.4, 0.4, 0.12)),
+        _info("door_01", (0.05, 0.8, 2.0)),
+        _info(
+            "stove_01",
+            (0.6, 0.6, 0.9),
+            parts=(Part(name="body", faces=12), Part(name="glow", faces=12)),
+            variants={"default": ("body",), "lit": ("body", "glow")},
+            states=(
+                StateRule(state="ON", variants=("lit",), parts=("glow",)),
+                StateRule(state="OFF", variants=("default",), parts=("body",)),
+            ),
+        ),
+        _info(
+            "fridge_01",
+            (0.6, 0.6, 1.8),
+            parts=(Part(name="body", faces=12), Part(name="door", faces=12, joint="door")),
+            variants={"default": ("body", "door")},
+            joints=(door,),
+            states=(
+                StateRule(state="CLOSED", joint="door", max=0.03),
+                StateRule(state="OPEN", joint="door", min=0.6, parts=("door",)),
+            ),
+            containers=(
+                Container(
+                    name="inside",
+                    part="body",
+                    center_m=(0, 0, 0.9),
+                    size_m=(0.5, 0.5, 1.6),
+                    closed_by="door",
+                ),
+            ),
+        ),
+    ]
+    return {info.id: info for info in found}
+
+
+@lru_cache
+def catalog() -> Catalog:
+    """The shipped catalogue."""
+    return load_catalog()
+
+
+def _home() -> Home:
+    rooms = []
+    structures = []
+    for k, (kind, low, high) in enumerate([("kitchen", 0.0, 3.0), ("living_room", 3.1, 6.0)]):
+        room_id = 100 + k
+        outline = ((0.0, low), (4.0, low), (4.0, high), (0.0, high))
+        rooms.append(Room(id=room_id, name=kind, type=kind, polygon_m=outline, height_m=2.5))
+        middle = (low + high) / 2
+        boxes = {
+            "floor": Box(center_m=(2, middle, -0.05), size_m=(4, high - low, 0.1)),
+            "ceiling": Box(center_m=(2, middle, 2.55), size_m=(4, high - low, 0.1)),
+            "wall": Box(center_m=(-0.05, middle, 1.25), size_m=(0.1, high - low, 2.5)),
+        }
+        for j, (category, box) in enumerate(boxes.items()):
+            structures.append(
+                Structure(
+                    id=200 + 10 * k + j,
+                    category=category,  # type: ignore[arg-type]
+                    room_id=room_id,
+                    surface=f"{category}_1",
+                    pieces=(box,),
+                )
+            )
+    door = Opening(
+        object_id=42,
+        kind="door",
+        room_ids=(100, 101),
+        center_m=(2, 3.05, 0),
+        along="x",
+        width_m=0.8,
+        height_m=2.0,
+    )
+    return Home(
+        id="toy", kind="base", rooms=tuple(rooms), structures=tuple(structures), openings=(door,)
+    )
+
+
+def thing(
+    number: int,
+    asset: str,
+    position: tuple[float, float, float],
+    yaw: float = 0.0,
+    room: int = 100,
+    **more: Any,
+) -> ObjectInstance:
+    """An object of one of the toy models, states derived."""
+    info = infos()[asset]
+    variant, joints = more.get("variant", "default"), more.setdefault("joints", {})
+    for joint in info.joints:
+        joints.setdefault(joint.name, 0.0)
+    return ObjectInstance(
+        id=number,
+        category=info.category,
+        asset=asset,
+        pose=Pose(
+            position_m=round_position(position), quat_xyzw=round_quat(quat_from_yaw(yaw))
+        ),
+        room_id=room,
+        states=derive_states(info, variant, joints),
+        parts=info.variants[variant],
+        **more,
+    )
+
+
+def scene(index: int = 3, anomalies: int | None = None) -> Scene:
+    """Scene ``index`` with ``index % 4`` anomalies (or as many as asked for)."""
+    wanted = index % 4 if anomalies is None else anomalies
+    milk = (1.4, 0.8, 0.74) if wanted > 2 else (0.5, 2.5, 0.2)
+    objects = [
+        thing(11, "stove_01", (3.5, 0.5, 0), variant="lit" if wanted > 0 else "default", fixed=True),
+        thing(305, "fridge_01", (0.5, 2.5, 0), fixed=True),
+        thing(77, "kitchen_table_01", (1.5, 1.0, 0), yaw=0.1, fixed=True),
+        thing(4000, "milk_carton_01", milk, yaw=0.3),
+        thing(30, "bookshelf_01", (0.3, 5.0, 0), room=101, fixed=True),
+        thing(512, "knife_01", (0.3, 5.0, 1.8), yaw=1.0, room=101),
+        thing(42, "door_01", (2.0, 3.05, 0), yaw=1.570796, fixed=True),
+        thing(65535, "cushion_01", (2.0, 5.0, 0), room=101),
+    ]
+    if wanted > 1:
+        objects.append(thing(600, "knife_01", (1.7, 1.1, 0.74), yaw=0.5))
+    return Scene(
+        id=f"{index:06d}",
+        index=index,
+        home=_home(),
+        zones=(),
+        free_space=(((0.5, 0.5), (3.5, 0.5), (3.5, 5.5), (0.5, 5.5)),),
+        agent_start=AgentStart(position_m=(2.5, 2.0, 0.0), yaw_rad=0.5, room_id=100),
+        objects=tuple(sorted(objects, key=lambda item: item.id)),
+    )
+
+
+def household(child_age: int | None = 5) -> Household:
+    """Two adults, and a child if an age is given."""
+    members = [Member(role="adult", age=38), Member(role="adult", age=36)]
+    if child_age is not None:
+        members.append(Member(role="child", age=child_age))
+    return Household(template="toy", members=tuple(members))
+
+
+def camera(index: int, options: BuildOptions) -> Camera:
+    """A camera in the kitchen."""
+    width, height = options.width, options.height
+    return Camera(
+        index=index,
+        kind="room",
+        room_id=100,
+        width=width,
+        height=height,
+        K=((width, 0, (width - 1) / 2), (0, width, (height - 1) / 2), (0, 0, 1)),
+        world_from_camera=look_at((2, 2.5, 1.2), (2, 0, 0.5)).tolist(),
+        near_m=0.05,
+        far_m=20.0,
+    )
+
+
+def bundle(
+    index: int = 3, options: BuildOptions | None = None, who: Household | None = None
+) -> SceneBundle:
+    """A whole proved scene without its pictures."""
+    options = options or small()
+    who = who or household(5 if index % 2 else None)
+    made = scene(index)
+    facts = facts_of(made, infos(), catalog())
+    result = survey(facts, catalog())
+    assert all(p.verdict.sure and p.verdict.value for p in result.found), result.found
+    shelf = measure(catalog().hazard("sharp_object").predicate, 512, facts)
+    return SceneBundle(
+        scene=made,
+        anomalies=Anomalies(
+            anomalies=anomaly_records(result.found, facts, catalog(), who),
+            lookalikes=(Lookalike(object_id=512, near_miss_of="sharp_object", evidence=shelf),),
+            certificate=Certificate(
+                hazards_enabled=tuple(sorted(h.id for h in catalog().hazards)),
+                catalogue_sha256=catalog_sha256(catalog()),
+                assets_sha256=ASSETS_SHA256,
+                pairs_checked=result.pairs,
+                pairs_positive=len(result.found),
+            ),
+        ),
+        household=who,
+        physics=PhysicsReport(
+            settled_drift_m={str(item.id): 0.001 for item in made.objects},
+            contacts=(),
+            steps=60,
+            home_attempts=1,
+            placement_attempts=1,
+            rejections={},
+        ),
+        split=SPLITS[index % 3],
+        cameras=tuple(camera(k, options) for k in range(options.views)),
+    )
+
+
+def frame(made: SceneBundle, index: int) -> Frame:
+    """A painted view: every object a rectangle in a row, its parts side by side; a floor below."""
+    view = made.cameras[index]
+    shape = (view.height, view.width)
+    instance = np.full(shape, 200, dtype=np.uint16)
+    part = np.zeros(shape, dtype=np.uint8)
+    step = view.width // len(made.scene.objects)
+    alone = {}
+    for k, item in enumerate(made.scene.objects):
+        x, y = k * step, 2 + index
+        instance[y : y + 20, x : x + step - 1] = item.id
+        wide = (step - 1) // len(item.parts)
+        for j in range(len(item.parts)):
+            part[y : y + 20, x + j * wide : x + (j + 1) * wide if j else x + step - 1] = j + 1
+        alone[item.id] = 20 * (step - 1) + 10 * k
+    rgb = np.stack([instance % 251, instance % 127 + 60, part * 80 + 40], axis=2).astype(np.uint8)
+    depth = np.where(instance == 200, 3000, 1500 + instance % 100).astype(np.uint16)
+    return Frame(view, rgb, depth, instance, part, alone)
+
+
+def frames(made: SceneBundle) -> list[Frame]:
+    """The painted views of all cameras."""
+    return [frame(made, camera.index) for camera in made.cameras]
+
+
+def graph(made: SceneBundle) -> Graph:
+    """Its graph."""
+    return build_graph(
+        made.scene, infos(), catalog(), facts_of(made.scene, infos(), catalog())
+    )
+
+
+def visibility(made: SceneBundle, pictures: Iterable[Frame]) -> Visibility:
+    """Its visibility."""
+    options = small()
+    return visibility_of(
+        made.scene, made.anomalies.anomalies, pictures, options.width, options.height
+    )
+
+
+def small(n: int = 4, **more: Any) -> BuildOptions:
+    """Options of a small data set."""
+    return BuildOptions(**{"n": n, "seed": 7, "views": 2, "width": 160, "height": 120, **more})
+
+
+def open_writer(path: Path, options: BuildOptions | None = None, **more: Any) -> DatasetWriter:
+    """A writer on ``path``."""
+    more.setdefault("versions", VERSIONS)
+    return DatasetWriter.open(path, options or small(), catalog(), infos(), ASSETS_SHA256, **more)
+
+
+def add_scene(writer: DatasetWriter, index: int) -> None:
+    """Write toy scene ``index``."""
+    made = bundle(index, writer.build.options)
+    pictures = frames(made) if writer.build.options.sensors else []
+    writer.scene_writer.write(made, graph(made), visibility(made, pictures), pictures)
+
+
+def build(path: Path, options: BuildOptions | None = None) -> Path:
+    """A finished data set."""
+    options = options or small()
+    with open_writer(path, options) as writer:
+        for index in range(options.n):
+            if f"{index:06d}" not in writer.done:
+                add_scene(writer, index)
+        writer.finish(renderers=("painted",))
+    return path

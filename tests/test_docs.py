@@ -16,7 +16,7 @@ from sdgen.cli.main import COMMANDS
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 #: Pages whose console and python blocks are run, in order, in one empty folder.
-STORIES = [ROOT / "README.md", ROOT / "docs" / "quickstart.md"]
+STORIES = [ROOT / "README.md", ROOT / "docs" / "quickstart.md", ROOT / "docs" / "python.md"]
 TINY = ["--n", "2", "--views", "2", "--size", "96x72", "--workers", "1"]
 
 
@@ -43,7 +43,7 @@ def tiny(words: list[str]) -> list[str]:
 @pytest.mark.parametrize("page", STORIES, ids=lambda page: page.name)
 def test_what_a_page_tells_to_run_runs(page: Path, tmp_path: Path) -> None:
     story = blocks(page, "console", "python")
-    assert any(language == "console" for language, _ in story)
+    assert story
     for language, text in story:
         lines = [[sys.executable, "-c", text]]
         if language == "console":

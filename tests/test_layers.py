@@ -20,11 +20,12 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
         ("options",),
         ("library",),
         ("catalog",),
-        ("relations", "zones"),
-        ("freespace",),
+        ("relations", "freespace"),
+        ("zones",),
         ("actions",),
     ),
-    3: (("home", "hazards", "households"),),
+    # Hazards stand on the same placing code as everyday clutter, or placing would tell them apart.
+    3: (("home", "households"), ("hazards",)),
     4: (("physics",), ("render",)),
     5: (("truth", "dataset"),),
     6: (("pipeline",), ("engines",)),
@@ -55,8 +56,9 @@ def imports(path: Path) -> Iterator[tuple[str, int]]:
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from ((alias.name, node.lineno) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level:
+            assert PACKAGE not in path.parents, f"{path}:{node.lineno}: relative import"
         elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{path}:{node.lineno}: relative import"
             assert node.module is not None
             yield node.module, node.lineno
             yield from ((f"{node.module}.{alias.name}", node.lineno) for alias in node.names)
@@ -98,6 +100,7 @@ def test_every_room_of_the_package_has_a_floor() -> None:
         ("cli", "validate", True),
         ("home", "physics", False),
         ("home", "hazards", False),
+        ("home", "households", False),
         ("catalog", "library", True),
         ("library", "catalog", False),
         ("engines", "pipeline", True),

@@ -213,7 +213,7 @@ def test_inside_a_fridge_is_not_on_it_and_a_shut_door_shuts_in():
 
 def test_near_the_mouth_of_a_container_is_in_doubt():
     edge = 2 + 0.25
-    for x, holds in ((edge - 0.005, True), (edge + 0.005, False)):
+    for x, holds in ((edge - 0.002, True), (edge + 0.002, False)):
         (found,) = facts(thing(1, "fridge", 2, 2), thing(2, "apple", x, 2, 0.5)).related(
             2, "INSIDE"
         )

@@ -16,9 +16,11 @@ from sdgen.catalog.load import catalog_sha256, load_catalog
 from sdgen.catalog.predicate import measure
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import DatasetWriter
-from sdgen.geometry import look_at, quat_from_yaw, round_position, round_quat
+from sdgen.freespace import free_shape, rounded_rings
+from sdgen.geometry import apply, inverse, look_at, quat_from_yaw, round_position, round_quat
 from sdgen.hazards.certify import facts_of, survey
 from sdgen.hazards.labels import anomaly_records
+from sdgen.hazards.splits import Split, split_of_home
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.library.states import derive_states
 from sdgen.options import BuildOptions
@@ -45,10 +47,13 @@ from sdgen.scene import (
     Visibility,
 )
 from sdgen.truth import build_graph, visibility_of
+from sdgen.zones import derive_zones, floor_obstacles
 
 ASSETS_SHA256 = "a" * 64
 VERSIONS = {"sdgen": "test"}
-SPLITS = ("train", "val", "test")
+SPLITS: tuple[Split, ...] = ("train", "val", "test")
+#: A name of a home of each split.
+HOMES = {split_of_home(f"toy_{k}"): f"toy_{k}" for k in range(60)}
 
 
 def _info(name: str, size: tuple[float, float, float], **more: Any) -> AssetInfo:
@@ -125,7 +130,7 @@ def catalog() -> Catalog:
     return load_catalog()
 
 
-def _home() -> Home:
+def _home(name: str) -> Home:
     rooms = []
     structures = []
     for k, (kind, low, high) in enumerate([("kitchen", 0.0, 3.0), ("living_room", 3.1, 6.0)]):
@@ -142,7 +147,7 @@ def _home() -> Home:
             structures.append(
                 Structure(
                     id=200 + 10 * k + j,
-                    category=category,  # type: ignore[arg-type]
+                    category=category,
                     room_id=room_id,
                     surface=f"{category}_1",
                     pieces=(box,),
@@ -158,7 +163,7 @@ def _home() -> Home:
         height_m=2.0,
     )
     return Home(
-        id="toy", kind="base", rooms=tuple(rooms), structures=tuple(structures), openings=(door,)
+        id=name, kind="base", rooms=tuple(rooms), structures=tuple(structures), openings=(door,)
     )
 
 
@@ -179,9 +184,7 @@ def thing(
         id=number,
         category=info.category,
         asset=asset,
-        pose=Pose(
-            position_m=round_position(position), quat_xyzw=round_quat(quat_from_yaw(yaw))
-        ),
+        pose=Pose(position_m=round_position(position), quat_xyzw=round_quat(quat_from_yaw(yaw))),
         room_id=room,
         states=derive_states(info, variant, joints),
         parts=info.variants[variant],
@@ -194,7 +197,9 @@ def scene(index: int = 3, anomalies: int | None = None) -> Scene:
     wanted = index % 4 if anomalies is None else anomalies
     milk = (1.4, 0.8, 0.74) if wanted > 2 else (0.5, 2.5, 0.2)
     objects = [
-        thing(11, "stove_01", (3.5, 0.5, 0), variant="lit" if wanted > 0 else "default", fixed=True),
+        thing(
+            11, "stove_01", (3.5, 0.5, 0), variant="lit" if wanted > 0 else "default", fixed=True
+        ),
         thing(305, "fridge_01", (0.5, 2.5, 0), fixed=True),
         thing(77, "kitchen_table_01", (1.5, 1.0, 0), yaw=0.1, fixed=True),
         thing(4000, "milk_carton_01", milk, yaw=0.3),
@@ -205,14 +210,19 @@ def scene(index: int = 3, anomalies: int | None = None) -> Scene:
     ]
     if wanted > 1:
         objects.append(thing(600, "knife_01", (1.7, 1.1, 0.74), yaw=0.5))
+    objects.sort(key=lambda item: item.id)
+    home = _home(HOMES[SPLITS[index % 3]])
+    furniture = [item for item in objects if item.fixed]
+    traits = {category.name: category.properties for category in catalog().categories}
+    free = free_shape(home, floor_obstacles(furniture, infos()))
     return Scene(
         id=f"{index:06d}",
         index=index,
-        home=_home(),
-        zones=(),
-        free_space=(((0.5, 0.5), (3.5, 0.5), (3.5, 5.5), (0.5, 5.5)),),
+        home=home,
+        zones=derive_zones(home, furniture, infos(), traits),
+        free_space=rounded_rings(free),
         agent_start=AgentStart(position_m=(2.5, 2.0, 0.0), yaw_rad=0.5, room_id=100),
-        objects=tuple(sorted(objects, key=lambda item: item.id)),
+        objects=tuple(objects),
     )
 
 
@@ -225,7 +235,7 @@ def household(child_age: int | None = 5) -> Household:
 
 
 def camera(index: int, options: BuildOptions) -> Camera:
-    """A camera in the kitchen."""
+    """A camera that looks north at all of it."""
     width, height = options.width, options.height
     return Camera(
         index=index,
@@ -234,7 +244,7 @@ def camera(index: int, options: BuildOptions) -> Camera:
         width=width,
         height=height,
         K=((width, 0, (width - 1) / 2), (0, width, (height - 1) / 2), (0, 0, 1)),
-        world_from_camera=look_at((2, 2.5, 1.2), (2, 0, 0.5)).tolist(),
+        world_from_camera=look_at((2, -6, 1.2), (2, 3, 1)).tolist(),
         near_m=0.05,
         far_m=20.0,
     )
@@ -294,7 +304,12 @@ def frame(made: SceneBundle, index: int) -> Frame:
             part[y : y + 20, x + j * wide : x + (j + 1) * wide if j else x + step - 1] = j + 1
         alone[item.id] = 20 * (step - 1) + 10 * k
     rgb = np.stack([instance % 251, instance % 127 + 60, part * 80 + 40], axis=2).astype(np.uint8)
-    depth = np.where(instance == 200, 3000, 1500 + instance % 100).astype(np.uint16)
+    depth = np.full(shape, 3000, dtype=np.uint16)
+    camera_from_world = inverse(np.asarray(view.world_from_camera))
+    for item in made.scene.objects:
+        east, north, low = item.pose.position_m
+        middle = (east, north, low + infos()[item.asset].extents_m[2] / 2)
+        depth[instance == item.id] = round(1000 * apply(camera_from_world, [middle])[0, 2])
     return Frame(view, rgb, depth, instance, part, alone)
 
 
@@ -305,9 +320,7 @@ def frames(made: SceneBundle) -> list[Frame]:
 
 def graph(made: SceneBundle) -> Graph:
     """Its graph."""
-    return build_graph(
-        made.scene, infos(), catalog(), facts_of(made.scene, infos(), catalog())
-    )
+    return build_graph(made.scene, infos(), catalog(), facts_of(made.scene, infos(), catalog()))
 
 
 def visibility(made: SceneBundle, pictures: Iterable[Frame]) -> Visibility:

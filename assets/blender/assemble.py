@@ -66,9 +66,15 @@ def decompose(mesh: trimesh.Trimesh) -> list[np.ndarray]:
 
     coacd.set_log_level("error")
     pieces = coacd.run_coacd(
-        coacd.Mesh(mesh.vertices, mesh.faces), threshold=0.08, max_convex_hull=12, seed=1, resolution=1000,
-        mcts_iterations=60, mcts_nodes=10, preprocess_resolution=40,
-    )  # fmt: skip
+        coacd.Mesh(mesh.vertices, mesh.faces),
+        threshold=0.08,
+        max_convex_hull=12,
+        seed=1,
+        resolution=1000,
+        mcts_iterations=60,
+        mcts_nodes=10,
+        preprocess_resolution=40,
+    )
     return [np.asarray(v) for v, _ in pieces]
 
 
@@ -104,7 +110,9 @@ def dump(entries: list[dict], surfaces: list[dict]) -> str:
     """Block style for the records, one flow line for each thing inside them."""
 
     def flow(value) -> str:
-        text = yaml.safe_dump(value, default_flow_style=True, width=10**9, sort_keys=False, allow_unicode=True)
+        text = yaml.safe_dump(
+            value, default_flow_style=True, width=10**9, sort_keys=False, allow_unicode=True
+        )
         return text.strip().removesuffix("...").strip()
 
     lines = [HEAD + "assets:"]
@@ -150,7 +158,11 @@ def main() -> int:
                 entry = json.loads(path.read_text())
                 collision = entry.pop("collision")
                 hulls = ASSETS / entry["hulls"]
-                if options.hulls or not hulls.exists() or hulls.stat().st_mtime < path.stat().st_mtime:
+                if (
+                    options.hulls
+                    or not hulls.exists()
+                    or hulls.stat().st_mtime < path.stat().st_mtime
+                ):
                     pieces = hull_pieces(entry, collision)
                     hulls.write_text(json.dumps({"pieces": pieces}, separators=(",", ":")) + "\n")
                     print(f"{entry['id']}: {len(pieces)} convex pieces")
@@ -163,7 +175,9 @@ def main() -> int:
         temporary.write_text(dump(ordered, [surfaces[k] for k in sorted(surfaces)]))
         os.replace(temporary, target)
     problems = [p for e in ordered for p in check(e)]
-    print("\n".join([*problems, f"{len(ordered)} models, {len(surfaces)} surfaces in {target.name}"]))
+    print(
+        "\n".join([*problems, f"{len(ordered)} models, {len(surfaces)} surfaces in {target.name}"])
+    )
     return 1 if failures else 0
 
 

@@ -60,10 +60,10 @@ def main(words: list[str]) -> int:
                 if "--all" not in words and not names & set(words):
                     continue
                 matched += 1
-                start = time.time()
+                start = time.monotonic()
                 try:
                     line = build_one(family, category, maker, index)
-                    print(f"BUILT {line} ({time.time() - start:.1f} s)", flush=True)
+                    print(f"BUILT {line} ({time.monotonic() - start:.1f} s)", flush=True)
                 except Exception:
                     failures += 1
                     print(f"FAILED {category}_{index:02d}")

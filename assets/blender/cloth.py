@@ -37,7 +37,7 @@ def inside(points: np.ndarray, outline: Outline) -> np.ndarray:
 
 
 def fill_outline(outline: Outline, spacing: float) -> tuple[np.ndarray, np.ndarray]:
-    """Fill a polygon with a square grid; return points (n, 2) and triangles, edges slightly ragged."""
+    """Fill a polygon with a grid whose border follows it; return points (n, 2) and triangles."""
     corners = np.asarray(outline, float)
     low, high = corners.min(0), corners.max(0)
     counts = np.maximum(np.round((high - low) / spacing).astype(int), 1)
@@ -79,9 +79,13 @@ def _snap_border(points: np.ndarray, triangles: np.ndarray, corners: np.ndarray)
 
 
 def throw(
-    outline: Outline, spacing: float, height: float, crumple: float, rng: np.random.Generator,
+    outline: Outline,
+    spacing: float,
+    height: float,
+    crumple: float,
+    rng: np.random.Generator,
     aside: float = 0.05,
-) -> Sheet:  # fmt: skip
+) -> Sheet:
     """Place a garment in the air, turned at random and pressed together sideways by `crumple`.
 
     aside: how far off the middle it may start.
@@ -173,11 +177,35 @@ def _overlaps(
 
 
 SHIRT: Outline = [
-    (-0.24, -0.34), (0.24, -0.34), (0.24, 0.12), (0.36, 0.02), (0.44, 0.16), (0.26, 0.34),
-    (0.10, 0.34), (0.0, 0.26), (-0.10, 0.34), (-0.26, 0.34), (-0.44, 0.16), (-0.36, 0.02), (-0.24, 0.12),
-]  # fmt: skip
+    (-0.24, -0.34),
+    (0.24, -0.34),
+    (0.24, 0.12),
+    (0.36, 0.02),
+    (0.44, 0.16),
+    (0.26, 0.34),
+    (0.10, 0.34),
+    (0.0, 0.26),
+    (-0.10, 0.34),
+    (-0.26, 0.34),
+    (-0.44, 0.16),
+    (-0.36, 0.02),
+    (-0.24, 0.12),
+]
 TROUSERS: Outline = [
-    (-0.20, 0.48), (0.20, 0.48), (0.24, -0.48), (0.06, -0.48), (0.0, 0.20), (-0.06, -0.48), (-0.24, -0.48)
-]  # fmt: skip
-SOCK: Outline = [(-0.05, 0.18), (0.05, 0.18), (0.05, -0.06), (0.16, -0.08), (0.16, -0.18), (-0.05, -0.18)]
+    (-0.20, 0.48),
+    (0.20, 0.48),
+    (0.24, -0.48),
+    (0.06, -0.48),
+    (0.0, 0.20),
+    (-0.06, -0.48),
+    (-0.24, -0.48),
+]
+SOCK: Outline = [
+    (-0.05, 0.18),
+    (0.05, 0.18),
+    (0.05, -0.06),
+    (0.16, -0.08),
+    (0.16, -0.18),
+    (-0.05, -0.18),
+]
 TOWEL: Outline = [(-0.22, -0.34), (0.22, -0.34), (0.22, 0.34), (-0.22, 0.34)]

@@ -1,4 +1,6 @@
-"""Contact sheet as scenes are rendered (PyBullet EGL): `sheet.py OUT.png [--floor SURFACE] [ID|CATEGORY...]`.
+"""Contact sheet as scenes are rendered (PyBullet EGL).
+
+`sheet.py OUT.png [--floor SURFACE] [ID|CATEGORY|FAMILY...]`
 
 Per model: framed; every other variant, or the joints opened; then a 96-pixel crop, doubled, of a
 640x480, 60-degree frame from 1.5 m (things over half a metre: 3.3 m, 256-pixel crop).
@@ -39,9 +41,16 @@ def glb_parts(path: Path) -> dict[str, tuple[np.ndarray, np.ndarray, np.ndarray,
     for node in document["nodes"]:
         primitive = document["meshes"][node["mesh"]]["primitives"][0]
         at = primitive["attributes"]
-        position, normal = (read(at[k], "<f4", 3)[:, [0, 2, 1]] * [1, -1, 1] for k in ("POSITION", "NORMAL"))
+        position, normal = (
+            read(at[k], "<f4", 3)[:, [0, 2, 1]] * [1, -1, 1] for k in ("POSITION", "NORMAL")
+        )
         uv = read(at["TEXCOORD_0"], "<f4", 2) * [1, -1] + [0, 1]
-        out[node["name"]] = position, normal, uv, read(primitive["indices"], "<u2", 1).reshape(-1, 3)
+        out[node["name"]] = (
+            position,
+            normal,
+            uv,
+            read(primitive["indices"], "<u2", 1).reshape(-1, 3),
+        )
     return out
 
 
@@ -61,7 +70,9 @@ class Studio:
         corners = np.array([(-6, -6, 0), (6, -6, 0), (6, 6, 0), (-6, 6, 0)], float)
         uv = np.array([(0, 0), (12, 0), (12, 12), (0, 12)], float)
         up = np.tile([0, 0, 1.0], (4, 1))
-        self.floor = self._obj("floor", corners, up, uv, np.array([(0, 1, 2), (0, 2, 3)]), folder / "floor.png")
+        self.floor = self._obj(
+            "floor", corners, up, uv, np.array([(0, 1, 2), (0, 2, 3)]), folder / "floor.png"
+        )
         for _ in range(3):  # the first frames of a process differ by a rounding level
             p.getCameraImage(32, 32, renderer=p.ER_BULLET_HARDWARE_OPENGL)
 
@@ -91,21 +102,29 @@ class Studio:
             shift, turn = np.zeros(3), [0, 0, 0, 1]
             if part.get("joint"):
                 j = joints[part["joint"]]
-                value, axis, origin = opened * j["upper"], np.array(j["axis"]), np.array(j["origin_m"])
+                value, axis, origin = (
+                    opened * j["upper"],
+                    np.array(j["axis"]),
+                    np.array(j["origin_m"]),
+                )
                 if j["type"] == "revolute":
                     turn = p.getQuaternionFromAxisAngle(axis.tolist(), value)
                     shift = origin - np.reshape(p.getMatrixFromQuaternion(turn), (3, 3)) @ origin
                 else:
                     shift = axis * value
             position, normal, uv, faces = geometry[name]
-            path = self._obj(f"{entry['id']}.{name}", position, normal, uv, faces, ASSETS / entry["texture"])
+            path = self._obj(
+                f"{entry['id']}.{name}", position, normal, uv, faces, ASSETS / entry["texture"]
+            )
             self._body(path, part.get("rgba", [1, 1, 1, 1]), shift, turn)
             points.append(position @ np.reshape(p.getMatrixFromQuaternion(turn), (3, 3)).T + shift)
         return np.concatenate(points)
 
     @staticmethod
     def _body(path: Path, rgba, shift, turn) -> None:
-        shape = p.createVisualShape(p.GEOM_MESH, fileName=str(path), rgbaColor=rgba, specularColor=[0, 0, 0])
+        shape = p.createVisualShape(
+            p.GEOM_MESH, fileName=str(path), rgbaColor=rgba, specularColor=[0, 0, 0]
+        )
         p.createMultiBody(0, -1, shape, list(shift), list(turn))
 
     @staticmethod
@@ -113,7 +132,12 @@ class Studio:
         view = p.computeViewMatrix(list(eye), list(target), [0, 0, 1])
         lens = p.computeProjectionMatrixFOV(fov, width / height, near, 30)
         rgb = p.getCameraImage(
-            width * 2, height * 2, view, lens, renderer=p.ER_BULLET_HARDWARE_OPENGL, lightDirection=LIGHT
+            width * 2,
+            height * 2,
+            view,
+            lens,
+            renderer=p.ER_BULLET_HARDWARE_OPENGL,
+            lightDirection=LIGHT,
         )[2]
         pixels = np.reshape(rgb, (2 * height, 2 * width, 4))[..., :3].astype("uint8")
         return Image.fromarray(pixels).resize((width, height), Image.BOX)
@@ -129,9 +153,17 @@ class Studio:
 
     def from_afar(self, points: np.ndarray, yaw: float, pitch: float) -> Image.Image:
         large = np.ptp(points, axis=0).max() > 0.5
-        centre, away, crop = (points.min(0) + points.max(0)) / 2, 3.3 if large else 1.5, 128 if large else 48
-        picture = self.photo(centre + direction(yaw, max(pitch, 30)) * away, centre, 60, 640, 480, 0.02)
-        return picture.crop((320 - crop, 240 - crop, 320 + crop, 240 + crop)).resize((CELL, CELL), Image.NEAREST)
+        centre, away, crop = (
+            (points.min(0) + points.max(0)) / 2,
+            3.3 if large else 1.5,
+            128 if large else 48,
+        )
+        picture = self.photo(
+            centre + direction(yaw, max(pitch, 30)) * away, centre, 60, 640, 480, 0.02
+        )
+        return picture.crop((320 - crop, 240 - crop, 320 + crop, 240 + crop)).resize(
+            (CELL, CELL), Image.NEAREST
+        )
 
 
 def direction(yaw: float, pitch: float) -> np.ndarray:
@@ -163,7 +195,12 @@ def main(out: str, words: list[str]) -> None:
         surface = words[k + 1]
         words = words[:k] + words[k + 2 :]
     entries = yaml.safe_load((ASSETS / "manifest.yaml").read_text())["assets"]
-    chosen = [e for e in entries if not words or {e["id"], e["category"]} & set(words)]
+    chosen = [
+        e
+        for e in entries
+        if not words
+        or {e["id"], e["category"], e["source"].split(":")[-1].split(".")[0]} & set(words)
+    ]
     with tempfile.TemporaryDirectory() as folder:
         studio = Studio(Path(folder), surface)
         rows = [row_of(studio, e) for e in chosen]

@@ -21,6 +21,8 @@ REPOSITORY = Path(__file__).resolve().parents[2]
 TEXTURES = REPOSITORY / "assets" / "textures"
 RECORDS = REPOSITORY / "build" / "assets" / "surfaces"
 
+COLOURS = 64
+
 Array = np.ndarray
 
 
@@ -145,11 +147,11 @@ def plaster(rng: np.random.Generator, base: str, size: int = 256, rough: float =
     return colour(base) * value[..., None]
 
 
-def carpet(rng: np.random.Generator, base: str, size: int = 512) -> Array:
+def carpet(rng: np.random.Generator, base: str, size: int = 256) -> Array:
     """Short pile: tufts in rough rows, two tones of yarn, wide brushed patches."""
-    tuft = tile_noise(rng, size, 230, (1, 1), 0.2)
-    yarn = tile_noise(rng, size, 120, (1, 1), 0.3)
-    brushed = tile_noise(rng, size, 5, (1, 1.6), 1.4)
+    tuft = tile_noise(rng, size, 115, (1, 1), 0.2)
+    yarn = tile_noise(rng, size, 60, (1, 1), 0.3)
+    brushed = tile_noise(rng, size, 3, (1, 1.6), 1.4)
     value = 1 + 0.06 * tuft + 0.025 * yarn + 0.012 * brushed
     image = colour(base) * value[..., None]
     image += np.clip(yarn - 1.3, 0, 1)[..., None] * np.array([0.02, 0.02, 0.025])
@@ -163,67 +165,107 @@ WET = ["kitchen", "bathroom"]
 # id: (kind, width of the tile in metres, room types, painter)
 SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
     "wood_oak": (
-        "floor", 1.5, [*DRY, "kitchen"],
+        "floor",
+        1.5,
+        [*DRY, "kitchen"],
         lambda rng: planks(rng, "#c8a273", "#9d7448"),
     ),
     "wood_walnut": (
-        "floor", 1.5, DRY,
+        "floor",
+        1.5,
+        DRY,
         lambda rng: planks(rng, "#916844", "#65442b", spread=0.4, groove=0.5),
     ),
     "wood_pale": (
-        "floor", 1.6, [*DRY, "kitchen"],
+        "floor",
+        1.6,
+        [*DRY, "kitchen"],
         lambda rng: planks(rng, "#dccdb3", "#bda986", rows=10, spread=0.3, groove=0.3),
     ),
     "tile_white": (
-        "floor", 1.2, WET,
+        "floor",
+        1.2,
+        WET,
         lambda rng: tiles(rng, "#dddcd7", "#a9a8a3", 4),
     ),
     "tile_slate": (
-        "floor", 1.6, [*WET, "hall"],
+        "floor",
+        1.6,
+        [*WET, "hall"],
         lambda rng: tiles(rng, "#777c80", "#5a5d5f", 4, spread=0.03, cloud=0.04),
     ),
     "tile_beige": (
-        "floor", 1.35, [*WET, "hall"],
+        "floor",
+        1.35,
+        [*WET, "hall"],
         lambda rng: tiles(rng, "#cdbda3", "#a39580", 3, spread=0.015, cloud=0.022),
     ),
     "carpet_grey": (
-        "floor", 1.0, ["bedroom", "living_room"],
+        "floor",
+        0.6,
+        ["bedroom", "living_room"],
         lambda rng: carpet(rng, "#a3a19e"),
     ),
     "plaster_white": (
-        "wall", 1.0, [*DRY, *WET], lambda rng: plaster(rng, "#f3f1eb"),
+        "wall",
+        1.0,
+        [*DRY, *WET],
+        lambda rng: plaster(rng, "#f3f1eb"),
     ),
     "plaster_warm": (
-        "wall", 1.0, [*DRY, "kitchen"], lambda rng: plaster(rng, "#efe2cb"),
+        "wall",
+        1.0,
+        [*DRY, "kitchen"],
+        lambda rng: plaster(rng, "#efe2cb"),
     ),
     "plaster_sage": (
-        "wall", 1.0, ["living_room", "bedroom", "kitchen"],
+        "wall",
+        1.0,
+        ["living_room", "bedroom", "kitchen"],
         lambda rng: plaster(rng, "#ccd5bf"),
     ),
     "plaster_blue": (
-        "wall", 1.0, ["bedroom", "living_room", "hall"], lambda rng: plaster(rng, "#c4d2dd"),
+        "wall",
+        1.0,
+        ["bedroom", "living_room", "hall"],
+        lambda rng: plaster(rng, "#c4d2dd"),
     ),
     "plaster_sand": (
-        "wall", 1.0, DRY, lambda rng: plaster(rng, "#e2ccab", rough=1.3),
+        "wall",
+        1.0,
+        DRY,
+        lambda rng: plaster(rng, "#e2ccab", rough=1.3),
     ),
     "tile_wall_white": (
-        "wall", 0.9, WET,
+        "wall",
+        0.9,
+        WET,
         lambda rng: tiles(
-            rng, "#f1f2f0", "#c9cbca", 6, columns=3, offset=True, joint_px=2.5, spread=0.007,
+            rng,
+            "#f1f2f0",
+            "#c9cbca",
+            6,
+            columns=3,
+            offset=True,
+            joint_px=2.5,
+            spread=0.007,
             cloud=0.006,
         ),
     ),
     "ceiling_white": (
-        "ceiling", 1.0, [*DRY, *WET], lambda rng: plaster(rng, "#fafaf7", rough=0.7),
+        "ceiling",
+        1.0,
+        [*DRY, *WET],
+        lambda rng: plaster(rng, "#fafaf7", rough=0.7),
     ),
 }
 
 
 def save_png(image: Array, path: Path) -> None:
-    """Write 0…1 floats as a PNG of at most 256 colours (no visible loss at these contrasts)."""
+    """Write 0…1 floats as a PNG of few colours (no visible loss at these contrasts)."""
     eight_bit = (np.clip(image, 0, 1) * 255 + 0.5).astype(np.uint8)
     picture = Image.fromarray(eight_bit).quantize(
-        256, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE
+        COLOURS, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE
     )
     picture.save(path, optimize=True)
 

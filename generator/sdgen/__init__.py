@@ -13,11 +13,13 @@ if TYPE_CHECKING:
     from sdgen.dataset import Dataset as Dataset
     from sdgen.engines.local import build as build
     from sdgen.library import load_library as load_library
+    from sdgen.options import BuildOptions as BuildOptions
     from sdgen.pipeline import make_scene as make_scene
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "BuildOptions",
     "Dataset",
     "__version__",
     "build",
@@ -28,6 +30,7 @@ __all__ = [
 ]
 
 _HOME_OF_NAME = {
+    "BuildOptions": "sdgen.options",
     "Dataset": "sdgen.dataset",
     "build": "sdgen.engines.local",
     "evaluate": "sdgen.benchmark",

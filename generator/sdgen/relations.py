@@ -29,7 +29,7 @@ ON_GAP_M = 0.01
 ON_SHARE = 0.5
 ON_GAP_SURE_M = (0.007, 0.02)
 ON_SHARE_SURE = (0.6, 0.4)
-INSIDE_MARGIN_M = 0.01
+INSIDE_MARGIN_M = 0.003
 CLOSE_M = 1.5
 FACING_RAD = math.radians(75)
 NEAR_HEAT_M = 0.3
@@ -71,7 +71,7 @@ class _Hollow:
 
 
 class Body:
-    """World geometry of one object: its oriented box and what follows from it."""
+    """World geometry of one object: its outline in the world and what follows from it."""
 
     def __init__(self, item: ObjectInstance, info: AssetInfo) -> None:
         self.item = item
@@ -79,15 +79,16 @@ class Body:
         self.world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
         x, y, z = info.extents_m
         self.corners = apply(
-            self.world_from_object, box_corners((-x / 2, -y / 2, 0.0), (x / 2, y / 2, z))
+            self.world_from_object,
+            info.outline_m or box_corners((-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)),
         )
         self.low = self.corners.min(axis=0)
         self.high = self.corners.max(axis=0)
-        self.center = self.corners.mean(axis=0)
+        self.center = apply(self.world_from_object, [(0.0, 0.0, z / 2)])[0]
 
     @cached_property
     def footprint(self) -> BaseGeometry:
-        """The box seen from above."""
+        """The convex outline seen from above."""
         return MultiPoint(self.corners[:, :2]).convex_hull
 
 

@@ -6,13 +6,15 @@ import math
 
 import numpy as np
 from PIL import Image, ImageDraw
-
-from labels.drawing import drop, flower, leaf, shade, star
 from toolkit.labels import barcode, small_print
 from toolkit.labels import text as fit_text
 
+from labels.drawing import drop, flower, leaf, shade, star
 
-def _panel(width: int, height: int, paper: str, round_to: int = 40) -> tuple[Image.Image, ImageDraw.ImageDraw]:
+
+def _panel(
+    width: int, height: int, paper: str, round_to: int = 40
+) -> tuple[Image.Image, ImageDraw.ImageDraw]:
     image = Image.new("RGBA", (width, height), (0, 0, 0, 0))
     canvas = ImageDraw.Draw(image)
     canvas.rounded_rectangle((3, 3, width - 4, height - 4), round_to, fill=paper)
@@ -20,7 +22,13 @@ def _panel(width: int, height: int, paper: str, round_to: int = 40) -> tuple[Ima
 
 
 def _bubbles(canvas: ImageDraw.ImageDraw, width: int, height: int, top: float, line: str) -> None:
-    for x, y, r in ((0.3, 0.25, 0.13), (0.64, 0.2, 0.09), (0.73, 0.55, 0.15), (0.45, 0.66, 0.1), (0.2, 0.72, 0.07)):
+    for x, y, r in (
+        (0.3, 0.25, 0.13),
+        (0.64, 0.2, 0.09),
+        (0.73, 0.55, 0.15),
+        (0.45, 0.66, 0.1),
+        (0.2, 0.72, 0.07),
+    ):
         cx, cy, radius = x * width, height * (top + (1 - top) * 0.85 * y), r * width
         box = (cx - radius, cy - radius, cx + radius, cy + radius)
         canvas.ellipse(box, fill="#ffffff", outline=line, width=3)
@@ -28,13 +36,26 @@ def _bubbles(canvas: ImageDraw.ImageDraw, width: int, height: int, top: float, l
         canvas.pieslice(inner, 180, 270, fill="#bfe6ff")
 
 
-def cleaner_label(brand: str, kind: str, paper: str, band: str, accent: str, ink: str) -> Image.Image:
+def cleaner_label(
+    brand: str, kind: str, paper: str, band: str, accent: str, ink: str
+) -> Image.Image:
     """Front of a trigger bottle: slanted brand band, kind of cleaner, bubbles."""
     width, height = 256, 340
     image, canvas = _panel(width, height, paper)
     canvas.pieslice((-0.4 * width, 0.48 * height, 1.4 * width, 1.7 * height), 180, 360, fill=accent)
-    canvas.polygon([(0, 0.12 * height), (width, 0.03 * height), (width, 0.3 * height), (0, 0.39 * height)], fill=band)
-    fit_text(canvas, brand, (18, 0.1 * height, width - 18, 0.32 * height), "oblique", "#ffffff", 3, shade(band, 0.4))
+    canvas.polygon(
+        [(0, 0.12 * height), (width, 0.03 * height), (width, 0.3 * height), (0, 0.39 * height)],
+        fill=band,
+    )
+    fit_text(
+        canvas,
+        brand,
+        (18, 0.1 * height, width - 18, 0.32 * height),
+        "oblique",
+        "#ffffff",
+        3,
+        shade(band, 0.4),
+    )
     fit_text(canvas, kind, (20, 0.40 * height, width - 20, 0.49 * height), "bold", ink)
     _bubbles(canvas, width, height, 0.52, ink)
     return image
@@ -49,12 +70,21 @@ def bleach_label(brand: str, paper: str, band: str, accent: str) -> Image.Image:
     fit_text(canvas, "BLEACH", (12, 122, width - 12, 196), "bold", accent, 2, "#ffffff")
     fit_text(canvas, "thick & strong", (40, 200, width - 40, 226), "italic", band)
     cx, cy, r = 70, 280, 48
-    canvas.polygon([(cx, cy - r), (cx + r, cy), (cx, cy + r), (cx - r, cy)], fill="#ffffff", outline="#d01818", width=7)
-    canvas.polygon([(cx - 22, cy - 12), (cx - 4, cy - 20), (cx, cy - 12), (cx - 16, cy - 4)], fill="#111111")
+    canvas.polygon(
+        [(cx, cy - r), (cx + r, cy), (cx, cy + r), (cx - r, cy)],
+        fill="#ffffff",
+        outline="#d01818",
+        width=7,
+    )
+    canvas.polygon(
+        [(cx - 22, cy - 12), (cx - 4, cy - 20), (cx, cy - 12), (cx - 16, cy - 4)], fill="#111111"
+    )
     canvas.rectangle((cx - 24, cy + 12, cx + 24, cy + 18), fill="#111111")
     canvas.line((cx - 12, cy - 2, cx - 14, cy + 10), fill="#111111", width=4)
     for i in range(4):
-        canvas.rectangle((136, 244 + 20 * i, 136 + (96, 84, 96, 60)[i], 253 + 20 * i), fill="#555555")
+        canvas.rectangle(
+            (136, 244 + 20 * i, 136 + (96, 84, 96, 60)[i], 253 + 20 * i), fill="#555555"
+        )
     return image
 
 
@@ -71,7 +101,9 @@ def dish_soap_label(brand: str, paper: str, band: str, fruit: str) -> Image.Imag
     canvas.ellipse((150, 240, 236, 326), fill=fruit, outline="#ffffff", width=4)
     for i in range(8):
         a = math.tau * i / 8
-        canvas.line((193, 283, 193 + 38 * math.cos(a), 283 + 38 * math.sin(a)), fill="#ffffff", width=3)
+        canvas.line(
+            (193, 283, 193 + 38 * math.cos(a), 283 + 38 * math.sin(a)), fill="#ffffff", width=3
+        )
     return image
 
 
@@ -107,7 +139,14 @@ def soap_label(brand: str, kind: str, paper: str, ink: str, accent: str) -> Imag
 
 
 def medicine_label(
-    style: str, drug: str, dose: str, count: str, brand: str, colour: str, accent: str, rng: np.random.Generator
+    style: str,
+    drug: str,
+    dose: str,
+    count: str,
+    brand: str,
+    colour: str,
+    accent: str,
+    rng: np.random.Generator,
 ) -> Image.Image:
     """Wrap-around band, three panels, the middle one in front. `style` is 'pharmacy' or 'shop'."""
     width, height = 768, 256
@@ -154,6 +193,8 @@ def pill_days(box: str, lid: str, ink: str) -> Image.Image:
     canvas = ImageDraw.Draw(image)
     for i, letter in enumerate("SMTWTFS"):
         x = 96 * i
-        canvas.rounded_rectangle((x + 6, 8, x + 90, height - 8), 16, fill=lid, outline=shade(lid, 0.7), width=4)
+        canvas.rounded_rectangle(
+            (x + 6, 8, x + 90, height - 8), 16, fill=lid, outline=shade(lid, 0.7), width=4
+        )
         fit_text(canvas, letter, (x + 22, 26, x + 74, height - 30), "bold", ink)
     return image

@@ -14,11 +14,8 @@ Canvas = ImageDraw.ImageDraw
 def shade(colour: str, factor: float) -> str:
     """Return `colour` darker (factor < 1) or lighter (factor > 1)."""
     rgb = ImageColor.getrgb(colour)[:3]
-    if factor <= 1:
-        out = [c * factor for c in rgb]
-    else:
-        out = [255 - (255 - c) / factor for c in rgb]
-    return "#%02x%02x%02x" % tuple(int(min(255, max(0, c))) for c in out)
+    out = [c * factor if factor <= 1 else 255 - (255 - c) / factor for c in rgb]
+    return "#" + "".join(f"{int(min(255, max(0, c))):02x}" for c in out)
 
 
 def ink_on(colour: str) -> str:
@@ -40,7 +37,12 @@ def star(canvas: Canvas, cx: float, cy: float, radius: float, fill: str, points:
 def hills(canvas: Canvas, width: float, base: float, rise: float, phase: float, fill: str) -> None:
     """Fill everything below a wavy horizon, down to a generous depth."""
     crest = [
-        (x, base - rise * (0.6 * math.sin(x / width * 5 + phase) + 0.4 * math.sin(x / width * 11 + phase)))
+        (
+            x,
+            base
+            - rise
+            * (0.6 * math.sin(x / width * 5 + phase) + 0.4 * math.sin(x / width * 11 + phase)),
+        )
         for x in np.linspace(0, width, 40)
     ]
     canvas.polygon([*crest, (width, 4 * width), (0, 4 * width)], fill=fill)
@@ -69,7 +71,9 @@ def drop(canvas: Canvas, cx: float, cy: float, radius: float, fill: str, outline
     canvas.polygon(outline_points, fill=fill, outline=outline)
 
 
-def leaf(canvas: Canvas, start: Sequence[float], end: Sequence[float], width: float, fill: str) -> None:
+def leaf(
+    canvas: Canvas, start: Sequence[float], end: Sequence[float], width: float, fill: str
+) -> None:
     """Draw a pointed leaf between two points."""
     a, b = np.asarray(start, float), np.asarray(end, float)
     across = np.array([-(b - a)[1], (b - a)[0]]) / (np.linalg.norm(b - a) + 1e-9)

@@ -1,8 +1,9 @@
-"""Drawn skins of shoes: u runs across the upper (0 and 1 = the sole's edges), v from heel to toe."""
+"""Drawn skins of shoes: u runs across the upper (0, 1: the sole's edges), v from heel to toe."""
 
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 from PIL import Image, ImageDraw
 
@@ -27,11 +28,16 @@ class _Upper:
     def stitch(self, points: list[tuple[float, float]], fill: str, width: int = 3) -> None:
         for mirrored in (False, True):
             path = [self.xy(1 - u if mirrored else u, v) for u, v in points]
-            for (ax, ay), (bx, by) in zip(path, path[1:]):
+            for (ax, ay), (bx, by) in pairwise(path):
                 steps = max(2, int(math.hypot(bx - ax, by - ay) / 9))
                 for i in range(steps):
                     a, b = i / steps, (i + 0.55) / steps
-                    line = (ax + (bx - ax) * a, ay + (by - ay) * a, ax + (bx - ax) * b, ay + (by - ay) * b)
+                    line = (
+                        ax + (bx - ax) * a,
+                        ay + (by - ay) * a,
+                        ax + (bx - ax) * b,
+                        ay + (by - ay) * b,
+                    )
                     self.canvas.line(line, fill=fill, width=width)
 
 
@@ -51,7 +57,18 @@ def sneaker(main: str, accent: str, cap: str, tongue: str, stripe: str) -> Image
             v = 0.34 + 0.085 * k
             upper.both([(0, v), (0.3, v + 0.1), (0.3, v + 0.145), (0, v + 0.05)], accent)
     elif stripe == "wave":
-        upper.both([(0.02, 0.74), (0.08, 0.6), (0.2, 0.34), (0.28, 0.2), (0.2, 0.24), (0.06, 0.42), (0.0, 0.58)], accent)
+        upper.both(
+            [
+                (0.02, 0.74),
+                (0.08, 0.6),
+                (0.2, 0.34),
+                (0.28, 0.2),
+                (0.2, 0.24),
+                (0.06, 0.42),
+                (0.0, 0.58),
+            ],
+            accent,
+        )
     else:
         upper.both([(0, 0.42), (0.3, 0.5), (0.3, 0.6), (0, 0.52)], accent)
     canvas.rectangle((0.405 * size, 0.24 * size, 0.595 * size, 0.6 * size), fill=tongue)
@@ -72,6 +89,8 @@ def loafer(leather: str) -> Image.Image:
     upper.stitch([(0.02, 0.505), (0.5, 0.55)], light)
     upper.stitch([(0.02, 0.595), (0.5, 0.64)], light)
     size = upper.size
-    upper.canvas.rounded_rectangle((0.42 * size, 0.375 * size, 0.58 * size, 0.43 * size), 10, fill=dark)
+    upper.canvas.rounded_rectangle(
+        (0.42 * size, 0.375 * size, 0.58 * size, 0.43 * size), 10, fill=dark
+    )
     upper.both([(0.0, 0.0), (0.25, 0.0), (0.2, 0.05), (0.0, 0.09)], shade(leather, 0.8))
     return upper.image

@@ -1,26 +1,28 @@
-"""Fridge, microwave and tv. The stove has a file of its own."""
+"""Fridge and microwave. The stove has a file of its own."""
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
-
 from toolkit import labels
 from toolkit.materials import glowing, label, plain
 from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe
 
-from .joinery import Assembly, bar_handle, finish, front, hinge, leg, open_closed, steel, surface
-from .pictures import television
+from .joinery import Assembly, bar_handle, front, hinge, open_closed, steel, surface
 
 Offset = tuple[float, float, float]
 LINER = (1.3, 1.3, 1.33, 1.0)
 
 
 def _compartment(
-    asm: Assembly, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], shell, liner, wall: float
+    asm: Assembly,
+    x: tuple[float, float],
+    y: tuple[float, float],
+    z: tuple[float, float],
+    shell,
+    liner,
+    wall: float,
 ) -> None:
     """Five walls of a cold compartment, open to the front: shell outside, liner inside."""
     (x0, x1), (y0, y1), (z0, z1) = x, y, z
@@ -42,9 +44,14 @@ def _compartment(
 
 
 def fridge(
-    width: float = 0.6, height: float = 1.7, colour: str = "#f1f2f0", freezer: str | None = "top",
-    shelves: int = 4, right_hung: bool = True, offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+    width: float = 0.6,
+    height: float = 1.7,
+    colour: str = "#f1f2f0",
+    freezer: str | None = "top",
+    shelves: int = 4,
+    right_hung: bool = True,
+    offset: Offset = (0, 0, 0),
+) -> Model:
     """A fridge with a lit, hollow inside; freezer: "top", "bottom" or None (a larder fridge)."""
     asm, half = Assembly(), width / 2
     x0, case_front, thick, foot, wall = -0.31, 0.25, 0.05, 0.05, 0.035
@@ -54,7 +61,12 @@ def fridge(
     glass, rim = plain("#cfe6ea", 0.06, 9, offset), plain("#f2f6f6", 0.01)
     crisper = plain("#c3dbe2", 0.05, 7)
     handle = plain("#4a4e52", 0.05) if steel_look else steel()
-    asm.board("body", (x0 + 0.02, -half + 0.01, 0), (case_front, half - 0.01, foot), plain("#2b2c2e", 0.05))
+    asm.board(
+        "body",
+        (x0 + 0.02, -half + 0.01, 0),
+        (case_front, half - 0.01, foot),
+        plain("#2b2c2e", 0.05),
+    )
     share = height * 0.3
     if freezer == "top":
         cold, frozen = (foot, height - share), (height - share, height)
@@ -71,15 +83,21 @@ def fridge(
     drawer_top = floor + 0.19
     for side in (-1, 1):
         low = (back + 0.03, min(0.004 * side, side * (inner_y - 0.006)), floor)
-        high = (case_front - 0.05, max(0.004 * side, side * (inner_y - 0.006)), drawer_top - 0.015)
+        high = (case_front - 0.09, max(0.004 * side, side * (inner_y - 0.006)), drawer_top - 0.015)
         asm.board("interior", low, high, crisper, 0.008)
-        grip = (case_front - 0.052, side * inner_y / 2 - 0.05, drawer_top - 0.06)
-        asm.board("interior", grip, (case_front - 0.042, grip[1] + 0.1, drawer_top - 0.045), gasket, solid=False)
+        grip = (case_front - 0.092, side * inner_y / 2 - 0.05, drawer_top - 0.06)
+        asm.board(
+            "interior",
+            grip,
+            (case_front - 0.082, grip[1] + 0.1, drawer_top - 0.045),
+            gasket,
+            solid=False,
+        )
     step = (roof - drawer_top) / shelves
-    supports = []
+    supports = [surface("top", (x0, -half), (case_front, half), height)]
     for k in range(shelves):
         z = drawer_top + k * step
-        depth = case_front - (0.03 if k == 0 else 0.06)
+        depth = case_front - 0.09  # leaves room for the racks on the door
         asm.board("interior", (back, -inner_y, z - 0.008), (depth, inner_y, z), glass)
         lip = (depth - 0.012, -inner_y, z - 0.012), (depth, inner_y, z + 0.001)
         asm.board("interior", *lip, rim, solid=False)
@@ -90,17 +108,32 @@ def fridge(
     containers = [Container("inside", center, size, "body", "door")]
     hinge_y = half if right_hung else -half
     joints, states = {"door": hinge(case_front + thick, hinge_y)}, open_closed("door", "door")
-    settings = {"door": {"joint": "door"}, "interior": {"rgba": LINER}, "lamp": {"rgba": (1.7, 1.7, 1.7, 1.0)}}
+    settings = {
+        "door": {"joint": "door"},
+        "interior": {"rgba": LINER},
+        "lamp": {"rgba": (1.7, 1.7, 1.7, 1.0)},
+    }
     doors = [("door", cold, True)]
     if frozen:
         _compartment(asm, (x0, case_front), (-half, half), frozen, shell, liner, wall)
-        middle, low_z, high_z = (frozen[0] + frozen[1]) / 2, frozen[0] + wall + 0.006, frozen[1] - wall - 0.006
-        asm.board("interior", (back, -inner_y, middle - 0.008), (case_front - 0.04, inner_y, middle), glass)
+        middle, low_z, high_z = (
+            (frozen[0] + frozen[1]) / 2,
+            frozen[0] + wall + 0.006,
+            frozen[1] - wall - 0.006,
+        )
+        asm.board(
+            "interior",
+            (back, -inner_y, middle - 0.008),
+            (case_front - 0.04, inner_y, middle),
+            glass,
+        )
         a, b = (back + 0.01, -inner_y), (case_front - 0.04, inner_y)
         supports.append(surface("freezer_floor", a, b, low_z, middle - 0.01 - low_z, "freezer"))
         supports.append(surface("freezer_shelf", a, b, middle, high_z - middle, "freezer"))
         center = ((back + case_front) / 2, 0.0, (low_z + high_z) / 2)
-        containers.append(Container("freezer", center, (size[0], size[1], high_z - low_z), "body", "freezer_door"))
+        containers.append(
+            Container("freezer", center, (size[0], size[1], high_z - low_z), "body", "freezer_door")
+        )
         joints["freezer_door"] = hinge(case_front + thick, hinge_y)
         states += open_closed("freezer_door", "freezer_door")
         settings["freezer_door"] = {"joint": "freezer_door"}
@@ -111,9 +144,15 @@ def fridge(
         # case_front + 0.012: room for the gasket, which the leaf carries
         leaf = (case_front + 0.012, -half + 0.001, z0), (case_front + thick, half - 0.001, z1)
         asm.board(part, *leaf, shell, 0.01, segments=2)
-        seal = (case_front + 0.001, -half + 0.02, z0 + 0.02), (case_front + 0.013, half - 0.02, z1 - 0.02)
+        seal = (
+            (case_front + 0.001, -half + 0.02, z0 + 0.02),
+            (case_front + 0.013, half - 0.02, z1 - 0.02),
+        )
         asm.board(part, *seal, gasket, solid=False)
-        panel = (case_front - 0.006, -half + 0.05, z0 + 0.05), (case_front + 0.012, half - 0.05, z1 - 0.05)
+        panel = (
+            (case_front - 0.006, -half + 0.05, z0 + 0.05),
+            (case_front + 0.012, half - 0.05, z1 - 0.05),
+        )
         asm.board(part, *panel, liner, 0.004, solid=False)
         length = min(0.4, (z1 - z0) * 0.5)
         if racks:
@@ -122,7 +161,17 @@ def fridge(
                 _door_rack(asm, part, case_front - 0.006, half - 0.07, float(z), rim)
         else:
             centre_z = z0 + 0.06 + length / 2 if freezer == "top" else z1 - 0.06 - length / 2
-        bar_handle(asm, part, case_front + thick, side * (half - 0.05), centre_z, length, handle, reach=0.05, radius=0.011)
+        bar_handle(
+            asm,
+            part,
+            case_front + thick,
+            side * (half - 0.05),
+            centre_z,
+            length,
+            handle,
+            reach=0.05,
+            radius=0.011,
+        )
     where = {"top": ", freezer on top", "bottom": ", freezer below", None: ""}[freezer]
     names = {"#f1f2f0": "white", "steel": "steel", "#b24a3c": "red", "#9fc3bb": "mint"}
     return Model(
@@ -163,7 +212,9 @@ def fridge_random(rng: np.random.Generator) -> dict:
     }
 
 
-def microwave(width: float = 0.48, colour: str = "#e9eaea", clock: str = "12:45", offset: Offset = (0, 0, 0)) -> Model:
+def microwave(
+    width: float = 0.48, colour: str = "#e9eaea", clock: str = "12:45", offset: Offset = (0, 0, 0)
+) -> Model:
     """A microwave oven: hinged window door, controls on the right, a plate inside."""
     asm, half, height, depth = Assembly(), width / 2, 0.28, 0.36
     x0, case_front = -depth / 2, depth / 2 - 0.03
@@ -181,8 +232,15 @@ def microwave(width: float = 0.48, colour: str = "#e9eaea", clock: str = "12:45"
     centre_y = (-half + w + panel_y) / 2
     plate = [(0, 0), (0.11, 0), (0.128, 0.008), (0.126, 0.012), (0.1, 0.006), (0, 0.006)]
     inside = (case_front + x0 + w) / 2
-    asm.add("body", lathe(plate, 24, mat=plain("#cfe0e2", 0.04, 20)).move(inside, centre_y, z0 + w + 0.008))
-    asm.solid("body", (inside - 0.09, centre_y - 0.09, z0 + w), (inside + 0.09, centre_y + 0.09, z0 + w + 0.014))
+    asm.add(
+        "body",
+        lathe(plate, 24, mat=plain("#cfe0e2", 0.04, 20)).move(inside, centre_y, z0 + w + 0.008),
+    )
+    asm.solid(
+        "body",
+        (inside - 0.09, centre_y - 0.09, z0 + w),
+        (inside + 0.09, centre_y + 0.09, z0 + w + 0.014),
+    )
     # control panel, drawn
     picture, draw = labels.canvas(128, 320, "#26282b")
     draw.rectangle((14, 18, 114, 62), fill="#0a1512")
@@ -191,11 +249,22 @@ def microwave(width: float = 0.48, colour: str = "#e9eaea", clock: str = "12:45"
         for col in range(3):
             x, y = 16 + col * 34, 84 + row * 30
             draw.rounded_rectangle((x, y, x + 28, y + 22), 5, fill="#4a4e53")
-            labels.text(draw, str(row * 3 + col + 1), (x + 6, y + 4, x + 22, y + 19), "bold", "#d8dadc")
+            labels.text(
+                draw, str(row * 3 + col + 1), (x + 6, y + 4, x + 22, y + 19), "bold", "#d8dadc"
+            )
     draw.rounded_rectangle((16, 216, 60, 246), 6, fill="#a33a30")
     draw.rounded_rectangle((68, 216, 112, 246), 6, fill="#3d8a56")
     draw.ellipse((40, 258, 88, 306), fill="#6a6f74", outline="#9aa0a5", width=3)
-    controls = box(0.03, half - panel_y - 0.004, height - z0 - 0.004, (case_front + 0.015, (panel_y + half) / 2, z0 + 0.002), dark, 0, labels={"+x": label(picture)}, weight=2.0)
+    controls = box(
+        0.03,
+        half - panel_y - 0.004,
+        height - z0 - 0.004,
+        (case_front + 0.015, (panel_y + half) / 2, z0 + 0.002),
+        dark,
+        0,
+        labels={"+x": label(picture)},
+        weight=2.0,
+    )
     asm.add("body", controls, solid=True)
     # door: a frame round dark glass with a perforated look
     y0, y1, x1 = -half + 0.001, panel_y - 0.002, depth / 2
@@ -207,11 +276,23 @@ def microwave(width: float = 0.48, colour: str = "#e9eaea", clock: str = "12:45"
     front(asm, "door", case_front + 0.001, (y0, y1), (z0, z1), shell, "slab", 0.022)
     low, high = (case_front + 0.02, y0 + 0.035, z0 + 0.04), (x1, y1 - 0.05, z1 - 0.04)
     asm.board("door", low, high, dark, 0.003, {"+x": label(window)}, 1.5, solid=False)
-    back_window = (case_front - 0.005, y0 + 0.04, z0 + 0.045), (case_front + 0.002, y1 - 0.055, z1 - 0.045)
+    back_window = (
+        (case_front - 0.005, y0 + 0.04, z0 + 0.045),
+        (case_front + 0.002, y1 - 0.055, z1 - 0.045),
+    )
     asm.board("door", *back_window, dark, 0, solid=False)
-    bar_handle(asm, "door", x1 - 0.008, y1 - 0.022, (z0 + z1) / 2, 0.17, steel(), reach=0.03, radius=0.007)
+    bar_handle(
+        asm, "door", x1 - 0.008, y1 - 0.022, (z0 + z1) / 2, 0.17, steel(), reach=0.03, radius=0.007
+    )
     low, high = (x0 + w, -half + w), (case_front, panel_y)
-    support = surface("plate", (inside - 0.08, centre_y - 0.08), (inside + 0.08, centre_y + 0.08), z0 + w + 0.014, height - w - 0.05, "inside")
+    support = surface(
+        "plate",
+        (inside - 0.08, centre_y - 0.08),
+        (inside + 0.08, centre_y + 0.08),
+        z0 + w + 0.014,
+        height - w - 0.05,
+        "inside",
+    )
     center = ((low[0] + high[0]) / 2, centre_y, (z0 + z1) / 2)
     size = (high[0] - low[0], high[1] - low[1], z1 - z0 - 2 * w)
     return Model(
@@ -235,65 +316,36 @@ def microwave_random(rng: np.random.Generator) -> dict:
     }
 
 
-def tv(width: float = 1.1, stand: str = "feet", scene: int = 0, offset: Offset = (0, 0, 0)) -> Model:
-    """A flat television; the variant `on` shows a bright picture."""
-    asm, half = Assembly(), width / 2
-    picture_width = width - 0.03
-    screen_height = picture_width * 9 / 16
-    z0, thick = 0.07, 0.045
-    z1 = z0 + screen_height + 0.04
-    black, dark = plain("#17181a", 0.05, 20), finish("#232528", 2, offset)
-    asm.board("body", (-0.02, -half, z0), (0.015, half, z1), black, 0.005)
-    asm.board("body", (-thick, -half * 0.6, z0 + 0.06), (-0.015, half * 0.6, z1 - 0.12), dark, 0.008)
-    off, pen = labels.canvas(96, 54, "#0b0c0f")
-    pen.polygon([(30, 54), (62, 0), (88, 0), (56, 54)], fill="#15181c")
-    middle = (z0 + 0.025 + z1 - 0.015) / 2
-    low = (0.012, -picture_width / 2, middle - screen_height / 2)
-    high = (0.018, picture_width / 2, middle + screen_height / 2)
-    asm.board("screen_off", low, high, black, 0, {"+x": label(off)}, solid=False)
-    shining = label(television(scene), occlusion=0.0)
-    asm.board("screen_on", low, high, black, 0, {"+x": shining}, 3.0, solid=False)
-    if stand == "feet":
-        for y in (-half * 0.62, half * 0.62):
-            for s in (-1, 1):
-                leg(asm, "body", (s * 0.11, y), (0, y), (0, z0 + 0.02), (0.012, 0.014), black, 4)
-    else:
-        asm.board("body", (-0.11, -0.17, 0), (0.11, 0.17, 0.016), black, 0.006)
-        asm.board("body", (-0.035, -0.05, 0.01), (-0.012, 0.05, z0 + 0.06), black, 0.004)
-    asm.solid("body", (-0.11, -half * 0.64, 0), (0.11, half * 0.64, 0.015))
-    return Model(
-        title=f"television, {math.hypot(picture_width, screen_height) / 0.0254:.0f} inch",
-        parts=asm.parts(screen_on={"rgba": (1.45, 1.45, 1.45, 1.0)}),
-        mass=11.0,
-        variants={"default": ["body", "screen_off"], "on": ["body", "screen_on"]},
-        states=[
-            {"state": "OFF", "variants": ["default"], "parts": ["screen_off"]},
-            {"state": "ON", "variants": ["on"], "parts": ["screen_on"]},
-        ],
-    )
-
-
-def tv_random(rng: np.random.Generator) -> dict:
-    """Parameters of a random television."""
-    return {
-        "width": round(float(rng.uniform(0.95, 1.25)), 2),
-        "stand": pick(rng, ["feet", "plate"]),
-        "scene": int(rng.integers(2)),
-        "offset": noise_offset(rng),
-    }
-
-
 MODELS = {
     "fridge": Maker(
         fridge,
         fridge_random,
         3,
         [
-            {"colour": "#f1f2f0", "freezer": "top", "height": 1.72, "shelves": 3, "right_hung": True},
-            {"colour": "steel", "freezer": "bottom", "height": 1.84, "shelves": 4, "right_hung": True},
-            {"colour": "#9fc3bb", "freezer": None, "height": 1.46, "shelves": 4, "right_hung": False},
+            {
+                "colour": "#f1f2f0",
+                "freezer": "top",
+                "height": 1.72,
+                "shelves": 3,
+                "right_hung": True,
+            },
+            {
+                "colour": "steel",
+                "freezer": "bottom",
+                "height": 1.84,
+                "shelves": 4,
+                "right_hung": True,
+            },
+            {
+                "colour": "#9fc3bb",
+                "freezer": None,
+                "height": 1.46,
+                "shelves": 4,
+                "right_hung": False,
+            },
         ],
     ),
-    "microwave": Maker(microwave, microwave_random, 2, [{"colour": "#e9eaea"}, {"colour": "#2c2e31"}]),
-    "tv": Maker(tv, tv_random, 2, [{"stand": "feet", "scene": 0}, {"stand": "plate", "scene": 1}]),
+    "microwave": Maker(
+        microwave, microwave_random, 2, [{"colour": "#e9eaea"}, {"colour": "#2c2e31"}]
+    ),
 }

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from makers.produce import MOULD, MOULD_GREEN, SPOILED, on_table
 from toolkit import labels
 from toolkit.materials import Material, blend, label, plain, shade
 from toolkit.mesh import Mesh
@@ -13,10 +12,14 @@ from toolkit.model import Maker, Model, Part, box_piece, prism_piece
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import box, extrude, loft
 
+from makers.spoilage import MOULD, MOULD_GREEN, SPOILED, on_table
+
 
 def mouldy(m: Material, colour, spots, size: float, offset):
     """White-green patches around some points."""
-    fuzz = m.math("MULTIPLY", m.math("SUBTRACT", m.noise(4 / size, 4, 0.7, offset=offset), 0.5), size * 1.4)
+    fuzz = m.math(
+        "MULTIPLY", m.math("SUBTRACT", m.noise(4 / size, 4, 0.7, offset=offset), 0.5), size * 1.4
+    )
     for spot in spots:
         near = m.math("ADD", m.distance(spot), fuzz)
         colour = m.mix(m.remap(near, size * 0.75, size, 1, 0), colour, "7c7a5a")
@@ -29,11 +32,15 @@ def crust(light: str, dark: str, height: float, offset, scale=30.0):
     """A crust material under construction, paler low down; returns it and its colour."""
     m = Material()
     c = m.mix(m.remap(m.noise(scale, 4, offset=offset), 0.35, 0.65), dark, light)
-    c = m.mix(m.remap(m.axis(2), height * 0.15, height * 0.7, 0.6, 0), c, blend(light, "e8c890", 0.6))
+    c = m.mix(
+        m.remap(m.axis(2), height * 0.15, height * 0.7, 0.6, 0), c, blend(light, "e8c890", 0.6)
+    )
     return m, c
 
 
-def loaf(length=0.24, width=0.12, height=0.09, light="#c98a48", dark="#8a5024", cuts=4, seed=0) -> Model:
+def loaf(
+    length=0.24, width=0.12, height=0.09, light="#c98a48", dark="#8a5024", cuts=4, seed=0
+) -> Model:
     """An oval country loaf along Y with scored, floury top."""
     rng = np.random.default_rng(seed)
     o = noise_offset(rng)
@@ -46,11 +53,25 @@ def loaf(length=0.24, width=0.12, height=0.09, light="#c98a48", dark="#8a5024", 
             gap = m.math("ABSOLUTE", m.math("SUBTRACT", slant, y))
             top = m.remap(m.axis(2), height * 0.62, height * 0.75)
             c = m.mix(m.math("MULTIPLY", m.remap(gap, 0.005, 0.009, 1, 0), top), c, "edd9ae")
-        flour = m.math("MULTIPLY", m.remap(m.noise(90, 4, offset=(o[1], 0, o[0])), 0.5, 0.62), m.remap(m.axis(2), height * 0.5, height * 0.9))
+        flour = m.math(
+            "MULTIPLY",
+            m.remap(m.noise(90, 4, offset=(o[1], 0, o[0])), 0.5, 0.62),
+            m.remap(m.axis(2), height * 0.5, height * 0.9),
+        )
         c = m.mix(m.math("MULTIPLY", flour, 0.6), c, "f6ecd8")
         if rot:
             c = m.mix(0.3, c, "6b5a3a")
-            c = mouldy(m, c, [(width * 0.38, length * 0.1, height * 0.6), (width * 0.2, -length * 0.25, height * 0.85), (0, length * 0.3, height * 0.9)], 0.035, o)
+            c = mouldy(
+                m,
+                c,
+                [
+                    (width * 0.38, length * 0.1, height * 0.6),
+                    (width * 0.2, -length * 0.25, height * 0.85),
+                    (0, length * 0.3, height * 0.9),
+                ],
+                0.035,
+                o,
+            )
         m.colour(c)
         rings, n = [], 16
         for t in np.linspace(-1, 1, 13):
@@ -61,7 +82,9 @@ def loaf(length=0.24, width=0.12, height=0.09, light="#c98a48", dark="#8a5024", 
                 a = 2 * math.pi * i / n
                 x, z = math.cos(a) * width / 2 * k, math.sin(a)
                 bump = 1 + 0.03 * math.sin(t * 14 + 1)
-                z = height * 0.36 + (z * height * 0.64 * bump if z > 0 else z * height * 0.36) * (0.35 + 0.65 * k)
+                z = height * 0.36 + (z * height * 0.64 * bump if z > 0 else z * height * 0.36) * (
+                    0.35 + 0.65 * k
+                )
                 ring.append((x, t * length / 2, z))
             rings.append(np.array(ring))
         mesh = loft(rings, mat=m)
@@ -71,11 +94,25 @@ def loaf(length=0.24, width=0.12, height=0.09, light="#c98a48", dark="#8a5024", 
     return bread_model("country loaf", body(False), body(True), 0.6)
 
 
-def sandwich_bread(length=0.2, width=0.11, height=0.11, light="#c98a48", dark="#8a5024", slices=3, seed=0) -> Model:
+def sandwich_bread(
+    length=0.2, width=0.11, height=0.11, light="#c98a48", dark="#8a5024", slices=3, seed=0
+) -> Model:
     """A tin loaf along Y, some slices cut off and leaning at its end."""
     rng = np.random.default_rng(seed)
     o = noise_offset(rng)
-    dome = [(-0.5, 0.0), (0.5, 0.0), (0.5, 0.6), (0.56, 0.72), (0.53, 0.88), (0.36, 0.98), (0, 1.0), (-0.36, 0.98), (-0.53, 0.88), (-0.56, 0.72), (-0.5, 0.6)]
+    dome = [
+        (-0.5, 0.0),
+        (0.5, 0.0),
+        (0.5, 0.6),
+        (0.56, 0.72),
+        (0.53, 0.88),
+        (0.36, 0.98),
+        (0, 1.0),
+        (-0.36, 0.98),
+        (-0.53, 0.88),
+        (-0.56, 0.72),
+        (-0.5, 0.6),
+    ]
     outline = [(x * width * 0.9, z * height) for x, z in dome]
 
     def group(rot: bool) -> list[Mesh]:
@@ -83,15 +120,27 @@ def sandwich_bread(length=0.2, width=0.11, height=0.11, light="#c98a48", dark="#
         face = Material(occlusion=0.8)
         holes = face.mix(face.remap(face.voronoi(170, o), 0.1, 0.28), "d9bd8c", "f3e3c0")
         x = face.math("MULTIPLY", face.math("ABSOLUTE", face.axis(0)), 1 / (width * 0.5))
-        edge = face.math("MAXIMUM", face.remap(x, 0.86, 0.95), face.remap(face.axis(2), height * 0.93, height * 0.985))
+        edge = face.math(
+            "MAXIMUM",
+            face.remap(x, 0.86, 0.95),
+            face.remap(face.axis(2), height * 0.93, height * 0.985),
+        )
         f = face.mix(edge, holes, light)
         if rot:
-            spots = [(width * 0.15, length * y, height * z) for y, z in ((-0.62, 0.5), (-0.48, 0.3), (-0.3, 0.95), (0.1, 1.0), (0.35, 0.8))]
+            spots = [
+                (width * 0.15, length * y, height * z)
+                for y, z in ((-0.62, 0.5), (-0.48, 0.3), (-0.3, 0.95), (0.1, 1.0), (0.35, 0.8))
+            ]
             spots.append((width * 0.45, 0, height * 0.5))
-            c, f = mouldy(side, side.mix(0.25, c, "6b5a3a"), spots, 0.032, o), mouldy(face, f, spots, 0.03, o)
+            c, f = (
+                mouldy(side, side.mix(0.25, c, "6b5a3a"), spots, 0.032, o),
+                mouldy(face, f, spots, 0.03, o),
+            )
         side.colour(c)
         face.colour(f)
-        rest = extrude(outline, length - 0.014 * slices, face, side, axis="y", bevel_width=0.0025).move(0, 0.007 * slices, 0)
+        rest = extrude(
+            outline, length - 0.014 * slices, face, side, axis="y", bevel_width=0.0025
+        ).move(0, 0.007 * slices, 0)
         out = [rest]
         y = -length / 2 + 0.007 * slices
         for i in range(slices):
@@ -109,10 +158,17 @@ def sandwich_bread(length=0.2, width=0.11, height=0.11, light="#c98a48", dark="#
 def bread_model(title: str, fresh: list[Mesh], rotten: list[Mesh], mass: float) -> Model:
     on_table(fresh, rotten)
     return Model(
-        title=title, mass=mass, friction=0.8, texture_size=256,
-        parts={"body": Part(fresh, collision="hull"), "body_rotten": Part(rotten, collision="hull")},
-        variants={"default": ["body"], "rotten": ["body_rotten"]}, states=SPOILED,
-    )  # fmt: skip
+        title=title,
+        mass=mass,
+        friction=0.8,
+        texture_size=256,
+        parts={
+            "body": Part(fresh, collision="hull"),
+            "body_rotten": Part(rotten, collision="hull"),
+        },
+        variants={"default": ["body"], "rotten": ["body_rotten"]},
+        states=SPOILED,
+    )
 
 
 def bread(style="loaf", **parameters) -> Model:
@@ -120,11 +176,21 @@ def bread(style="loaf", **parameters) -> Model:
 
 
 def bread_random(rng: np.random.Generator) -> dict:
-    light, dark = pick(rng, [("#c98a48", "#8a5024"), ("#b9773a", "#6f3d1a"), ("#d9a05a", "#a06428")])
-    return {"style": "loaf", "length": uniform(rng, 0.2, 0.26), "light": light, "dark": dark, "seed": seed_of(rng)}
+    light, dark = pick(
+        rng, [("#c98a48", "#8a5024"), ("#b9773a", "#6f3d1a"), ("#d9a05a", "#a06428")]
+    )
+    return {
+        "style": "loaf",
+        "length": uniform(rng, 0.2, 0.26),
+        "light": light,
+        "dark": dark,
+        "seed": seed_of(rng),
+    }
 
 
-def cheese(style="wedge", radius=0.1, height=0.06, angle_deg=42.0, colour="#f4c93e", rind="#d99a1c", seed=0) -> Model:
+def cheese(
+    style="wedge", radius=0.1, height=0.06, angle_deg=42.0, colour="#f4c93e", rind="#d99a1c", seed=0
+) -> Model:
     """A wedge of holed cheese, or a wrapped block (style block)."""
     rng = np.random.default_rng(seed)
     o = noise_offset(rng)
@@ -134,11 +200,25 @@ def cheese(style="wedge", radius=0.1, height=0.06, angle_deg=42.0, colour="#f4c9
         labels.text(d, "GOUDA", (30, 6, 226, 54))
         labels.text(d, "young & mild", (40, 66, 216, 92), "italic", "#7a1712")
         for x, y, r in ((60, 130, 18), (120, 118, 12), (180, 138, 20), (215, 110, 9)):
-            d.ellipse((x - r, y - r, x + r, y + r), fill=tuple(int(255 * v) for v in shade(colour, 0.75)))
+            d.ellipse(
+                (x - r, y - r, x + r, y + r), fill=tuple(int(255 * v) for v in shade(colour, 0.75))
+            )
         skin = plain(colour, 0.06, 60, o)
         sx, sy, sz = radius * 0.75, radius * 1.35, height * 0.75
-        mesh = box(sx, sy, sz, mat=skin, bevel_width=0.004, labels={"+z": label(top), "+x": (label(top), (0, 0.6, 1, 1))})
-        return Model(title="block of cheese", mass=0.4, friction=0.6, parts={"body": Part([mesh], collision=[box_piece((0, 0, sz / 2), (sx, sy, sz))])})
+        mesh = box(
+            sx,
+            sy,
+            sz,
+            mat=skin,
+            bevel_width=0.004,
+            labels={"+z": label(top), "+x": (label(top), (0, 0.6, 1, 1))},
+        )
+        return Model(
+            title="block of cheese",
+            mass=0.4,
+            friction=0.6,
+            parts={"body": Part([mesh], collision=[box_piece((0, 0, sz / 2), (sx, sy, sz))])},
+        )
     inside = Material(occlusion=0.8)
     base = inside.mottle(colour, 0.05, 40, o)
     for scale, size in ((45, 0.3), (80, 0.24)):
@@ -150,7 +230,7 @@ def cheese(style="wedge", radius=0.1, height=0.06, angle_deg=42.0, colour="#f4c9
     half = math.radians(angle_deg) / 2
     arc = [(radius * math.cos(a), radius * math.sin(a)) for a in np.linspace(-half, half, 8)]
     outline = [(0, 0), *arc]
-    mesh = extrude(outline, height, inside, inside, bevel_width=0.0015)
+    mesh = extrude(outline, height, inside, bevel_width=0.0015)
     mesh.mats = [inside, wax]
     for i, face in enumerate(mesh.f):  # the arc is rind
         centre = mesh.v[list(face)].mean(0)
@@ -161,14 +241,29 @@ def cheese(style="wedge", radius=0.1, height=0.06, angle_deg=42.0, colour="#f4c9
     mesh.turn(rz=turn)
     c, s = math.cos(turn), math.sin(turn)
     turned = [(x * c - y * s, x * s + y * c) for x, y in outline]
-    return Model(title="wedge of cheese", mass=0.25, friction=0.7, parts={"body": Part([mesh], collision=[prism_piece(turned, 0, height)])}, texture_size=128)
+    return Model(
+        title="wedge of cheese",
+        mass=0.25,
+        friction=0.7,
+        parts={"body": Part([mesh], collision=[prism_piece(turned, 0, height)])},
+        texture_size=128,
+    )
 
 
 def cheese_random(rng: np.random.Generator) -> dict:
-    return {"radius": uniform(rng, 0.095, 0.12), "height": uniform(rng, 0.05, 0.065), "angle_deg": uniform(rng, 36, 50), "seed": seed_of(rng)}
+    return {
+        "radius": uniform(rng, 0.095, 0.12),
+        "height": uniform(rng, 0.05, 0.065),
+        "angle_deg": uniform(rng, 36, 50),
+        "seed": seed_of(rng),
+    }
 
 
 MODELS = {
-    "bread": Maker(bread, bread_random, count=2, presets=[{"style": "loaf"}, {"style": "sandwich"}]),
-    "cheese": Maker(cheese, cheese_random, count=2, presets=[{"style": "wedge"}, {"style": "block"}]),
-}  # fmt: skip
+    "bread": Maker(
+        bread, bread_random, count=2, presets=[{"style": "loaf"}, {"style": "sandwich"}]
+    ),
+    "cheese": Maker(
+        cheese, cheese_random, count=2, presets=[{"style": "wedge"}, {"style": "block"}]
+    ),
+}

@@ -1,13 +1,11 @@
-"""Bathroom: toilet, washbasin, bathtub, towel rail, mirror. The bath mat is with the rugs."""
+"""Toilet, washbasin and bathtub. Mirrors, towel rails and mats have files of their own."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
-
-from toolkit.materials import Material, blend, plain
-from toolkit.mesh import cube_project
+from toolkit.materials import Material, plain
 from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe, loft, rounded_rectangle, superellipse, tube
@@ -48,16 +46,25 @@ def toilet(lid: str = "#f6f6f4", button: bool = True, offset: Offset = (0, 0, 0)
 
     def ring(length: float, width: float, z: float, x: float = centre) -> np.ndarray:
         outline = _egg(length, width)
-        return np.c_[outline + [x, 0], np.full(len(outline), z)]
+        return np.c_[np.add(outline, [x, 0]), np.full(len(outline), z)]
 
     rings = [
-        ring(0.34, 0.22, 0, 0.0), ring(0.33, 0.21, 0.02, 0.0), ring(0.30, 0.19, 0.12, 0.0),
-        ring(0.36, 0.26, 0.24, 0.04), ring(0.47, 0.36, 0.36), ring(0.48, 0.37, 0.39),
-        ring(0.47, 0.36, 0.40), ring(0.36, 0.27, 0.40), ring(0.33, 0.24, 0.36), ring(0.24, 0.17, 0.26),
+        ring(0.34, 0.22, 0, 0.0),
+        ring(0.33, 0.21, 0.02, 0.0),
+        ring(0.30, 0.19, 0.12, 0.0),
+        ring(0.36, 0.26, 0.24, 0.04),
+        ring(0.47, 0.36, 0.36),
+        ring(0.48, 0.37, 0.39),
+        ring(0.47, 0.36, 0.40),
+        ring(0.36, 0.27, 0.40),
+        ring(0.33, 0.24, 0.36),
+        ring(0.24, 0.17, 0.26),
         ring(0.14, 0.11, 0.215),
-    ]  # fmt: skip
+    ]
     asm.add("body", loft(rings, china))
-    water = lathe([(0, 0.235), (0.09, 0.235), (0.09, 0.24), (0, 0.24)], 18, mat=plain("#bcd6dd", 0.05, 30))
+    water = lathe(
+        [(0, 0.235), (0.09, 0.235), (0.09, 0.24), (0, 0.24)], 18, mat=plain("#bcd6dd", 0.05, 30)
+    )
     asm.add("body", water.scale(1, 0.75, 1).move(centre, 0, 0))
     # seat: a flat ring; lid: leaning against the cistern
     seat = plain(lid, 0.012, 8)
@@ -75,15 +82,28 @@ def toilet(lid: str = "#f6f6f4", button: bool = True, offset: Offset = (0, 0, 0)
     raised = loft(lid_rings, seat).turn(ry=-math.pi / 2 - 0.12).move(-0.145, 0, 0.64)
     asm.add("body", raised)
     # cistern
-    for low, high, r in (((-0.345, -0.19, 0.39), (-0.175, 0.19, 0.74), 0.02), ((-0.352, -0.2, 0.74), (-0.168, 0.2, 0.775), 0.012)):
+    for low, high, r in (
+        ((-0.345, -0.19, 0.39), (-0.175, 0.19, 0.74), 0.02),
+        ((-0.352, -0.2, 0.74), (-0.168, 0.2, 0.775), 0.012),
+    ):
         asm.board("body", low, high, china, r, segments=2)
     asm.board("body", (-0.33, -0.11, 0.02), (-0.1, 0.11, 0.395), china, 0.02, segments=2)
     metal = steel(30)
     if button:
-        knob = lathe([(0, 0.775), (0.026, 0.775), (0.026, 0.782), (0.02, 0.786), (0, 0.786)], 16, mat=metal)
+        knob = lathe(
+            [(0, 0.775), (0.026, 0.775), (0.026, 0.782), (0.02, 0.786), (0, 0.786)], 16, mat=metal
+        )
         asm.add("body", knob.move(-0.26, 0, 0))
     else:
-        asm.add("body", tube([(-0.172, -0.13, 0.69), (-0.155, -0.13, 0.69), (-0.15, -0.07, 0.685)], 0.008, 6, mat=metal))
+        asm.add(
+            "body",
+            tube(
+                [(-0.172, -0.13, 0.69), (-0.155, -0.13, 0.69), (-0.15, -0.07, 0.685)],
+                0.008,
+                6,
+                mat=metal,
+            ),
+        )
     for x in (-0.155,):
         for y in (-0.07, 0.07):
             asm.add("body", box(0.03, 0.035, 0.018, (x, y, 0.402), metal, 0.003))
@@ -99,7 +119,7 @@ def toilet(lid: str = "#f6f6f4", button: bool = True, offset: Offset = (0, 0, 0)
         title="toilet",
         parts=asm.parts(),
         mass=32.0,
-        supports=[surface("cistern_top", (-0.352, 0.03), (-0.168, 0.2), 0.775)],
+        supports=[surface("top", (-0.352, 0.03), (-0.168, 0.2), 0.775)],
         containers=[Container("bowl", (centre, 0, 0.32), (0.26, 0.18, 0.16))],
         ground_shadow=True,
     )
@@ -115,13 +135,25 @@ def toilet_random(rng: np.random.Generator) -> dict:
 
 
 def washbasin(
-    width: float = 0.8, colour: str = "#e9e8e4", top: str = "oak", style: str = "slab", offset: Offset = (0, 0, 0)
+    width: float = 0.8,
+    colour: str = "#e9e8e4",
+    top: str = "oak",
+    style: str = "slab",
+    offset: Offset = (0, 0, 0),
 ) -> Model:
     """A vanity: cabinet with two doors, a top with room beside the basin, and a tap."""
     asm, half = Assembly(), width / 2
     x0, case_front, x1, floor, height = -0.24, 0.2, 0.24, 0.14, 0.85
     fronts, board, metal = finish(colour, 2, offset), finish(top, 1, offset), steel()
-    carcass(asm, "body", (x0, -half + 0.01, floor), (case_front, half - 0.01, height - 0.03), fronts, fronts, top=False)
+    carcass(
+        asm,
+        "body",
+        (x0, -half + 0.01, floor),
+        (case_front, half - 0.01, height - 0.03),
+        fronts,
+        fronts,
+        top=False,
+    )
     for x in (x0 + 0.03, case_front - 0.05):
         for y in (-half + 0.03, half - 0.05):
             asm.board("body", (x, y, 0), (x + 0.02, y + 0.02, floor), metal)
@@ -129,7 +161,12 @@ def washbasin(
     cy = half - 0.06 - sy / 2
     a, b = cx - sx / 2 - 0.002, cx + sx / 2 + 0.002
     c, d = cy - sy / 2 - 0.002, cy + sy / 2 + 0.002
-    for low, high in (((x0, -half), (x1, c)), ((x0, d), (x1, half)), ((x0, c), (a, d)), ((b, c), (x1, d))):
+    for low, high in (
+        ((x0, -half), (x1, c)),
+        ((x0, d), (x1, half)),
+        ((x0, c), (a, d)),
+        ((b, c), (x1, d)),
+    ):
         asm.board("body", (*low, height - 0.03), (*high, height), board)
     basin(asm, (cx, cy), (sx, sy), height, 0.13, _ceramic(offset), 0.037, 0.08)
     tap(asm, x0 + 0.055, cy, height, 0.13, 0.17, metal)
@@ -154,10 +191,19 @@ def washbasin(
         supports=[
             surface("top", (x0, -half), (x1, c - 0.02), height),
             surface("inside_floor", low, high, floor + 0.018, room, "inside"),
-            surface("basin_floor", (cx - 0.08, cy - 0.12), (cx + 0.08, cy + 0.12), height - 0.128, None, "basin"),
+            surface(
+                "basin_floor",
+                (cx - 0.08, cy - 0.12),
+                (cx + 0.08, cy + 0.12),
+                height - 0.128,
+                None,
+                "basin",
+            ),
         ],
         containers=[
-            Container("inside", center, (high[0] - low[0], high[1] - low[1], room), "body", "door_left"),
+            Container(
+                "inside", center, (high[0] - low[0], high[1] - low[1], room), "body", "door_left"
+            ),
             Container("basin", (cx, cy, height - 0.065), (sx - 0.02, sy - 0.02, 0.13)),
         ],
         ground_shadow=True,
@@ -175,7 +221,9 @@ def washbasin_random(rng: np.random.Generator) -> dict:
     }
 
 
-def bathtub(length: float = 1.65, width: float = 0.74, panelled: bool = True, offset: Offset = (0, 0, 0)) -> Model:
+def bathtub(
+    length: float = 1.65, width: float = 0.74, panelled: bool = True, offset: Offset = (0, 0, 0)
+) -> Model:
     """A tub, hollow, along y, with its tap at one end; boxed in, or free-standing on feet."""
     asm, height, floor = Assembly(), 0.58, 0.16
     china, metal = _ceramic(offset), steel(20)
@@ -196,12 +244,27 @@ def bathtub(length: float = 1.65, width: float = 0.74, panelled: bool = True, of
         def inner(grow: float, z: float, power: float) -> np.ndarray:
             return ring(grow, z, power)[begin]
 
-        rings = [*shell, inner(-0.06, height + 0.008, 6), inner(-0.075, height - 0.01, 6), inner(-0.11, 0.3, 5)]
+        rings = [
+            *shell,
+            inner(-0.06, height + 0.008, 6),
+            inner(-0.075, height - 0.01, 6),
+            inner(-0.11, 0.3, 5),
+        ]
         rings += [inner(-0.15, floor + 0.03, 4), inner(-0.19, floor, 4)]
     else:
-        rings = [ring(-0.17, 0.1, 3), ring(-0.1, 0.14, 3), ring(-0.03, 0.4, 3), ring(-0.01, height - 0.03, 3)]
+        rings = [
+            ring(-0.17, 0.1, 3),
+            ring(-0.1, 0.14, 3),
+            ring(-0.03, 0.4, 3),
+            ring(-0.01, height - 0.03, 3),
+        ]
         rings += [ring(0, height - 0.015, 3), ring(0, height, 3), ring(-0.05, height + 0.006, 3)]
-        rings += [ring(-0.06, height - 0.01, 3), ring(-0.09, 0.35, 3), ring(-0.15, floor + 0.04, 3), ring(-0.2, floor, 3)]
+        rings += [
+            ring(-0.06, height - 0.01, 3),
+            ring(-0.09, 0.35, 3),
+            ring(-0.15, floor + 0.04, 3),
+            ring(-0.2, floor, 3),
+        ]
         for sx in (-1, 1):
             for sy in (-1, 1):
                 foot = [(0, 0), (0.03, 0), (0.034, 0.02), (0.018, 0.06), (0.03, 0.12), (0, 0.13)]
@@ -212,24 +275,56 @@ def bathtub(length: float = 1.65, width: float = 0.74, panelled: bool = True, of
     hx, hy, w = width / 2, length / 2, 0.09
     low_z = 0.0 if panelled else 0.1
     asm.solid("body", (-hx + 0.03, -hy + 0.03, low_z), (hx - 0.03, hy - 0.03, floor))
-    for low, high in (((-hx, -hy), (-hx + w, hy)), ((hx - w, -hy), (hx, hy)), ((-hx + w, -hy), (hx - w, -hy + w)), ((-hx + w, hy - w), (hx - w, hy))):
+    for low, high in (
+        ((-hx, -hy), (-hx + w, hy)),
+        ((hx - w, -hy), (hx, hy)),
+        ((-hx + w, -hy), (hx - w, -hy + w)),
+        ((-hx + w, hy - w), (hx - w, hy)),
+    ):
         asm.solid("body", (*low, floor if not panelled else 0), (*high, height + 0.006))
-    drain = lathe([(0, floor), (0.03, floor), (0.028, floor + 0.004), (0, floor + 0.003)], 12, mat=metal)
+    drain = lathe(
+        [(0, floor), (0.03, floor), (0.028, floor + 0.004), (0, floor + 0.003)], 12, mat=metal
+    )
     asm.add("body", drain.move(0, -hy + 0.45, 0))
     # filler tap on the rim at the -y end
     y = -hy + 0.03
-    spout = [(0, y, height), (0, y, height + 0.11), (0, y + 0.04, height + 0.14), (0, y + 0.13, height + 0.12)]
+    spout = [
+        (0, y, height),
+        (0, y, height + 0.11),
+        (0, y + 0.04, height + 0.14),
+        (0, y + 0.13, height + 0.12),
+    ]
     asm.add("body", tube(spout, 0.015, 8, mat=metal))
     for x in (-0.09, 0.09):
-        knob = [(0, height), (0.02, height), (0.014, height + 0.02), (0.026, height + 0.035), (0.026, height + 0.05), (0, height + 0.056)]
+        knob = [
+            (0, height),
+            (0.02, height),
+            (0.014, height + 0.02),
+            (0.026, height + 0.035),
+            (0.026, height + 0.05),
+            (0, height + 0.056),
+        ]
         asm.add("body", lathe(knob, 10, mat=metal).move(x, y, 0))
     inside = (width - 0.26, length - 0.34)
     return Model(
         title="bathtub, boxed in" if panelled else "free-standing bathtub",
         parts=asm.parts(),
         mass=60.0,
-        supports=[surface("floor", (-inside[0] / 2, -inside[1] / 2), (inside[0] / 2, inside[1] / 2), floor, None, "tub")],
-        containers=[Container("tub", (0, 0, (floor + height) / 2), (width - 0.18, length - 0.18, height - floor))],
+        supports=[
+            surface(
+                "floor",
+                (-inside[0] / 2, -inside[1] / 2),
+                (inside[0] / 2, inside[1] / 2),
+                floor,
+                None,
+                "tub",
+            )
+        ],
+        containers=[
+            Container(
+                "tub", (0, 0, (floor + height) / 2), (width - 0.18, length - 0.18, height - floor)
+            )
+        ],
         ground_shadow=True,
     )
 
@@ -244,85 +339,21 @@ def bathtub_random(rng: np.random.Generator) -> dict:
     }
 
 
-def towel_rail(width: float = 0.6, towel: str = "#5f8ea0", offset: Offset = (0, 0, 0)) -> Model:
-    """A rail to hang on a wall (back at -X) with a towel over it."""
-    asm, metal = Assembly(), steel(30)
-    half, z, x = width / 2, 0.5, 0.03
-    asm.add("body", tube([(x, -half, z), (x, half, z)], 0.009, 8, mat=metal))
-    for y in (-half + 0.02, half - 0.02):
-        asm.board("body", (-0.045, y - 0.012, z - 0.012), (x, y + 0.012, z + 0.012), metal, 0.003)
-        asm.board("body", (-0.05, y - 0.022, z - 0.022), (-0.043, y + 0.022, z + 0.022), metal, 0.002)
-    band = Material()
-    line = band.remap(band.math("ABSOLUTE", band.math("SUBTRACT", band.axis(2), 0.09)), 0.012, 0.016, 1, 0)
-    weave = band.mottle(towel, 0.06, 160, offset)
-    band.colour(band.mix(line, weave, blend(towel, "#ffffff", 0.6)))
-    rings = []
-    w = half * 0.72
-    for y in np.linspace(-w, w, 9):
-        fold = 0.004 * math.sin(14 * y / w)
-        outer = [(x + 0.024 + fold, 0.02), (x + 0.022 + fold, 0.3), (x + 0.018, z), (x + 0.009, z + 0.017), (x - 0.009, z + 0.017), (x - 0.018, z), (x - 0.022 - fold, 0.16)]
-        inner = [(x - 0.015 - fold, 0.16), (x - 0.011, z), (x, z + 0.009), (x + 0.011, z), (x + 0.014 + fold, 0.3), (x + 0.015 + fold, 0.02)]
-        rings.append(np.array([(a, y, b) for a, b in outer + inner]))
-    asm.add("body", cube_project(loft(rings, band)))
-    asm.solid("body", (x - 0.02, -half, 0.02), (x + 0.025, half, z + 0.02))
-    return Model(title="towel rail with a towel", parts=asm.parts(), mass=1.6)
-
-
-def towel_rail_random(rng: np.random.Generator) -> dict:
-    """Parameters of a random towel rail."""
-    return {
-        "width": round(float(rng.uniform(0.5, 0.7)), 2),
-        "towel": pick(rng, ["#5f8ea0", "#d9cbb0", "#a0655a", "#7d9a78"]),
-        "offset": noise_offset(rng),
-    }
-
-
-def mirror(width: float = 0.6, height: float = 0.8, frame: str = "oak", rounded: bool = False, offset: Offset = (0, 0, 0)) -> Model:
-    """A wall mirror (back at -X): what it mirrors is hinted at by bright, slanting bands."""
-    asm = Assembly()
-    glass = Material(occlusion=0.3)
-    slant = glass.math("ADD", glass.math("MULTIPLY", glass.axis(1), 0.9), glass.axis(2))
-    span = glass.remap(slant, 0, height + 0.2)
-    stops = [(0, "#a9bcc6"), (0.3, "#c3d3da"), (0.33, "#dbe7ec"), (0.46, "#e4eef2"), (0.48, "#c6d5dc"), (0.62, "#bccdd5")]
-    glass.colour(glass.ramp(span, [*stops, (0.64, "#d6e3e8"), (0.7, "#d9e5ea"), (0.72, "#c2d1d8"), (1, "#dfe9ed")]))
-    wood = finish(frame, 2, offset)
-    if rounded:
-        r = width / 2
-        for radius, x0, x1, mat in ((r, 0.0, 0.022, wood), (r - 0.022, 0.02, 0.026, glass)):
-            disc = lathe([(0, x0), (radius, x0), (radius, x1), (0, x1)], 36, mat=mat)
-            asm.add("body", disc.turn(ry=math.pi / 2).move(0, 0, r))
-        asm.solid("body", (0, -r * 0.9, r * 0.1), (0.026, r * 0.9, 2 * r * 0.95))
-    else:
-        t = 0.035
-        asm.board("body", (0, -width / 2, 0), (0.024, -width / 2 + t, height), wood, 0.004)
-        asm.board("body", (0, width / 2 - t, 0), (0.024, width / 2, height), wood, 0.004)
-        cross = finish(frame, 1, offset)
-        asm.board("body", (0, -width / 2 + t, 0), (0.024, width / 2 - t, t), cross, 0.004)
-        asm.board("body", (0, -width / 2 + t, height - t), (0.024, width / 2 - t, height), cross, 0.004)
-        asm.board("body", (0, -width / 2 + t, t), (0.014, width / 2 - t, height - t), glass, weight=1.4)
-    return Model(title=f"{'round ' if rounded else ''}mirror", parts=asm.parts(), mass=6.0)
-
-
-def mirror_random(rng: np.random.Generator) -> dict:
-    """Parameters of a random mirror."""
-    return {
-        "width": round(float(rng.uniform(0.5, 0.7)), 2),
-        "height": round(float(rng.uniform(0.7, 0.95)), 2),
-        "frame": pick(rng, ["oak", "walnut", "black"]),
-        "rounded": bool(rng.random() < 0.4),
-        "offset": noise_offset(rng),
-    }
-
-
 MODELS = {
-    "toilet": Maker(toilet, toilet_random, 2, [{"lid": "#f6f6f4", "button": True}, {"lid": "#b98a56", "button": False}]),
+    "toilet": Maker(
+        toilet,
+        toilet_random,
+        2,
+        [{"lid": "#f6f6f4", "button": True}, {"lid": "#b98a56", "button": False}],
+    ),
     "washbasin": Maker(
         washbasin,
         washbasin_random,
         2,
-        [{"width": 0.8, "colour": "#e9e8e4", "top": "oak"}, {"width": 1.0, "colour": "walnut", "top": "#f2f2ef"}],
+        [
+            {"width": 0.8, "colour": "#e9e8e4", "top": "oak"},
+            {"width": 1.0, "colour": "walnut", "top": "#f2f2ef"},
+        ],
     ),
     "bathtub": Maker(bathtub, bathtub_random, 2, [{"panelled": True}, {"panelled": False}]),
-    "towel_rail": Maker(towel_rail, towel_rail_random, 2, [{"towel": "#5f8ea0"}, {"towel": "#d9cbb0"}]),
-    "mirror": Maker(mirror, mirror_random, 2, [{"rounded": False, "frame": "oak"}, {"rounded": True, "frame": "black"}]),
 }

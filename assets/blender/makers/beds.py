@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-
 from toolkit.materials import Material
 from toolkit.mesh import Mesh, cube_project
 from toolkit.model import Maker, Model
@@ -16,9 +15,15 @@ Offset = tuple[float, float, float]
 
 
 def bed(
-    width: float = 1.6, length: float = 2.05, wood: str = "oak", blanket: str = "#7f93a8", sheet: str = "#eeebe4",
-    headboard: str = "panel", throw: str | None = None, offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+    width: float = 1.6,
+    length: float = 2.05,
+    wood: str = "oak",
+    blanket: str = "#7f93a8",
+    sheet: str = "#eeebe4",
+    headboard: str = "panel",
+    throw: str | None = None,
+    offset: Offset = (0, 0, 0),
+) -> Model:
     """A bed with its head at the back (-X): frame, headboard, mattress, blanket, pillows.
 
     headboard: "panel" of wood, "slats", or "padded"; throw: colour of a strip across the foot.
@@ -34,7 +39,12 @@ def bed(
     for x in (x0 + 0.12, x1 - 0.1):
         for y in (-half + 0.07, half - 0.07):
             leg(asm, "body", (x, y), (x, y), (0, rail_z + 0.02), (0.024, 0.03), upright, 4)
-    asm.board("body", (x0 + 0.05, -half + 0.03, rail_z + 0.06), (x1 - 0.03, half - 0.03, rail_z + 0.09), cross)
+    asm.board(
+        "body",
+        (x0 + 0.05, -half + 0.03, rail_z + 0.06),
+        (x1 - 0.03, half - 0.03, rail_z + 0.09),
+        cross,
+    )
     if headboard == "padded":
         cloth = fabric(blanket, offset, 0.07)
         columns = 4
@@ -49,9 +59,17 @@ def bed(
         for y in (-half, half - 0.05):
             asm.board("body", (x0, y, 0), (x0 + 0.05, y + 0.05, head_z), upright, 0.008)
         for z in (0.42, head_z - 0.1):
-            asm.board("body", (x0 + 0.012, -half + 0.05, z), (x0 + 0.038, half - 0.05, z + 0.08), cross, 0.005)
+            asm.board(
+                "body",
+                (x0 + 0.012, -half + 0.05, z),
+                (x0 + 0.038, half - 0.05, z + 0.08),
+                cross,
+                0.005,
+            )
         for y in np.linspace(-half + 0.16, half - 0.16, 7):
-            asm.board("body", (x0 + 0.018, y - 0.02, 0.5), (x0 + 0.032, y + 0.02, head_z - 0.1), upright)
+            asm.board(
+                "body", (x0 + 0.018, y - 0.02, 0.5), (x0 + 0.032, y + 0.02, head_z - 0.1), upright
+            )
     else:
         asm.board("body", (x0, -half, 0.06), (x0 + 0.05, half, head_z), cross, 0.012, segments=2)
     white = fabric(sheet, offset, 0.025)
@@ -62,11 +80,29 @@ def bed(
     # the blanket hangs over both sides and the foot; its upper edge is turned down
     cloth = fabric(blanket, offset, 0.05)
     cover_x0, cover_x1 = x0 + 0.62, x1 - 0.04
-    asm.add("body", _blanket(cover_x0, cover_x1, width, rail_top - 0.1, mattress_top, cloth, offset, True))
-    fold = cushion((0.22, width - 0.045, 0.018), (cover_x0 + 0.1, 0, mattress_top + 0.022), white, 0.05, 0.006, 0.012)
+    asm.add(
+        "body",
+        _blanket(cover_x0, cover_x1, width, rail_top - 0.1, mattress_top, cloth, offset, True),
+    )
+    fold = cushion(
+        (0.22, width - 0.045, 0.018),
+        (cover_x0 + 0.1, 0, mattress_top + 0.022),
+        white,
+        0.05,
+        0.006,
+        0.012,
+    )
     asm.add("body", fold)
     if throw:
-        strip = _blanket(x1 - 0.62, x1 - 0.22, width + 0.012, rail_top - 0.04, mattress_top + 0.008, fabric(throw, offset), offset)
+        strip = _blanket(
+            x1 - 0.62,
+            x1 - 0.22,
+            width + 0.012,
+            rail_top - 0.04,
+            mattress_top + 0.008,
+            fabric(throw, offset),
+            offset,
+        )
         asm.add("body", strip)
     count = 2 if width >= 1.3 else 1
     for k in range(count):
@@ -75,9 +111,17 @@ def bed(
         pillow = cushion((0.42, wide, 0.07), (0, 0, 0), white, 0.09, 0.035, 0.045)
         pillow.turn(ry=-0.28).move(x0 + 0.33, y, mattress_top + 0.055)
         asm.add("body", pillow)
-        asm.solid("body", (x0 + 0.12, y - wide / 2, mattress_top), (x0 + 0.54, y + wide / 2, mattress_top + 0.12))
+        asm.solid(
+            "body",
+            (x0 + 0.12, y - wide / 2, mattress_top),
+            (x0 + 0.54, y + wide / 2, mattress_top + 0.12),
+        )
     low, high = (cover_x0 + 0.25, -half + 0.1), (x1 - 0.1, half - 0.1)
-    asm.solid("body", (cover_x0, -half + 0.02, mattress_top), (x1 - 0.03, half - 0.02, mattress_top + 0.03))
+    asm.solid(
+        "body",
+        (cover_x0, -half + 0.02, mattress_top),
+        (x1 - 0.03, half - 0.02, mattress_top + 0.03),
+    )
     return Model(
         title=f"{'double' if width >= 1.3 else 'single'} bed, {wood} frame",
         parts=asm.parts(),
@@ -88,11 +132,23 @@ def bed(
 
 
 def _blanket(
-    x0: float, x1: float, width: float, hem: float, top: float, mat: Material, offset: Offset, drop: bool = False
+    x0: float,
+    x1: float,
+    width: float,
+    hem: float,
+    top: float,
+    mat: Material,
+    offset: Offset,
+    drop: bool = False,
 ) -> Mesh:
-    """Cloth over the mattress: rounded at the edges, softly waved; `drop` hangs it over the foot."""
+    """Cloth over the mattress, rounded and softly waved; `drop` hangs it over the foot."""
     half, thick = width / 2, 0.03
-    across = [(-half - 0.008, hem), (-half - 0.014, (hem + top) / 2), (-half + 0.004, top - 0.01), (-half + 0.05, top + thick * 0.8)]
+    across = [
+        (-half - 0.008, hem),
+        (-half - 0.014, (hem + top) / 2),
+        (-half + 0.004, top - 0.01),
+        (-half + 0.05, top + thick * 0.8),
+    ]
     across += [(y, top + thick) for y in np.linspace(-half + 0.2, half - 0.2, 5)]
     across += [(-y, z) for y, z in across[3::-1]]
     phase = np.array(offset[:2]) % 6.28
@@ -102,14 +158,25 @@ def _blanket(
         stations += [(x1 + 0.03, top + 0.012), (x1 + 0.042, top - 0.03), (x1 + 0.046, hem + 0.004)]
     rings = []
     for x, roof in stations:
-        wave = [0.004 * np.sin(9 * x + 3 * y + phase[0]) + 0.003 * np.sin(7 * y - 5 * x + phase[1]) for y, _ in across]
+        wave = [
+            0.004 * np.sin(9 * x + 3 * y + phase[0]) + 0.003 * np.sin(7 * y - 5 * x + phase[1])
+            for y, _ in across
+        ]
         outer = [
-            (x, y + 1.5 * w * np.sign(y) * (abs(y) > half - 0.02), min(z + w * (abs(y) < half), roof))
+            (
+                x,
+                y + 1.5 * w * np.sign(y) * (abs(y) > half - 0.02),
+                min(z + w * (abs(y) < half), roof),
+            )
             for (y, z), w in zip(across, wave, strict=True)
         ]
         lining = roof - 0.016 if roof > top else roof - 0.002
         inner = [
-            (x - 0.018 * (roof <= top + 0.02), y * (half - 0.018) / half, max(min(z - 0.016, lining), hem))
+            (
+                x - 0.018 * (roof <= top + 0.02),
+                y * (half - 0.018) / half,
+                max(min(z - 0.016, lining), hem),
+            )
             for y, z in across
         ]
         rings.append(np.array(outer + inner[::-1]))
@@ -132,10 +199,29 @@ MODELS = {
     "bed": Maker(
         bed,
         bed_random,
-        2,
+        3,
         [
-            {"width": 1.6, "wood": "oak", "headboard": "panel", "blanket": "#7f93a8", "throw": "#d3b56a"},
-            {"width": 1.0, "wood": "#e9e7e1", "headboard": "slats", "blanket": "#8fa184", "throw": None},
+            {
+                "width": 1.6,
+                "wood": "oak",
+                "headboard": "panel",
+                "blanket": "#7f93a8",
+                "throw": "#d3b56a",
+            },
+            {
+                "width": 1.0,
+                "wood": "#e9e7e1",
+                "headboard": "slats",
+                "blanket": "#8fa184",
+                "throw": None,
+            },
+            {
+                "width": 1.4,
+                "wood": "walnut",
+                "headboard": "padded",
+                "blanket": "#b59a8a",
+                "throw": None,
+            },
         ],
     ),
 }

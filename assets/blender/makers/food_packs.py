@@ -1,4 +1,4 @@
-"""Packed food: juice, cereal, tins, eggs, yogurt, butter, meat in a tray."""
+"""Packed food: juice, cereal, tins, butter."""
 
 from __future__ import annotations
 
@@ -6,10 +6,8 @@ import math
 
 import numpy as np
 from toolkit import labels
-from toolkit.materials import Material, label, metal, plain
-from toolkit.mesh import Mesh
+from toolkit.materials import label, metal, plain
 from toolkit.model import (
-    Joint,
     Maker,
     Model,
     Part,
@@ -17,14 +15,19 @@ from toolkit.model import (
     cylinder_piece,
 )
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
-from toolkit.shapes import box, ellipsoid, extrude, lathe, loft, rounded_rectangle
+from toolkit.shapes import box, extrude, lathe, rounded_rectangle
 
 
 def orange_slice(draw, cx, cy, r, peel="#f08a12", flesh="#ffb83a") -> None:
     draw.ellipse((cx - r, cy - r, cx + r, cy + r), fill=peel)
     draw.ellipse((cx - r * 0.88, cy - r * 0.88, cx + r * 0.88, cy + r * 0.88), fill="#fff3d8")
     for k in range(8):
-        draw.pieslice((cx - r * 0.8, cy - r * 0.8, cx + r * 0.8, cy + r * 0.8), 45 * k + 4, 45 * k + 41, fill=flesh)
+        draw.pieslice(
+            (cx - r * 0.8, cy - r * 0.8, cx + r * 0.8, cy + r * 0.8),
+            45 * k + 4,
+            45 * k + 41,
+            fill=flesh,
+        )
 
 
 def juice_front(w, h, fruit, colour, dark, brand):
@@ -60,11 +63,24 @@ def pack_side(w, h, colour, dark, brand, rng):
 
 def screw_cap(radius: float, height: float, colour: str):
     profile = [(0, 0), (radius, 0), (radius, height * 0.85), (radius * 0.85, height), (0, height)]
-    return lathe(profile, 16, mat=plain(colour, 0.02), rib=lambda k, i: 1 - 0.05 * (i % 2) if k in (1, 2) else 1)
+    return lathe(
+        profile,
+        16,
+        mat=plain(colour, 0.02),
+        rib=lambda k, i: 1 - 0.05 * (i % 2) if k in (1, 2) else 1,
+    )
 
 
 def juice_carton(
-    width=0.092, depth=0.06, height=0.195, fruit="ORANGE", colour="#f6a21c", dark="#d8560e", brand="Sunny Hof", cap="#3f8a2c", seed=0
+    width=0.092,
+    depth=0.06,
+    height=0.195,
+    fruit="ORANGE",
+    colour="#f6a21c",
+    dark="#d8560e",
+    brand="Sunny Hof",
+    cap="#3f8a2c",
+    seed=0,
 ) -> Model:
     """A long-life brick with a screw cap on its flat top."""
     rng = np.random.default_rng(seed)
@@ -72,22 +88,46 @@ def juice_carton(
     front = label(juice_front(w, h, fruit, colour, dark, brand))
     side = label(pack_side(int(w * depth / width), h, colour, dark, brand, rng))
     faces = {"+x": front, "-x": front, "+y": side, "-y": side}
-    body = [box(depth, width, height, mat=plain(colour, 0.02), bevel_width=0.0018, labels=faces, weight=1.2)]
+    body = [
+        box(
+            depth,
+            width,
+            height,
+            mat=plain(colour, 0.02),
+            bevel_width=0.0018,
+            labels=faces,
+            weight=1.2,
+        )
+    ]
     flap = plain(dark, 0.02)
     body.append(box(0.01, width * 0.96, 0.0035, (-depth * 0.12, 0, height - 0.0015), flap, 0.001))
     body.append(screw_cap(0.0135, 0.014, cap).move(depth * 0.16, width * 0.2, height - 0.001))
     return Model(
         title=f"{fruit.lower()} juice, long-life carton",
-        parts={"body": Part(body, collision=[box_piece((0, 0, height / 2), (depth, width, height)), cylinder_piece(0.0135, 0, 0.014, 8) + [depth * 0.16, width * 0.2, height - 0.001]])},
-        mass=1.05, friction=0.5,
-    )  # fmt: skip
+        parts={
+            "body": Part(
+                body,
+                collision=[
+                    box_piece((0, 0, height / 2), (depth, width, height)),
+                    cylinder_piece(0.0135, 0, 0.014, 8)
+                    + np.array([depth * 0.16, width * 0.2, height - 0.001]),
+                ],
+            )
+        },
+        mass=1.05,
+        friction=0.5,
+    )
 
 
 def juice_carton_random(rng: np.random.Generator) -> dict:
     return {
-        "width": uniform(rng, 0.085, 0.097), "depth": uniform(rng, 0.056, 0.066), "height": uniform(rng, 0.18, 0.225),
-        "brand": pick(rng, ["Sunny Hof", "Frutta", "Orchard"]), "cap": pick(rng, ["#3f8a2c", "#ffffff", "#d8560e"]), "seed": seed_of(rng),
-    }  # fmt: skip
+        "width": uniform(rng, 0.085, 0.097),
+        "depth": uniform(rng, 0.056, 0.066),
+        "height": uniform(rng, 0.18, 0.225),
+        "brand": pick(rng, ["Sunny Hof", "Frutta", "Orchard"]),
+        "cap": pick(rng, ["#3f8a2c", "#ffffff", "#d8560e"]),
+        "seed": seed_of(rng),
+    }
 
 
 def cereal_front(w, h, name, colour, dark, ring):
@@ -103,13 +143,30 @@ def cereal_front(w, h, name, colour, dark, ring):
     d.ellipse((w * 0.06, h * 0.62, w * 0.94, h * 0.82), fill="#fbf8ef", outline="#2f5fa8", width=5)
     for _ in range(34):
         a, q = rng.uniform(0, 2 * math.pi), math.sqrt(rng.uniform(0, 1))
-        x, y, s = w * (0.5 + 0.36 * q * math.cos(a)), h * (0.71 + 0.072 * q * math.sin(a)), w * 0.042
-        d.ellipse((x - s, y - s * 0.8, x + s, y + s * 0.8), fill=pick(rng, ["#d9962c", "#c47a1c", "#e8b04a"]), outline="#8a5410")
+        x, y, s = (
+            w * (0.5 + 0.36 * q * math.cos(a)),
+            h * (0.71 + 0.072 * q * math.sin(a)),
+            w * 0.042,
+        )
+        d.ellipse(
+            (x - s, y - s * 0.8, x + s, y + s * 0.8),
+            fill=pick(rng, ["#d9962c", "#c47a1c", "#e8b04a"]),
+            outline="#8a5410",
+        )
         d.ellipse((x - s * 0.35, y - s * 0.3, x + s * 0.35, y + s * 0.3), fill="#8a5410")
     return image
 
 
-def cereal_box(width=0.19, depth=0.06, height=0.29, name="LOOPS", colour="#f2b21c", dark="#d8402c", ring="#d8402c", seed=0) -> Model:
+def cereal_box(
+    width=0.19,
+    depth=0.06,
+    height=0.29,
+    name="LOOPS",
+    colour="#f2b21c",
+    dark="#d8402c",
+    ring="#d8402c",
+    seed=0,
+) -> Model:
     rng = np.random.default_rng(seed)
     w, h = 256, int(256 * height / width)
     front = label(cereal_front(w, h, name, colour, dark, ring))
@@ -119,13 +176,22 @@ def cereal_box(width=0.19, depth=0.06, height=0.29, name="LOOPS", colour="#f2b21
     faces = {"+x": front, "-x": front, "+y": side, "-y": side, "+z": label(top)}
     body = box(depth, width, height, mat=plain(dark, 0.02), bevel_width=0.0015, labels=faces)
     return Model(
-        title=f"cereal box, {name.capitalize()}", mass=0.42, friction=0.5,
-        parts={"body": Part([body], collision=[box_piece((0, 0, height / 2), (depth, width, height))])},
-    )  # fmt: skip
+        title=f"cereal box, {name.capitalize()}",
+        mass=0.42,
+        friction=0.5,
+        parts={
+            "body": Part([body], collision=[box_piece((0, 0, height / 2), (depth, width, height))])
+        },
+    )
 
 
 def cereal_box_random(rng: np.random.Generator) -> dict:
-    return {"width": uniform(rng, 0.17, 0.2), "depth": uniform(rng, 0.05, 0.07), "height": uniform(rng, 0.25, 0.31), "seed": seed_of(rng)}
+    return {
+        "width": uniform(rng, 0.17, 0.2),
+        "depth": uniform(rng, 0.05, 0.07),
+        "height": uniform(rng, 0.25, 0.31),
+        "seed": seed_of(rng),
+    }
 
 
 def tin_label(kind, colour, dark, brand, rng):
@@ -142,130 +208,84 @@ def tin_label(kind, colour, dark, brand, rng):
                 d.ellipse((x - r, y - r, x + r, y + r), fill="#e0362a", outline="#9a1c16", width=2)
                 d.ellipse((x - 6, y - r, x + 6, y - r + 9), fill="#3f8a2c")
             elif kind == "CORN":
-                d.ellipse((x - 15, y - r, x + 15, y + r), fill="#f8cf2c", outline="#b8860e", width=2)
+                d.ellipse(
+                    (x - 15, y - r, x + 15, y + r), fill="#f8cf2c", outline="#b8860e", width=2
+                )
             else:
-                d.ellipse((x - r, y - 16, x + r, y + 16), fill="#8a3a22", outline="#5a2010", width=2)
+                d.ellipse(
+                    (x - r, y - 16, x + r, y + 16), fill="#8a3a22", outline="#5a2010", width=2
+                )
     for cx in (w / 4, 3 * w / 4):
         labels.small_print(d, (cx - 60, h * 0.2, cx + 60, h * 0.55), 6, "#ffffff", rng)
         labels.barcode(d, (cx - 45, h * 0.62, cx + 45, h * 0.8), rng)
     return image
 
 
-def canned_food(radius=0.037, height=0.11, kind="TOMATOES", colour="#d9482c", dark="#7a1712", brand="Campo", seed=0) -> Model:
+def canned_food(
+    radius=0.037,
+    height=0.11,
+    kind="TOMATOES",
+    colour="#d9482c",
+    dark="#7a1712",
+    brand="Campo",
+    seed=0,
+) -> Model:
     rng = np.random.default_rng(seed)
     paper = label(tin_label(kind, colour, dark, brand, rng))
     steel = metal("c6cacd", "868c91", (8, 8, 1), 60, noise_offset(rng))
     r, h = radius, height
-    profile = [(0, 0.003), (r * 0.93, 0.003), (r * 0.95, 0), (r * 1.015, 0.001), (r * 1.015, 0.004), (r, 0.006), (r, h - 0.006)]
-    profile += [(r * 1.015, h - 0.004), (r * 1.015, h - 0.001), (r * 0.95, h), (r * 0.93, h - 0.0035), (r * 0.6, h - 0.003), (r * 0.58, h - 0.0038), (0, h - 0.0038)]
+    profile = [
+        (0, 0.003),
+        (r * 0.93, 0.003),
+        (r * 0.95, 0),
+        (r * 1.015, 0.001),
+        (r * 1.015, 0.004),
+        (r, 0.006),
+        (r, h - 0.006),
+    ]
+    profile += [
+        (r * 1.015, h - 0.004),
+        (r * 1.015, h - 0.001),
+        (r * 0.95, h),
+        (r * 0.93, h - 0.0035),
+        (r * 0.6, h - 0.003),
+        (r * 0.58, h - 0.0038),
+        (0, h - 0.0038),
+    ]
     mats = [0] * 5 + [1] + [0] * 7
-    body = [lathe(profile, 26, mats=[steel, paper], mat_of_segment=mats, label_z=(0.006, h - 0.006), start=-math.pi)]
-    tab = extrude(rounded_rectangle(0.026, 0.015, 0.006, 3), 0.0022, steel).move(r * 0.42, 0, h - 0.0038)
+    body = [
+        lathe(
+            profile,
+            26,
+            mats=[steel, paper],
+            mat_of_segment=mats,
+            label_z=(0.006, h - 0.006),
+            start=-math.pi,
+        )
+    ]
+    tab = extrude(rounded_rectangle(0.026, 0.015, 0.006, 3), 0.0022, steel).move(
+        r * 0.42, 0, h - 0.0038
+    )
     return Model(
-        title=f"tin of {kind.lower()}", parts={"body": Part([*body, tab], collision=[cylinder_piece(r, 0, h, 14)])}, mass=0.46, friction=0.5
+        title=f"tin of {kind.lower()}",
+        parts={"body": Part([*body, tab], collision=[cylinder_piece(r, 0, h, 14)])},
+        mass=0.46,
+        friction=0.5,
     )
 
 
 def canned_food_random(rng: np.random.Generator) -> dict:
-    return {"radius": uniform(rng, 0.034, 0.042), "height": uniform(rng, 0.09, 0.115), "brand": pick(rng, ["Campo", "Verde", "La Huerta"]), "seed": seed_of(rng)}
+    return {
+        "radius": uniform(rng, 0.034, 0.042),
+        "height": uniform(rng, 0.09, 0.115),
+        "brand": pick(rng, ["Campo", "Verde", "La Huerta"]),
+        "seed": seed_of(rng),
+    }
 
 
-def tapered_box(sx, sy, z0, z1, inset, mat, radius=0.012) -> Mesh:
-    """A tray-like solid: smaller at the bottom by `inset` on each side."""
-    rings = []
-    for z, k in ((z0, inset), (z1, 0.0)):
-        outline = rounded_rectangle(sx - 2 * k, sy - 2 * k, radius, 3)
-        rings.append(np.c_[outline, np.full(len(outline), z)])
-    return loft(rings, mat=mat)
-
-
-def egg_carton(colour="#a9a79c", paper="#f4e6b8", ink="#7a4a1c", egg="#d9a878", seed=0) -> Model:
-    """A pulp box of six eggs; the lid opens towards the back."""
-    rng = np.random.default_rng(seed)
-    pulp = Material()
-    pulp.colour(pulp.mottle(colour, 0.12, 220, noise_offset(rng)))
-    sx, sy, rim, top = 0.105, 0.155, 0.042, 0.078
-    base = [tapered_box(sx, sy, rim - 0.008, rim, 0.001, pulp, 0.01)]
-    eggs = []
-    shell = plain(egg, 0.08, 260, noise_offset(rng))
-    for x in (-0.0245, 0.0245):
-        for y in (-0.05, 0, 0.05):
-            cup = [(0, 0), (0.013, 0), (0.016, 0.003), (0.0235, rim - 0.004), (0, rim - 0.004)]
-            base.append(lathe(cup, 6, mat=pulp, start=math.pi / 8).move(x, y))
-            one = ellipsoid((0.0205, 0.0205, 0.027), (x, y, rim - 0.003), 8, 7, shell)
-            one.v[:, 2] += 0.004 * ((one.v[:, 2] - rim) / 0.027) ** 2
-            eggs.append(one)
-    # a hollow lid: outer and inner skin joined at the rim
-    image, d = labels.canvas(240, 170, paper)
-    d.rectangle((6, 6, 234, 164), outline=ink, width=5)
-    labels.text(d, "6 EGGS", (24, 14, 216, 76), "bold", ink)
-    labels.text(d, "free range", (40, 78, 200, 104), "italic", ink)
-    for i in range(3):
-        d.ellipse((52 + 50 * i, 108, 86 + 50 * i, 154), fill=egg, outline=ink, width=2)
-    lid_z = [(rim + 0.0005, 0.0), (rim + 0.004, 0.001), (top - 0.008, 0.006), (top, 0.013)]
-    outer = [np.c_[q, np.full(len(q), z)] for z, k in lid_z for q in [rounded_rectangle(sx - 2 * k, sy - 2 * k, 0.014, 3)]]
-    inner = [np.c_[q, np.full(len(q), z - 0.004 * (i > 0))] for i, (z, k) in enumerate(lid_z) for q in [rounded_rectangle(sx - 2 * k - 0.01, sy - 2 * k - 0.01, 0.01, 3)]]
-    lid = loft([inner[3], inner[2], inner[0], outer[0], outer[1], outer[2], outer[3]], mat=pulp)
-    sticker = box(0.066, 0.108, 0.0012, (0, 0, top - 0.0004), mat=pulp, labels={"+z": label(image)}, weight=1.5)
-    tongue = box(0.004, 0.05, 0.016, (sx / 2 + 0.001, 0, rim - 0.012), pulp, 0.0015)
-    hinge = Joint("revolute", (-sx / 2, 0, rim), (0, -1, 0), 0.0, 2.2)
-    lid_pieces = [box_piece((0, 0, top - 0.003), (sx - 0.02, sy - 0.02, 0.006))]
-    lid_pieces += [box_piece((s * (sx / 2 - 0.006), 0, (rim + top) / 2), (0.008, sy - 0.006, top - rim)) for s in (-1, 1)]
-    lid_pieces += [box_piece((0, s * (sy / 2 - 0.006), (rim + top) / 2), (sx - 0.006, 0.008, top - rim)) for s in (-1, 1)]
-    return Model(
-        title="egg carton, six eggs",
-        parts={
-            "body": Part(base, collision=[box_piece((0, 0, rim / 2), (sx * 0.94, sy * 0.96, rim))]),
-            "eggs": Part(eggs, collision="none", occlusion="fixed"),
-            "lid": Part([lid, sticker, tongue], joint="lid", collision=lid_pieces),
-        },
-        joints={"lid": hinge}, mass=0.42, friction=0.7,
-        states=[{"state": "CLOSED", "joint": "lid", "max": 0.05}, {"state": "OPEN", "joint": "lid", "min": 0.6, "parts": ["lid", "eggs"]}],
-    )  # fmt: skip
-
-
-def egg_carton_random(rng: np.random.Generator) -> dict:
-    return {"egg": pick(rng, ["#d9a878", "#f0e6d6", "#c98f60"]), "seed": seed_of(rng)}
-
-
-def yogurt_cup(radius=0.034, height=0.075, flavour="STRAWBERRY", colour="#f4f0ee", fruit="#d8283a", brand="Alba", seed=0) -> Model:
-    """A tapered cup, foil on top."""
-    w, h = 768, 256
-    image, d = labels.canvas(w, h, colour)
-    d.rectangle((0, 0, w, h * 0.12), fill=fruit)
-    for cx in (0, w / 2, w):
-        labels.text(d, brand, (cx - 130, h * 0.16, cx + 130, h * 0.44), "italic", "#2a3a6e")
-        labels.text(d, flavour, (cx - 120, h * 0.46, cx + 120, h * 0.58), "bold", fruit)
-        for dx, dy in ((-50, 0), (0, 14), (50, 0)):
-            x, y = cx + dx, h * 0.77 + dy
-            d.polygon([(x - 30, y - 22), (x + 30, y - 22), (x + 14, y + 22), (x, y + 34), (x - 14, y + 22)], fill=fruit)
-            d.polygon([(x - 22, y - 22), (x, y - 40), (x + 22, y - 22)], fill="#3f8a2c")
-    for cx in (w / 4, 3 * w / 4):
-        labels.small_print(d, (cx - 50, h * 0.3, cx + 50, h * 0.85), 8, "#8a8a90")
-    foil_art, d2 = labels.canvas(200, 200, "#dfe3e8")
-    d2.ellipse((4, 4, 196, 196), fill="#e9edf1")
-    d2.rectangle((0, 62, 200, 138), fill=fruit)
-    labels.text(d2, brand, (30, 70, 170, 130), "italic")
-    low = radius * 0.78
-    skin, foil = label(image), metal("e2e5e8", "aeb4ba")
-    profile = [(0, 0.002), (low * 0.9, 0.002), (low, 0), (low + 0.001, 0.003), (radius, height - 0.004), (radius, height - 0.003)]
-    profile += [(radius + 0.004, height - 0.003), (radius + 0.004, height - 0.001), (0, height - 0.001)]
-    body = lathe(profile, 26, mats=[plain(colour, 0.02), skin], mat_of_segment=[0, 0, 0, 1, 0, 0, 0, 0], label_z=(0.003, height - 0.004), start=-math.pi)
-    angles = np.linspace(0, 2 * math.pi, 25)[:-1]
-    outline = [((radius + 0.0045) * math.cos(a) * (1.22 if abs(a - math.pi / 2) < 0.2 else 1), (radius + 0.0045) * math.sin(a) * (1.22 if abs(a - math.pi / 2) < 0.2 else 1)) for a in angles]
-    lid = extrude(outline, 0.0016, foil)
-    lid.mats, lid.mi = [foil, label(foil_art)], [0, 1] + [0] * len(outline)
-    lid.turn(rz=math.pi / 2).move(z=height - 0.001)
-    return Model(
-        title=f"yogurt, {flavour.lower()}", parts={"body": Part([body, lid], collision=[cylinder_piece(low, 0, height, 12, radius + 0.004)])}, mass=0.16, friction=0.5
-    )
-
-
-def yogurt_cup_random(rng: np.random.Generator) -> dict:
-    return {"radius": uniform(rng, 0.032, 0.038), "height": uniform(rng, 0.07, 0.09), "brand": pick(rng, ["Alba", "Cremosa"]), "seed": seed_of(rng)}
-
-
-def butter(length=0.1, width=0.065, height=0.04, colour="#e8c84a", dark="#1f4f9c", brand="Hofgut", seed=0) -> Model:
+def butter(
+    length=0.1, width=0.065, height=0.04, colour="#e8c84a", dark="#1f4f9c", brand="Hofgut", seed=0
+) -> Model:
     """A block of butter in printed foil."""
     top, d = labels.canvas(300, 195, colour)
     d.rectangle((0, 0, 300, 32), fill=dark)
@@ -279,86 +299,44 @@ def butter(length=0.1, width=0.065, height=0.04, colour="#e8c84a", dark="#1f4f9c
     foil = plain(colour, 0.06, 90)
     faces = {"+z": label(top), "+x": label(side), "-x": label(side)}
     body = box(width, length, height, mat=foil, bevel_width=0.003, labels=faces)
-    return Model(title="butter", parts={"body": Part([body], collision=[box_piece((0, 0, height / 2), (width, length, height))])}, mass=0.25)
+    return Model(
+        title="butter",
+        parts={
+            "body": Part([body], collision=[box_piece((0, 0, height / 2), (width, length, height))])
+        },
+        mass=0.25,
+    )
 
 
 def butter_random(rng: np.random.Generator) -> dict:
     return {"seed": seed_of(rng)}
 
 
-def raw_meat(length=0.2, width=0.14, tray="#1f2124", kind="steak", seed=0) -> Model:
-    """A butcher's foam tray of raw meat under film."""
-    rng = np.random.default_rng(seed)
-    foam = plain(tray, 0.05, 200)
-    h, t = 0.024, 0.007
-    rim = [rounded_rectangle(width - 2 * k, length - 2 * k, 0.02, 4) for k in (0.012, 0.001, 0.0, 0.008, 0.016)]
-    levels = (0.0, h - 0.004, h, h, t)
-    dish = loft([np.c_[q, np.full(len(q), z)] for q, z in zip(rim, levels, strict=True)], mat=foam)
-    o = noise_offset(rng)
-    flesh = Material(occlusion=0.7)
-    red, dark, fat = ("b3202c", "7d0f1c", "f2d9cc") if kind == "steak" else ("c8433c", "a02c2c", "efc4b4")
-    base = flesh.mix(flesh.remap(flesh.noise(30, 4, offset=o, stretch=(1, 3, 1)), 0.35, 0.65), dark, red)
-    if kind == "steak":
-        veins = flesh.noise(26, 3, distortion=2.5, offset=(o[1], o[0], o[2]))
-        thin = flesh.math("ABSOLUTE", flesh.math("SUBTRACT", veins, 0.5))
-        base = flesh.mix(flesh.remap(thin, 0.008, 0.022, 0.8, 0), base, fat)
-    else:  # minced: strands
-        strands = flesh.voronoi(150, o, (1, 0.35, 1))
-        base = flesh.mix(flesh.remap(strands, 0.15, 0.55), base, "7d1a1e")
-        base = flesh.mix(flesh.remap(flesh.voronoi(130, (o[1], 1, 0)), 0.1, 0.2, 0.9, 0), base, fat)
-    shine = flesh.noise(22, 1, offset=(o[2], 0, 1), stretch=(1, 2.5, 1))
-    base = flesh.mix(flesh.remap(shine, 0.66, 0.7, 0, 0.6), base, "ffe9e4")
-    flesh.colour(base)
-    rind = plain("f1e0cf", 0.06, 60)
-    meshes = [dish]
-    blocks = ((0, 0.0, 0.46, 0.43, 0),) if kind != "steak" else ((0.0, -0.045, 0.43, 0.205, 0.12), (0.0, 0.042, 0.42, 0.205, -0.2))
-    for x, y, a, b, yaw in blocks:
-        n, p1, p2 = 26, rng.uniform(0, 6.3), rng.uniform(0, 6.3)
-        angles = [2 * math.pi * i / n for i in range(n)]
-        shape = [1 + (0.07 * math.sin(2 * q + p1) + 0.05 * math.sin(3 * q + p2) if kind == "steak" else 0) for q in angles]
-        power = 2.4 if kind == "steak" else 5.0
-
-        def ring(k, z, a=a, b=b, shape=shape, power=power, angles=angles):
-            c = [(np.sign(math.cos(q)) * abs(math.cos(q)) ** (2 / power), np.sign(math.sin(q)) * abs(math.sin(q)) ** (2 / power)) for q in angles]
-            return [((width - 0.03) * a * s * k * cx, (length - 0.03) * b * s * k * cy, z) for s, (cx, cy) in zip(shape, c, strict=True)]
-
-        top = t + 0.02
-        piece = loft([ring(0.94, t), ring(1.0, t + 0.008), ring(0.97, top - 0.003), ring(0.86, top), ring(0.3, top + 0.001)], mats=[flesh, rind],
-                     mat_of_face=lambda k, i: int(kind == "steak" and k < 3 and 3 < i < 12))
-        piece.bake_uv = None
-        meshes.append(piece.turn(rz=yaw).move(x, y))
-    image, d = labels.canvas(180, 110, "#ffffff")
-    d.rectangle((0, 0, 180, 30), fill="#c3262c")
-    labels.text(d, "BEEF" if kind == "steak" else "MINCED BEEF", (8, 3, 172, 27))
-    labels.text(d, "KEEP COLD", (8, 34, 110, 50), "bold", "#1f4f9c", align="left")
-    labels.small_print(d, (8, 56, 100, 100), 4, "#777777")
-    labels.barcode(d, (116, 48, 170, 96), rng)
-    sticker = box(0.042, 0.06, 0.0015, (width / 2 - 0.042, length / 2 - 0.055, t + 0.0206), mat=plain("ffffff", 0), labels={"+z": label(image)}, weight=1.5)
-    film_look = Material(occlusion=0)
-    streak = film_look.noise(16, 2, offset=o, stretch=(2.2, 0.5, 1), distortion=0.6)
-    film_look.colour(film_look.ramp(streak, [(0.52, "cfd6da"), (0.6, "ffffff")]))
-    film = extrude(rounded_rectangle(width - 0.006, length - 0.006, 0.018, 4), 0.002, film_look).move(z=t + 0.0225)
-    solid = box_piece((0, 0, (t + 0.024) / 2), (width - 0.006, length - 0.006, t + 0.024))
-    return Model(
-        title="raw beef steaks in a tray" if kind == "steak" else "minced beef in a tray",
-        parts={"body": Part([*meshes, sticker], collision=[solid]), "film": Part([film], rgba=(1, 1, 1, 0.2), collision="none", occlusion="film")},
-        mass=0.45, friction=0.5,
-    )  # fmt: skip
-
-
-def raw_meat_random(rng: np.random.Generator) -> dict:
-    return {"length": uniform(rng, 0.18, 0.22), "width": uniform(rng, 0.125, 0.15), "seed": seed_of(rng)}
-
-
 MODELS = {
-    "juice_carton": Maker(juice_carton, juice_carton_random, count=2, presets=[{"fruit": "ORANGE"}, {"fruit": "APPLE", "colour": "#b9d67a", "dark": "#3d7a2a", "cap": "#d63a34"}]),
-    "cereal_box": Maker(cereal_box, cereal_box_random, count=2, presets=[{}, {"name": "CRUNCH", "colour": "#6fb8e8", "dark": "#2a4fa0", "ring": "#e87a1c"}]),
-    "canned_food": Maker(
-        canned_food, canned_food_random, count=3,
-        presets=[{"kind": "TOMATOES"}, {"kind": "CORN", "colour": "#3f9a4a", "dark": "#1c4f26"}, {"kind": "BEANS", "colour": "#e8b93a", "dark": "#5a2a10"}],
+    "juice_carton": Maker(
+        juice_carton,
+        juice_carton_random,
+        count=2,
+        presets=[
+            {"fruit": "ORANGE"},
+            {"fruit": "APPLE", "colour": "#b9d67a", "dark": "#3d7a2a", "cap": "#d63a34"},
+        ],
     ),
-    "egg_carton": Maker(egg_carton, egg_carton_random, count=2, presets=[{"egg": "#d9a878"}, {"colour": "#7fa0b8", "egg": "#f0e6d6", "paper": "#ffffff", "ink": "#2d5f8a"}]),
-    "yogurt_cup": Maker(yogurt_cup, yogurt_cup_random, count=2, presets=[{}, {"flavour": "BLUEBERRY", "fruit": "#4a4fa8"}]),
+    "cereal_box": Maker(
+        cereal_box,
+        cereal_box_random,
+        count=2,
+        presets=[{}, {"name": "CRUNCH", "colour": "#6fb8e8", "dark": "#2a4fa0", "ring": "#e87a1c"}],
+    ),
+    "canned_food": Maker(
+        canned_food,
+        canned_food_random,
+        count=3,
+        presets=[
+            {"kind": "TOMATOES"},
+            {"kind": "CORN", "colour": "#3f9a4a", "dark": "#1c4f26"},
+            {"kind": "BEANS", "colour": "#e8b93a", "dark": "#5a2a10"},
+        ],
+    ),
     "butter": Maker(butter, butter_random, count=1),
-    "raw_meat": Maker(raw_meat, raw_meat_random, count=2, presets=[{"kind": "steak"}, {"kind": "mince", "tray": "#f0efec"}]),
-}  # fmt: skip
+}

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-
 from toolkit.materials import Material, metal, plain, shade, wood
 from toolkit.mesh import Mesh, cube_project
 from toolkit.model import Joint, Part, Support, box_piece, rectangle
@@ -206,15 +205,17 @@ def cushion(
     """A stuffed block standing on `at`: rounded in plan, rounded edges, a domed top."""
     sx, sy, sz = size
     edge = min(edge, sz * 0.45)
-    # (inset, height): up the side, over the edge, in towards the middle of the dome
-    section = [(edge, 0), (edge * 0.25, edge * 0.3), (0, edge), (0, sz - edge)]
-    section += [(edge * 0.3, sz - edge * 0.3), (edge, sz)]
     short = min(sx, sy) / 2
-    section += [(edge + (short - edge) * 0.35, sz + crown * 0.7), (short * 0.8, sz + crown)]
+    # (inset, height): up the side, over the edge, in towards the middle of the dome
+    section = [(edge * 0.8, 0), (edge * 0.2, edge * 0.3), (0, edge), (0, sz - edge)]
+    section += [(edge * 0.3, sz - edge * 0.3), (edge, sz)]
+    for t in (0.22, 0.52, 0.85):
+        section.append((edge + (short - edge) * t, sz + crown * (1 - (1 - t) ** 2)))
     rings = []
     for inset, z in section:
-        r = max(radius - inset, 0.012)
-        outline = rounded_rectangle(sx - 2 * inset, sy - 2 * inset, min(r, (short - inset) * 0.9), 4)
+        # the corners get rounder inwards, or creases would run up the dome from them
+        r = min(max(radius - 0.5 * inset, 0.35 * inset + 0.015), (short - inset) * 0.95)
+        outline = rounded_rectangle(sx - 2 * inset, sy - 2 * inset, r, 3)
         rings.append(np.c_[outline, np.full(len(outline), z)])
     return cube_project(loft(rings, mat)).move(*at)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-
 from toolkit.materials import Material, plain
 from toolkit.model import Container, Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
@@ -47,19 +46,30 @@ def _base(
     half = width / 2
     fronts = finish(suite["front"], 2, offset)
     case = finish(suite["case"], 2, offset)
-    asm.board("body", (BACK, -half, 0), (CASE_FRONT - 0.04, half, PLINTH), plain("#3a3a3a", 0.04, 8))
+    asm.board(
+        "body", (BACK, -half, 0), (CASE_FRONT - 0.04, half, PLINTH), plain("#3a3a3a", 0.04, 8)
+    )
     carcass(asm, "body", (BACK, -half, PLINTH), (CASE_FRONT, half, CASE_TOP), case, case, top=top)
     return fronts, case
 
 
-def _bay(asm: Assembly, y0: float, y1: float, z_top: float, case: Material) -> tuple[list, Container]:
+def _bay(
+    asm: Assembly, y0: float, y1: float, z_top: float, case: Material
+) -> tuple[list, Container]:
     """Shelf, supports and container of the space behind a door of a base cabinet."""
     floor, middle, t = PLINTH + 0.018, 0.47, 0.018
     asm.board("body", (BACK + 0.008, y0, middle - t), (CASE_FRONT - 0.06, y1, middle), case, 0.001)
     supports = [
-        surface("inside_floor", (BACK + 0.01, y0), (CASE_FRONT, y1), floor, middle - t - floor, "inside"),
         surface(
-            "inside_shelf", (BACK + 0.01, y0), (CASE_FRONT - 0.06, y1), middle, z_top - middle, "inside"
+            "inside_floor", (BACK + 0.01, y0), (CASE_FRONT, y1), floor, middle - t - floor, "inside"
+        ),
+        surface(
+            "inside_shelf",
+            (BACK + 0.01, y0),
+            (CASE_FRONT - 0.06, y1),
+            middle,
+            z_top - middle,
+            "inside",
         ),
     ]
     size = (CASE_FRONT - BACK - 0.01, y1 - y0, z_top - floor)
@@ -67,15 +77,18 @@ def _bay(asm: Assembly, y0: float, y1: float, z_top: float, case: Material) -> t
     return supports, Container("inside", center, size, "body", "door")
 
 
-def kitchen_counter(
-    width: float = 0.6, suite: str = "white", offset: Offset = (0, 0, 0)
-) -> Model:
+def kitchen_counter(width: float = 0.6, suite: str = "white", offset: Offset = (0, 0, 0)) -> Model:
     """A base cabinet: one door; from 1 m on also a stack of drawers, the top one of which opens."""
     look, asm, half = SUITES[suite], Assembly(), width / 2
     fronts, case = _base(asm, width, look, offset)
     metal = steel()
     asm.board(
-        "body", (BACK, -half, CASE_TOP), (TOP_FRONT, half, WORKTOP), _worktop(look, offset), 0.004, segments=2
+        "body",
+        (BACK, -half, CASE_TOP),
+        (TOP_FRONT, half, WORKTOP),
+        _worktop(look, offset),
+        0.004,
+        segments=2,
     )
     gap, z0, z1 = 0.002, PLINTH + 0.003, CASE_TOP - 0.004
     wide = width >= 1.0
@@ -83,18 +96,39 @@ def kitchen_counter(
     inner_left = 0.009 if wide else -half + 0.018
     supports, container = _bay(asm, inner_left, half - 0.018, CASE_TOP - 0.018, case)
     supports.insert(0, surface("top", (BACK, -half), (TOP_FRONT, half), WORKTOP))
-    front(asm, "door", CASE_FRONT, (door_left + gap, half - gap), (z0, z1), fronts, look["style"], DOOR)
+    front(
+        asm,
+        "door",
+        CASE_FRONT,
+        (door_left + gap, half - gap),
+        (z0, z1),
+        fronts,
+        look["style"],
+        DOOR,
+    )
     bar_handle(asm, "door", DOOR_FRONT, door_left + 0.045, 0.72, 0.16, metal, reach=0.022)
     joints = {"door": hinge(DOOR_FRONT, half)}
     containers, states = [container], open_closed("door", "door")
     settings = {"door": {"joint": "door"}}
     if wide:
         # a partition, then three drawer fronts of which the lower two are dummies
-        asm.board("body", (BACK, -0.009, PLINTH + 0.018), (CASE_FRONT, 0.009, CASE_TOP - 0.018), case)
+        asm.board(
+            "body", (BACK, -0.009, PLINTH + 0.018), (CASE_FRONT, 0.009, CASE_TOP - 0.018), case
+        )
         rows = [(z0, 0.355), (0.359, 0.611), (0.615, z1)]
         for i, rows_z in enumerate(rows):
             part = "drawer" if i == 2 else "body"
-            front(asm, part, CASE_FRONT, (-half + gap, -gap), rows_z, fronts, look["style"], DOOR, 0.045)
+            front(
+                asm,
+                part,
+                CASE_FRONT,
+                (-half + gap, -gap),
+                rows_z,
+                fronts,
+                look["style"],
+                DOOR,
+                0.045,
+            )
             handle_z = (rows_z[0] + rows_z[1]) / 2
             bar_handle(asm, part, DOOR_FRONT, -half / 2, handle_z, 0.18, metal, False, reach=0.022)
         low, high = (BACK + 0.06, -half + 0.03, 0.65), (CASE_FRONT, -0.02, 0.78)
@@ -105,7 +139,9 @@ def kitchen_counter(
         inner = (low[0] + 0.012, low[1] + 0.012), (high[0], high[1] - 0.012)
         supports.append(surface("drawer_floor", *inner, 0.658, 0.16, "drawer", "drawer"))
         center = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0.73)
-        containers.append(Container("drawer", center, (0.48, half - 0.08, 0.14), "drawer", "drawer"))
+        containers.append(
+            Container("drawer", center, (0.48, half - 0.08, 0.14), "drawer", "drawer")
+        )
     return Model(
         title=f"{suite} kitchen counter, {'door and drawers' if wide else 'one door'}",
         parts=asm.parts(**settings),
@@ -146,15 +182,21 @@ def basin(
 
     def ring(grow: float, z: float) -> np.ndarray:
         outline = rounded_rectangle(sx + 2 * grow, sy + 2 * grow, max(radius + grow, 0.01), 5)
-        return np.c_[outline + [cx, cy], np.full(len(outline), z)]
+        return np.c_[np.add(outline, [cx, cy]), np.full(len(outline), z)]
 
     floor = z_top - depth
     rings = [
-        ring(-0.03, floor - 0.01), ring(wall, floor + 0.05), ring(wall, z_top - 0.002),
-        ring(rim, z_top), ring(rim - 0.003, z_top + 0.006), ring(0.003, z_top + 0.006),
-        ring(-0.004, z_top - 0.004), ring(-0.012, floor + 0.05), ring(-0.03, floor + 0.012),
+        ring(-0.03, floor - 0.01),
+        ring(wall, floor + 0.05),
+        ring(wall, z_top - 0.002),
+        ring(rim, z_top),
+        ring(rim - 0.003, z_top + 0.006),
+        ring(0.003, z_top + 0.006),
+        ring(-0.004, z_top - 0.004),
+        ring(-0.012, floor + 0.05),
+        ring(-0.03, floor + 0.012),
         ring(-0.06, floor),
-    ]  # fmt: skip
+    ]
     asm.add("body", loft(rings, mat))
     x0, x1, y0, y1 = cx - sx / 2, cx + sx / 2, cy - sy / 2, cy + sy / 2
     asm.solid("body", (x0, y0, floor - 0.01), (x1, y1, floor))
@@ -162,19 +204,38 @@ def basin(
     asm.solid("body", (x1, y0 - wall, floor), (x1 + wall, y1 + wall, z_top + 0.006))
     asm.solid("body", (x0, y0 - wall, floor), (x1, y0, z_top + 0.006))
     asm.solid("body", (x0, y1, floor), (x1, y1 + wall, z_top + 0.006))
-    drain = [(0, floor), (0.026, floor), (0.028, floor + 0.003), (0.02, floor + 0.004), (0, floor + 0.002)]
+    drain = [
+        (0, floor),
+        (0.026, floor),
+        (0.028, floor + 0.003),
+        (0.02, floor + 0.004),
+        (0, floor + 0.002),
+    ]
     asm.add("body", lathe(drain, 14, mat=plain("#55585b", 0.05, 40)).move(cx, cy, 0))
 
 
-def tap(asm: Assembly, x: float, y: float, z: float, reach: float, height: float, mat: Material) -> None:
+def tap(
+    asm: Assembly, x: float, y: float, z: float, reach: float, height: float, mat: Material
+) -> None:
     """A mixer tap standing at (x, y, z), its spout arching towards +X."""
-    foot = [(0, 0), (0.026, 0), (0.026, 0.006), (0.018, 0.012), (0.017, 0.06), (0.013, 0.066), (0, 0.066)]
+    foot = [
+        (0, 0),
+        (0.026, 0),
+        (0.026, 0.006),
+        (0.018, 0.012),
+        (0.017, 0.06),
+        (0.013, 0.066),
+        (0, 0.066),
+    ]
     asm.add("body", lathe(foot, 14, mat=mat).move(x, y, z))
     arch = [
-        (x, y, z + 0.06), (x, y, z + height * 0.75), (x + reach * 0.18, y, z + height * 0.97),
-        (x + reach * 0.6, y, z + height), (x + reach * 0.95, y, z + height * 0.86),
+        (x, y, z + 0.06),
+        (x, y, z + height * 0.75),
+        (x + reach * 0.18, y, z + height * 0.97),
+        (x + reach * 0.6, y, z + height),
+        (x + reach * 0.95, y, z + height * 0.86),
         (x + reach, y, z + height * 0.62),
-    ]  # fmt: skip
+    ]
     asm.add("body", tube(spline(arch, 3), 0.011, 8, mat=mat))
     lever = tube([(0, 0, 0), (0, 0.05, 0.012), (0, 0.075, 0.03)], [0.009, 0.007, 0.006], 6, mat=mat)
     asm.add("body", lever.move(x, y, z + 0.045))
@@ -182,20 +243,29 @@ def tap(asm: Assembly, x: float, y: float, z: float, reach: float, height: float
 
 
 def sink_cabinet(
-    width: float = 0.8, suite: str = "white", steel_basin: bool = True,
+    width: float = 0.8,
+    suite: str = "white",
+    steel_basin: bool = True,
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """A base cabinet with a basin and a tap on one side and free worktop on the other."""
     look, asm, half = SUITES[suite], Assembly(), width / 2
     fronts, case = _base(asm, width, look, offset, top=False)
     metal, top = steel(), _worktop(look, offset)
     sx, sy, cx = 0.36, 0.42, 0.03
     cy = half - 0.05 - sy / 2
-    x0, x1, y0, y1 = cx - sx / 2 - 0.002, cx + sx / 2 + 0.002, cy - sy / 2 - 0.002, cy + sy / 2 + 0.002
+    x0, x1, y0, y1 = (
+        cx - sx / 2 - 0.002,
+        cx + sx / 2 + 0.002,
+        cy - sy / 2 - 0.002,
+        cy + sy / 2 + 0.002,
+    )
     for low, high in (
-        ((BACK, -half), (TOP_FRONT, y0)), ((BACK, y1), (TOP_FRONT, half)),
-        ((BACK, y0), (x0, y1)), ((x1, y0), (TOP_FRONT, y1)),
-    ):  # fmt: skip
+        ((BACK, -half), (TOP_FRONT, y0)),
+        ((BACK, y1), (TOP_FRONT, half)),
+        ((BACK, y0), (x0, y1)),
+        ((x1, y0), (TOP_FRONT, y1)),
+    ):
         asm.board("body", (*low, CASE_TOP), (*high, WORKTOP), top)
     bowl = metal if steel_basin else plain("#f1f1ee", 0.02, 10)
     basin(asm, (cx, cy), (sx, sy), WORKTOP, 0.17, bowl)
@@ -233,9 +303,11 @@ def sink_cabinet_random(rng: np.random.Generator) -> dict:
 
 
 def wall_cabinet(
-    width: float = 0.6, height: float = 0.7, suite: str = "white",
+    width: float = 0.6,
+    height: float = 0.7,
+    suite: str = "white",
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """A cabinet to hang on a wall; up to 0.6 m one door, beyond that two with a partition."""
     look, asm, half, depth = SUITES[suite], Assembly(), width / 2, 0.33
     back, case_front = -depth / 2, depth / 2 - 0.02
@@ -244,14 +316,23 @@ def wall_cabinet(
     bays = {"": (-half, half)} if width <= 0.6 else {"_left": (-half, 0.0), "_right": (0.0, half)}
     if width > 0.6:
         asm.board("body", (back, -0.009, 0.018), (case_front, 0.009, height - 0.018), case)
-    joints, states, supports, containers, settings = {}, [], [], [], {}
+    joints, states, containers, settings = {}, [], [], {}
+    supports = [surface("top", (back, -half), (case_front, half), height)]
     t, middle, outer = 0.018, height / 2, case_front + DOOR
     for suffix, (y0, y1) in bays.items():
         door, inside = f"door{suffix}", f"inside{suffix}"
         right_hung = suffix != "_left"
         a, b = y0 + t * (1 if y0 == -half else 0.5), y1 - t * (1 if y1 == half else 0.5)
         asm.board("body", (back + 0.008, a, middle - t), (case_front - 0.02, b, middle), case)
-        front(asm, door, case_front, (y0 + 0.002, y1 - 0.002), (0.002, height - 0.002), fronts, look["style"])
+        front(
+            asm,
+            door,
+            case_front,
+            (y0 + 0.002, y1 - 0.002),
+            (0.002, height - 0.002),
+            fronts,
+            look["style"],
+        )
         handle_y = y0 + 0.04 if right_hung else y1 - 0.04
         bar_handle(asm, door, outer, handle_y, 0.12, 0.14, metal, reach=0.022)
         joints[door] = hinge(outer, y1 if right_hung else y0)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-
 from toolkit.materials import Material, blend, metal, plain, shade
 from toolkit.mesh import Mesh
 from toolkit.model import Maker, Model, cylinder_piece
@@ -25,29 +24,62 @@ def _shade(r_low: float, r_high: float, z0: float, z1: float, mat: Material, n: 
 
 
 def floor_lamp(
-    style: str = "straight", height: float = 1.55, shade_colour: str = "#e8dcc4", stand: str = "#2b2c2e",
+    style: str = "straight",
+    height: float = 1.55,
+    shade_colour: str = "#e8dcc4",
+    stand: str = "#2b2c2e",
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """A standing lamp, "straight", "arc" or "tripod"; the variant `on` has a glowing shade."""
     asm = Assembly()
-    pole = metal("c9a45c", "8a6a2c", (1, 1, 8), 30) if stand == "brass" else finish(stand, 2, offset)
+    pole = (
+        metal("c9a45c", "8a6a2c", (1, 1, 8), 30) if stand == "brass" else finish(stand, 2, offset)
+    )
     r_low, r_high, tall = 0.21, 0.155, 0.28
     x = 0.0
     if style == "tripod":
         for k in range(3):
             a = 2 * math.pi * k / 3 + math.pi
             c, s = math.cos(a), math.sin(a)
-            leg(asm, "body", (0.26 * c, 0.26 * s), (0.03 * c, 0.03 * s), (0, height - tall), (0.013, 0.017), pole)
-        hub = [(0, height - tall - 0.06), (0.045, height - tall - 0.06), (0.045, height - tall), (0, height - tall)]
+            leg(
+                asm,
+                "body",
+                (0.26 * c, 0.26 * s),
+                (0.03 * c, 0.03 * s),
+                (0, height - tall),
+                (0.013, 0.017),
+                pole,
+            )
+        hub = [
+            (0, height - tall - 0.06),
+            (0.045, height - tall - 0.06),
+            (0.045, height - tall),
+            (0, height - tall),
+        ]
         asm.add("body", lathe(hub, 14, mat=plain("#2b2c2e", 0.05, 20)))
     else:
-        base = [(0, 0), (0.15, 0), (0.155, 0.008), (0.15, 0.018), (0.03, 0.028), (0.018, 0.05), (0, 0.05)]
+        base = [
+            (0, 0),
+            (0.15, 0),
+            (0.155, 0.008),
+            (0.15, 0.018),
+            (0.03, 0.028),
+            (0.018, 0.05),
+            (0, 0.05),
+        ]
         asm.add("body", lathe(base, 28, mat=pole))
         asm.piece("body", cylinder_piece(0.15, 0, 0.02))
         path = np.array([(0, 0, 0.02), (0, 0, height - tall * 0.5)])
         if style == "arc":
             x, r_low, r_high, tall = 0.42, 0.17, 0.12, 0.2
-            bend = [(0, 0, 0.02), (0, 0, height * 0.55), (0.03, 0, height * 0.85), (0.2, 0, height), (0.38, 0, height * 0.985), (x, 0, height - 0.1)]
+            bend = [
+                (0, 0, 0.02),
+                (0, 0, height * 0.55),
+                (0.03, 0, height * 0.85),
+                (0.2, 0, height),
+                (0.38, 0, height * 0.985),
+                (x, 0, height - 0.1),
+            ]
             path = spline(bend, 4)
         asm.add("body", tube(path, 0.011, 8, mat=pole))
         asm.solid("body", (-0.012, -0.012, 0.02), (0.012, 0.012, height * 0.8))
@@ -66,9 +98,12 @@ def floor_lamp(
     asm.add("shade_lit", glow)
     for a in (0, 2 * math.pi / 3, 4 * math.pi / 3):
         r = r_low + (r_high - r_low) * 0.5
-        spoke = [(x, 0, (z0 + z1) / 2 - 0.045), (x + r * math.cos(a), r * math.sin(a), (z0 + z1) / 2 - 0.045)]
+        spoke = [
+            (x, 0, (z0 + z1) / 2 - 0.045),
+            (x + r * math.cos(a), r * math.sin(a), (z0 + z1) / 2 - 0.045),
+        ]
         asm.add("body", tube(spoke, 0.004, 4, mat=pole))
-    asm.piece("body", cylinder_piece(r_low, z0, z1, 10, r_high) + [x, 0, 0])
+    asm.piece("body", np.add(cylinder_piece(r_low, z0, z1, 10, r_high), [x, 0, 0]))
     return Model(
         title=f"{style} floor lamp",
         parts=asm.parts(shade_lit={"rgba": (1.5, 1.5, 1.5, 1.0)}),
@@ -97,7 +132,11 @@ MODELS = {
     "floor_lamp": Maker(
         floor_lamp,
         floor_lamp_random,
-        2,
-        [{"style": "straight", "stand": "brass", "shade_colour": "#e8dcc4"}, {"style": "tripod", "stand": "oak", "shade_colour": "#dcd6cb"}],
+        3,
+        [
+            {"style": "straight", "stand": "brass", "shade_colour": "#e8dcc4"},
+            {"style": "tripod", "stand": "oak", "shade_colour": "#dcd6cb"},
+            {"style": "arc", "stand": "#2b2c2e", "shade_colour": "#d9d4cc"},
+        ],
     ),
 }

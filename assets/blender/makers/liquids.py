@@ -18,7 +18,7 @@ LIGHT_FROM = 2.2  # where painted reflections sit, an angle in the plane
 
 # liquid: (shallow, deep, rim, reflection, opacity)
 LIQUIDS = {
-    "water": ("#a9bdc6", "#8aa2ae", "#4e6674", "#ffffff", 0.66),
+    "water": ("#8094a0", "#6a808d", "#3a515f", "#ffffff", 0.64),
     "milk": ("#f8f6f0", "#efebdf", "#c9c2b0", "#ffffff", 0.97),
     "juice": ("#f7a823", "#ea8f10", "#a85a06", "#fff6dc", 0.92),
     "coffee": ("#4f2d15", "#361b0a", "#1a0c04", "#f0e0cc", 0.94),
@@ -29,13 +29,21 @@ Outline = Callable[[float], float]
 Pool = tuple[float, float, float, Outline, int]  # x, y, radius, outline(angle) -> factor, corners
 
 
-def ring(pool: Pool, share: float, n: int | None = None, first=0.0, last=2 * math.pi) -> list[tuple[float, float]]:
+def ring(
+    pool: Pool, share: float, n: int | None = None, first=0.0, last=2 * math.pi
+) -> list[tuple[float, float]]:
     """The pool's outline shrunk towards its centre, or a stretch of it."""
     x, y, radius, outline, corners = pool
     n = n or corners
     whole = last - first >= 2 * math.pi - 1e-9
     angles = [first + (last - first) * i / (n if whole else n - 1) for i in range(n)]
-    return [(x + radius * outline(a) * share * math.cos(a), y + radius * outline(a) * share * math.sin(a)) for a in angles]
+    return [
+        (
+            x + radius * outline(a) * share * math.cos(a),
+            y + radius * outline(a) * share * math.sin(a),
+        )
+        for a in angles
+    ]
 
 
 def pool_mesh(pool: Pool, height: float, window: tuple[float, float, float]) -> Mesh:
@@ -46,7 +54,10 @@ def pool_mesh(pool: Pool, height: float, window: tuple[float, float, float]) -> 
     under = next(k for k, face in enumerate(mesh.f) if len(face) > 4 and mesh.v[face[0]][2] == 0)
     mesh.keep_faces([k for k in range(len(mesh.f)) if k != under])
     left, low, size = window
-    plane = [[((mesh.v[i][0] - left) / size, (mesh.v[i][1] - low) / size) for i in face] for face in mesh.f]
+    plane = [
+        [((mesh.v[i][0] - left) / size, (mesh.v[i][1] - low) / size) for i in face]
+        for face in mesh.f
+    ]
     mesh.label_uv, mesh.bake_uv = plane, [[(u * size, v * size) for u, v in face] for face in plane]
     return mesh
 
@@ -75,23 +86,56 @@ def paint(pools: list[Pool], liquid: str, window: tuple[float, float, float], rn
     crescents = []
     for k, pool in enumerate(pools):
         large = k == 0
-        spans = [(LIGHT_FROM, 1.5, 0.88, 0.8), (LIGHT_FROM + 0.25, 0.8, 0.72, 0.69), (LIGHT_FROM + math.pi, 0.9, 0.9, 0.865)]
+        spans = [
+            (LIGHT_FROM, 1.5, 0.88, 0.8),
+            (LIGHT_FROM + 0.25, 0.8, 0.72, 0.69),
+            (LIGHT_FROM + math.pi, 0.9, 0.9, 0.865),
+        ]
         if large:
             spans.append((LIGHT_FROM - 1.3, 0.35, 0.84, 0.79))
         for middle, width, outer, inner in spans if large else [(LIGHT_FROM, 1.8, 0.8, 0.5)]:
             middle += float(rng.normal(0, 0.15)) if large else 0
             steps = np.linspace(-1, 1, 24)
             angles = [middle + width / 2 * t for t in steps]
-            thick = [(outer - inner) * math.sqrt(max(0, 1 - t * t)) for t in steps]  # pointed at both ends
+            thick = [
+                (outer - inner) * math.sqrt(max(0, 1 - t * t)) for t in steps
+            ]  # pointed at both ends
             x, y, radius, outline, _ = pool
-            edge = [(x + radius * outline(a) * outer * math.cos(a), y + radius * outline(a) * outer * math.sin(a)) for a in angles]
+            edge = [
+                (
+                    x + radius * outline(a) * outer * math.cos(a),
+                    y + radius * outline(a) * outer * math.sin(a),
+                )
+                for a in angles
+            ]
             back = [
-                (x + radius * outline(a) * (outer - t) * math.cos(a), y + radius * outline(a) * (outer - t) * math.sin(a))
+                (
+                    x + radius * outline(a) * (outer - t) * math.cos(a),
+                    y + radius * outline(a) * (outer - t) * math.sin(a),
+                )
                 for a, t in zip(angles, thick, strict=True)
             ]
             crescents.append((edge + back[::-1], 250 if outer != 0.9 else 150))
     shine = mask(crescents, 2.2)
-    sky = mask([(ring((x + r * 0.16 * math.cos(LIGHT_FROM), y + r * 0.16 * math.sin(LIGHT_FROM), r, o, n), 0.5), 90) for x, y, r, o, n in pools[:1]], main_radius * 0.12)
+    sky = mask(
+        [
+            (
+                ring(
+                    (
+                        x + r * 0.16 * math.cos(LIGHT_FROM),
+                        y + r * 0.16 * math.sin(LIGHT_FROM),
+                        r,
+                        o,
+                        n,
+                    ),
+                    0.5,
+                ),
+                90,
+            )
+            for x, y, r, o, n in pools[:1]
+        ],
+        main_radius * 0.12,
+    )
     shine = ImageChops.lighter(shine, sky)
     picture.paste(Image.new("RGB", picture.size, glint), (0, 0), shine)
     return picture
@@ -110,7 +154,11 @@ def puddle(liquid="water", radius=0.16, drops=5, stretch=1.25, seed=0) -> Model:
     pools: list[Pool] = [(0.0, 0.0, radius, outline, 48)]
     shore = np.array(ring(pools[0], 1.0, 90))
     for _ in range(drops * 8):
-        a, r, turn = uniform(rng, 0, 2 * math.pi), radius * uniform(rng, 0.05, 0.14), uniform(rng, 0, 6.28)
+        a, r, turn = (
+            uniform(rng, 0, 2 * math.pi),
+            radius * uniform(rng, 0.05, 0.14),
+            uniform(rng, 0, 6.28),
+        )
         away = radius * outline(a) + r * 1.2 + radius * uniform(rng, 0.04, 0.3)
         x, y = away * math.cos(a), away * math.sin(a)
         apart = all(math.hypot(x - p[0], y - p[1]) > r + p[2] + 0.004 for p in pools[1:])
@@ -126,25 +174,46 @@ def puddle(liquid="water", radius=0.16, drops=5, stretch=1.25, seed=0) -> Model:
     meshes = [pool_mesh(p, 0.0035 if k == 0 else 0.0028, window) for k, p in enumerate(pools)]
     for mesh in meshes:
         mesh.mats = [material]
-    part = Part(meshes, rgba=(1, 1, 1, LIQUIDS[liquid][4]), collision="hull")
-    states = [{"state": s, "variants": ["default"], "parts": ["liquid"]} for s in ("SPILLED", "WET")]
-    return Model(title=f"puddle of {liquid}", parts={"liquid": part}, states=states, mass=0.1, friction=0.15, prune=False)
+    gain = (
+        1.3 if liquid == "water" else 1.0
+    )  # keeps reflections white although half of the floor shows
+    part = Part(meshes, rgba=(gain, gain, gain, LIQUIDS[liquid][4]), collision="hull")
+    states = [
+        {"state": s, "variants": ["default"], "parts": ["liquid"]} for s in ("SPILLED", "WET")
+    ]
+    return Model(
+        title=f"puddle of {liquid}",
+        parts={"liquid": part},
+        states=states,
+        mass=0.1,
+        friction=0.15,
+        prune=False,
+    )
 
 
 def puddle_random(rng: np.random.Generator) -> dict:
     return {
-        "liquid": pick(rng, list(LIQUIDS)), "radius": uniform(rng, 0.09, 0.18), "drops": int(rng.integers(3, 8)),
-        "stretch": uniform(rng, 1.0, 1.35), "seed": seed_of(rng),
-    }  # fmt: skip
+        "liquid": pick(rng, list(LIQUIDS)),
+        "radius": uniform(rng, 0.09, 0.18),
+        "drops": int(rng.integers(3, 8)),
+        "stretch": uniform(rng, 1.0, 1.35),
+        "seed": seed_of(rng),
+    }
 
 
 MODELS = {
     "puddle": Maker(
-        puddle, puddle_random, count=7,
+        puddle,
+        puddle_random,
+        count=7,
         presets=[
-            {"liquid": "water", "radius": 0.17}, {"liquid": "milk", "radius": 0.13}, {"liquid": "juice", "radius": 0.11},
-            {"liquid": "coffee", "radius": 0.09}, {"liquid": "wine", "radius": 0.1}, {"liquid": "water", "radius": 0.1},
+            {"liquid": "water", "radius": 0.17},
+            {"liquid": "milk", "radius": 0.13},
+            {"liquid": "juice", "radius": 0.11},
+            {"liquid": "coffee", "radius": 0.09},
+            {"liquid": "wine", "radius": 0.1},
+            {"liquid": "water", "radius": 0.1},
             {"liquid": "milk", "radius": 0.09},
         ],
     ),
-}  # fmt: skip
+}

@@ -4,12 +4,23 @@ from __future__ import annotations
 
 import numpy as np
 from labels import bottles
-from makers.cleaning import cap
 from toolkit.materials import Material, plain
 from toolkit.materials import label as printed
-from toolkit.model import Maker, Model, Part, box_piece, cylinder_piece
+from toolkit.model import (
+    Maker,
+    Model,
+    Part,
+    box_piece,
+    cylinder_piece,
+)
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
-from toolkit.shapes import TAU, box, lathe
+from toolkit.shapes import (
+    TAU,
+    box,
+    lathe,
+)
+
+from makers.bottle_shapes import cap
 
 
 def amber_with_pills(height: float, offset: tuple[float, float, float]) -> Material:
@@ -24,25 +35,52 @@ def amber_with_pills(height: float, offset: tuple[float, float, float]) -> Mater
 
 
 def medicine_bottle(
-    style: str, radius: float, height: float, body: str, colour: str, accent: str, drug: str, dose: str, count: str,
-    brand: str, seed: int,
-) -> Model:  # fmt: skip
+    style: str,
+    radius: float,
+    height: float,
+    body: str,
+    colour: str,
+    accent: str,
+    drug: str,
+    dose: str,
+    count: str,
+    brand: str,
+    seed: int,
+) -> Model:
     """A round pill bottle with a printed band; 'pharmacy' is amber, 'shop' opaque."""
     rng = np.random.default_rng(seed)
     picture = bottles.medicine_label(style, drug, dose, count, brand, colour, accent, rng)
     shoulder = height * 0.74
-    glass = amber_with_pills(shoulder, noise_offset(rng)) if style == "pharmacy" else plain(body, 0.03)
+    glass = (
+        amber_with_pills(shoulder, noise_offset(rng)) if style == "pharmacy" else plain(body, 0.03)
+    )
     low, high = height * (0.24 if style == "pharmacy" else 0.12), height * 0.64
     r = radius
     profile = [
-        (0, 0.0015), (r * 0.88, 0), (r * 0.98, 0.0012), (r, 0.004), (r, low), (r + 0.0004, low), (r + 0.0004, high),
-        (r, high), (r, shoulder - 0.006), (r * 0.8, shoulder + 0.001), (r * 0.8, shoulder + 0.004),
-    ]  # fmt: skip
+        (0, 0.0015),
+        (r * 0.88, 0),
+        (r * 0.98, 0.0012),
+        (r, 0.004),
+        (r, low),
+        (r + 0.0004, low),
+        (r + 0.0004, high),
+        (r, high),
+        (r, shoulder - 0.006),
+        (r * 0.8, shoulder + 0.001),
+        (r * 0.8, shoulder + 0.004),
+    ]
     bottle = lathe(
-        profile, 22, mats=[glass, printed(picture)], mat_of_segment=[0] * 5 + [1] + [0] * 4, label_z=(low, high),
-        start=-TAU / 2, weight=1.2,
-    )  # fmt: skip
-    lid = cap(r * 1.05, shoulder + 0.003, height - shoulder - 0.003, plain("#f7f7f4", 0.03), 28, 0.97)
+        profile,
+        22,
+        mats=[glass, printed(picture)],
+        mat_of_segment=[0] * 5 + [1] + [0] * 4,
+        label_z=(low, high),
+        start=-TAU / 2,
+        weight=1.2,
+    )
+    lid = cap(
+        r * 1.05, shoulder + 0.003, height - shoulder - 0.003, plain("#f7f7f4", 0.03), 28, 0.97
+    )
     pieces = [cylinder_piece(r, 0, shoulder, 12), cylinder_piece(r * 1.05, shoulder, height, 12)]
     title = f"{'amber' if style == 'pharmacy' else 'plastic'} bottle of pills"
     return Model(title, {"body": Part([bottle, lid], collision=pieces)}, mass=0.06, friction=0.5)
@@ -50,13 +88,18 @@ def medicine_bottle(
 
 def medicine_bottle_random(rng: np.random.Generator) -> dict:
     return {
-        "style": "pharmacy", "radius": uniform(rng, 0.022, 0.028), "height": uniform(rng, 0.08, 0.105),
-        "body": pick(rng, ["#f4f4f0", "#2f7d4f"]), "colour": pick(rng, ["#1d4f9c", "#b3202a", "#1f7a4d", "#5b2d8c"]),
+        "style": "pharmacy",
+        "radius": uniform(rng, 0.022, 0.028),
+        "height": uniform(rng, 0.08, 0.105),
+        "body": pick(rng, ["#f4f4f0", "#2f7d4f"]),
+        "colour": pick(rng, ["#1d4f9c", "#b3202a", "#1f7a4d", "#5b2d8c"]),
         "accent": pick(rng, ["#f2b81e", "#e2583e", "#37a0d8"]),
         "drug": pick(rng, ["AMOXICILLIN", "IBUPROFEN", "PARACETAMOL", "CETIRIZINE"]),
-        "dose": pick(rng, ["500 mg", "200 mg", "10 mg"]), "count": pick(rng, ["30", "60", "100"]),
-        "brand": pick(rng, ["NORMEDA", "Salvira", "HELIOTA"]), "seed": seed_of(rng),
-    }  # fmt: skip
+        "dose": pick(rng, ["500 mg", "200 mg", "10 mg"]),
+        "count": pick(rng, ["30", "60", "100"]),
+        "brand": pick(rng, ["NORMEDA", "Salvira", "HELIOTA"]),
+        "seed": seed_of(rng),
+    }
 
 
 def pill_box(length: float, tray: str, lid: str, ink: str, seed: int) -> Model:
@@ -70,18 +113,30 @@ def pill_box(length: float, tray: str, lid: str, ink: str, seed: int) -> Model:
     for i in range(7):
         y = -length / 2 + cell * (i + 0.5)
         if i == open_cell:
-            meshes.append(box(width * 0.86, cell * 0.86, 0.0006, (0, y, 0.0157), plain("#e9eef2", 0.02)))
+            meshes.append(
+                box(width * 0.86, cell * 0.86, 0.0006, (0, y, 0.0157), plain("#e9eef2", 0.02))
+            )
             for k in range(3):
                 x, dy = (-0.008, 0.0005, 0.008)[k], float(rng.uniform(-0.002, 0.002))
                 colour = ["#f4f2ea", "#d8453a", "#f2c53a"][k]
                 tablet = [(0, 0), (0.0036, 0), (0.0042, 0.0015), (0.0036, 0.003), (0, 0.003)]
                 meshes.append(lathe(tablet, 8, mat=plain(colour, 0.03)).move(x, y + dy, 0.0163))
-            flap = box(width * 0.94, cell * 0.94, 0.005, (0, 0, 0), plain(lid, 0.03), bevel_width=0.001)
+            flap = box(
+                width * 0.94, cell * 0.94, 0.005, (0, 0, 0), plain(lid, 0.03), bevel_width=0.001
+            )
             meshes.append(flap.turn(ry=-1.9).move(-width / 2 - 0.004, y, 0.024 + 0.006))
             continue
         rect = (i / 7, 0.0, (i + 1) / 7, 1.0)
         meshes.append(
-            box(width * 0.97, cell * 0.96, height - 0.016, (0, y, 0.016), body_mat, 0.0015, labels={"+z": (top_mat, rect)})
+            box(
+                width * 0.97,
+                cell * 0.96,
+                height - 0.016,
+                (0, y, 0.016),
+                body_mat,
+                0.0015,
+                labels={"+z": (top_mat, rect)},
+            )
         )
     part = Part(meshes, collision=[box_piece((0, 0, height / 2), (width, length, height))])
     return Model("weekly pill box", {"body": part}, mass=0.06, friction=0.5)
@@ -89,18 +144,40 @@ def pill_box(length: float, tray: str, lid: str, ink: str, seed: int) -> Model:
 
 def pill_box_random(rng: np.random.Generator) -> dict:
     tray, lid, ink = pick(
-        rng, [("#2f7fc0", "#cfe6f6", "#14345c"), ("#7a4fb0", "#e6daf4", "#3a1a5c"), ("#2f9a6a", "#d3f0e0", "#0f4a2e")]
+        rng,
+        [
+            ("#2f7fc0", "#cfe6f6", "#14345c"),
+            ("#7a4fb0", "#e6daf4", "#3a1a5c"),
+            ("#2f9a6a", "#d3f0e0", "#0f4a2e"),
+        ],
     )
-    return {"length": uniform(rng, 0.165, 0.2), "tray": tray, "lid": lid, "ink": ink, "seed": seed_of(rng)}
+    return {
+        "length": uniform(rng, 0.165, 0.2),
+        "tray": tray,
+        "lid": lid,
+        "ink": ink,
+        "seed": seed_of(rng),
+    }
 
 
 MODELS = {
     "medicine_bottle": Maker(
-        medicine_bottle, medicine_bottle_random, 3,
-        [{}, {"style": "shop", "body": "#f4f4f0", "colour": "#1f7a4d", "drug": "VITAMIN C"}, {"colour": "#b3202a"}],
+        medicine_bottle,
+        medicine_bottle_random,
+        3,
+        [
+            {},
+            {"style": "shop", "body": "#f4f4f0", "colour": "#1f7a4d", "drug": "VITAMIN C"},
+            {"colour": "#b3202a"},
+        ],
     ),
     "pill_box": Maker(
-        pill_box, pill_box_random, 2,
-        [{"tray": "#2f7fc0", "lid": "#cfe6f6", "ink": "#14345c"}, {"tray": "#7a4fb0", "lid": "#e6daf4", "ink": "#3a1a5c"}],
+        pill_box,
+        pill_box_random,
+        2,
+        [
+            {"tray": "#2f7fc0", "lid": "#cfe6f6", "ink": "#14345c"},
+            {"tray": "#7a4fb0", "lid": "#e6daf4", "ink": "#3a1a5c"},
+        ],
     ),
-}  # fmt: skip
+}

@@ -1,4 +1,4 @@
-"""Doors and windows: they fill holes cut through walls 0.12 m thick, exactly.
+"""Doors: they fill holes cut through walls 0.12 m thick, exactly.
 
 The frame is centred on the wall; doors open into the room (+X) and hang on the right (+Y).
 Handles stick out equally on both sides, so that the origin stays in the middle of the wall.
@@ -9,8 +9,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from PIL import Image, ImageFilter
-
+from PIL import Image
 from toolkit import labels
 from toolkit.materials import Material, label, metal, plain, shade
 from toolkit.model import Joint, Maker, Model
@@ -18,7 +17,6 @@ from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe, tube
 
 from .joinery import Assembly, finish, open_closed, steel
-from .pictures import garden
 
 Offset = tuple[float, float, float]
 WALL = 0.12
@@ -28,21 +26,37 @@ PIVOT_X = 0.062
 HANDLE_REACH = 0.052
 
 
-def _frame(asm: Assembly, width: float, height: float, jamb: float, mat: Material, sill: bool) -> None:
+def _frame(
+    asm: Assembly, width: float, height: float, jamb: float, mat: Material, sill: bool
+) -> None:
     """Jambs and head as thick as the wall, with a stop behind the leaf."""
     half, x = width / 2, WALL / 2
     inner = half - jamb
-    for low, high in (((-x, -half, 0), (x, -inner, height)), ((-x, inner, 0), (x, half, height)), ((-x, -inner, height - jamb), (x, inner, height))):
+    for low, high in (
+        ((-x, -half, 0), (x, -inner, height)),
+        ((-x, inner, 0), (x, half, height)),
+        ((-x, -inner, height - jamb), (x, inner, height)),
+    ):
         asm.board("body", low, high, mat)
     stop = 0.014
     x0, x1 = -LEAF / 2 - 0.022, -LEAF / 2 - 0.002
-    for low, high in (((x0, -inner, 0), (x1, -inner + stop, height - jamb)), ((x0, inner - stop, 0), (x1, inner, height - jamb)), ((x0, -inner + stop, height - jamb - stop), (x1, inner - stop, height - jamb))):
+    for low, high in (
+        ((x0, -inner, 0), (x1, -inner + stop, height - jamb)),
+        ((x0, inner - stop, 0), (x1, inner, height - jamb)),
+        ((x0, -inner + stop, height - jamb - stop), (x1, inner - stop, height - jamb)),
+    ):
         asm.board("body", low, high, mat)
     if sill:
         asm.board("body", (-x, -inner, 0), (x, inner, 0.012), steel(10))
 
 
-def _panels(asm: Assembly, z0: float, layout: list[tuple[float, float, float, float]], mat: Material, groove: Material) -> None:
+def _panels(
+    asm: Assembly,
+    z0: float,
+    layout: list[tuple[float, float, float, float]],
+    mat: Material,
+    groove: Material,
+) -> None:
     """Raised panels in a dark groove on both faces of the leaf; layout: (y0, z0, y1, z1)."""
     for face in (-1, 1):
         x = face * LEAF / 2
@@ -53,20 +67,42 @@ def _panels(asm: Assembly, z0: float, layout: list[tuple[float, float, float, fl
                 asm.board("door", low, high, m, bevel, solid=False)
 
 
-def _lever(asm: Assembly, y: float, z: float, towards: int, mat: Material, plate: float = 0.2) -> None:
+def _lever(
+    asm: Assembly, y: float, z: float, towards: int, mat: Material, plate: float = 0.2
+) -> None:
     """A lever handle on a long plate, the same on both faces."""
     for face in (-1, 1):
         x = face * LEAF / 2
         a, b = sorted((x, x + face * 0.008))
-        asm.board("door", (a, y - 0.02, z - plate * 0.62), (b, y + 0.02, z + plate * 0.38), mat, 0.003, solid=False)
+        asm.board(
+            "door",
+            (a, y - 0.02, z - plate * 0.62),
+            (b, y + 0.02, z + plate * 0.38),
+            mat,
+            0.003,
+            solid=False,
+        )
         end = LEAF / 2 + HANDLE_REACH - 0.0095
-        path = [(x, y, z), (face * end, y, z), (face * end, y + towards * 0.03, z), (face * end, y + towards * 0.12, z - 0.004)]
+        path = [
+            (x, y, z),
+            (face * end, y, z),
+            (face * end, y + towards * 0.03, z),
+            (face * end, y + towards * 0.12, z - 0.004),
+        ]
         asm.add("door", tube(path, 0.0095, 6, mat=mat))
         hole = lathe([(0, 0), (0.009, 0), (0.008, 0.004), (0, 0.004)], 10, mat=plain("#2a2a2a", 0))
         hole.turn(ry=face * math.pi / 2).move(x + face * 0.007, y, z - plate * 0.4)
         asm.add("door", hole)
-    asm.solid("door", (-LEAF / 2 - HANDLE_REACH, min(y, y + towards * 0.12), z - 0.01), (-LEAF / 2, max(y, y + towards * 0.12), z + 0.01))
-    asm.solid("door", (LEAF / 2, min(y, y + towards * 0.12), z - 0.01), (LEAF / 2 + HANDLE_REACH, max(y, y + towards * 0.12), z + 0.01))
+    asm.solid(
+        "door",
+        (-LEAF / 2 - HANDLE_REACH, min(y, y + towards * 0.12), z - 0.01),
+        (-LEAF / 2, max(y, y + towards * 0.12), z + 0.01),
+    )
+    asm.solid(
+        "door",
+        (LEAF / 2, min(y, y + towards * 0.12), z - 0.01),
+        (LEAF / 2 + HANDLE_REACH, max(y, y + towards * 0.12), z + 0.01),
+    )
 
 
 def _hinges(asm: Assembly, y: float, heights: list[float], mat: Material) -> None:
@@ -77,9 +113,13 @@ def _hinges(asm: Assembly, y: float, heights: list[float], mat: Material) -> Non
 
 
 def front_door(
-    colour: str = "#7a2e2a", frame: str = "#efece5", style: str = "six", brass: bool = True, number: str = "12",
+    colour: str = "#7a2e2a",
+    frame: str = "#efece5",
+    style: str = "six",
+    brass: bool = True,
+    number: str = "12",
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """The entrance: a panelled leaf with letterbox, peephole, lock and house number.
 
     style: "six" panels, or "glazed" with a row of small panes near the top.
@@ -103,8 +143,19 @@ def front_door(
             y = -0.34 + k * 0.175
             low, high = (-LEAF / 2 - 0.002, y, 1.6), (LEAF / 2 + 0.002, y + 0.15, 1.9)
             asm.board("door", low, high, glass, solid=False)
-            for ya, yb, za, zb in ((y - 0.012, y + 0.004, 1.588, 1.912), (y + 0.146, y + 0.162, 1.588, 1.912), (y + 0.004, y + 0.146, 1.588, 1.604), (y + 0.004, y + 0.146, 1.896, 1.912)):
-                asm.board("door", (-LEAF / 2 - 0.008, ya, za), (LEAF / 2 + 0.008, yb, zb), paint, solid=False)
+            for ya, yb, za, zb in (
+                (y - 0.012, y + 0.004, 1.588, 1.912),
+                (y + 0.146, y + 0.162, 1.588, 1.912),
+                (y + 0.004, y + 0.146, 1.588, 1.604),
+                (y + 0.004, y + 0.146, 1.896, 1.912),
+            ):
+                asm.board(
+                    "door",
+                    (-LEAF / 2 - 0.008, ya, za),
+                    (LEAF / 2 + 0.008, yb, zb),
+                    paint,
+                    solid=False,
+                )
     _panels(asm, 0.014, layout, paint, groove)
     _lever(asm, y0 + 0.055, 1.02, 1, fitting)
     for face in (-1, 1):
@@ -113,21 +164,67 @@ def front_door(
         lo, hi = sorted((x, x + face * 0.007))
         asm.board("door", (lo, -0.14, 0.83), (hi, 0.14, 0.92), fitting, 0.003, solid=False)
         lo, hi = sorted((x + face * 0.006, x + face * 0.011))
-        asm.board("door", (lo, -0.115, 0.848), (hi, 0.115, 0.898), _darker(brass), 0.002, solid=False)
+        asm.board(
+            "door", (lo, -0.115, 0.848), (hi, 0.115, 0.898), _darker(brass), 0.002, solid=False
+        )
         bolt = lathe([(0, 0), (0.027, 0), (0.025, 0.012), (0, 0.014)], 16, mat=fitting)
         asm.add("door", bolt.turn(ry=face * math.pi / 2).move(x, y0 + 0.055, 1.3))
-        asm.add("door", box(0.02, 0.008, 0.03, (x + face * 0.02, y0 + 0.055, 1.285), fitting, 0.002))
-        ring = lathe([(0, 0), (0.016, 0), (0.014, 0.006), (0.007, 0.006), (0, 0.004)], 14, mats=[fitting, plain("#101214", 0)], mat_of_segment=[0, 0, 0, 1])
-        asm.add("door", ring.turn(ry=face * math.pi / 2).move(x, 0, 1.54 if style == "six" else 1.5))
+        asm.add(
+            "door", box(0.02, 0.008, 0.03, (x + face * 0.02, y0 + 0.055, 1.285), fitting, 0.002)
+        )
+        ring = lathe(
+            [(0, 0), (0.016, 0), (0.014, 0.006), (0.007, 0.006), (0, 0.004)],
+            14,
+            mats=[fitting, plain("#101214", 0)],
+            mat_of_segment=[0, 0, 0, 1],
+        )
+        asm.add(
+            "door", ring.turn(ry=face * math.pi / 2).move(x, 0, 1.54 if style == "six" else 1.5)
+        )
     # chain on the inside
-    chain = [(LEAF / 2 + 0.012, y0 + 0.03, 1.42), (LEAF / 2 + 0.016, y0 + 0.1, 1.385), (LEAF / 2 + 0.012, y0 + 0.17, 1.42)]
+    chain = [
+        (LEAF / 2 + 0.012, y0 + 0.03, 1.42),
+        (LEAF / 2 + 0.016, y0 + 0.1, 1.385),
+        (LEAF / 2 + 0.012, y0 + 0.17, 1.42),
+    ]
     asm.add("door", tube(np.array(chain), 0.006, 5, mat=fitting))
-    asm.board("door", (LEAF / 2, y0 + 0.15, 1.405), (LEAF / 2 + 0.01, y0 + 0.27, 1.435), fitting, 0.002, solid=False)
-    asm.board("door", (LEAF / 2, y0 + 0.012, 1.405), (LEAF / 2 + 0.01, y0 + 0.05, 1.435), fitting, 0.002, solid=False)
+    asm.board(
+        "door",
+        (LEAF / 2, y0 + 0.15, 1.405),
+        (LEAF / 2 + 0.01, y0 + 0.27, 1.435),
+        fitting,
+        0.002,
+        solid=False,
+    )
+    asm.board(
+        "door",
+        (LEAF / 2, y0 + 0.012, 1.405),
+        (LEAF / 2 + 0.01, y0 + 0.05, 1.435),
+        fitting,
+        0.002,
+        solid=False,
+    )
     plate = _number_plate(number)
-    asm.board("door", (-LEAF / 2 - 0.006, -0.06, 1.7), (-LEAF / 2, 0.06, 1.8), fitting, 0, {"-x": label(plate)}, 1.5, solid=False)
+    asm.board(
+        "door",
+        (-LEAF / 2 - 0.006, -0.06, 1.7),
+        (-LEAF / 2, 0.06, 1.8),
+        fitting,
+        0,
+        {"-x": label(plate)},
+        1.5,
+        solid=False,
+    )
     _hinges(asm, width / 2 - jamb, [0.25, 1.0, 1.75], fitting)
-    return _door_model(asm, f"front door with {'panels' if style == 'six' else 'small panes'}", width, jamb, 42.0, 0.02, 0.25)
+    return _door_model(
+        asm,
+        f"front door with {'panels' if style == 'six' else 'small panes'}",
+        width,
+        jamb,
+        42.0,
+        0.02,
+        0.25,
+    )
 
 
 def _darker(brass: bool) -> Material:
@@ -141,7 +238,9 @@ def _number_plate(number: str) -> Image.Image:
     return picture
 
 
-def _door_model(asm: Assembly, title: str, width: float, jamb: float, mass: float, closed: float, opened: float) -> Model:
+def _door_model(
+    asm: Assembly, title: str, width: float, jamb: float, mass: float, closed: float, opened: float
+) -> Model:
     joint = Joint("revolute", (PIVOT_X, width / 2 - jamb, 0.0), (0, 0, 1), 0.0, 1.9)
     return Model(
         title=title,
@@ -173,7 +272,11 @@ def door(colour: str = "#f1efea", panels: int = 2, offset: Offset = (0, 0, 0)) -
     y0, y1, z1 = -width / 2 + jamb + 0.003, width / 2 - jamb - 0.003, height - jamb - 0.003
     asm.board("door", (-LEAF / 2, y0, floor), (LEAF / 2, y1, z1), paint, 0.003)
     if panels:
-        rows = {2: [(0.18, 0.86), (1.12, 1.88)], 1: [(0.18, 1.88)], 4: [(0.18, 0.86), (1.12, 1.88)]}[panels]
+        rows = {
+            2: [(0.18, 0.86), (1.12, 1.88)],
+            1: [(0.18, 1.88)],
+            4: [(0.18, 0.86), (1.12, 1.88)],
+        }[panels]
         spans = [(-0.27, 0.27)] if panels < 4 else [(-0.28, -0.03), (0.03, 0.28)]
         layout = [(a, za, b, zb) for za, zb in rows for a, b in spans]
         _panels(asm, 0.0, layout, paint, groove)
@@ -191,68 +294,18 @@ def door_random(rng: np.random.Generator) -> dict:
     }
 
 
-def window(
-    width: float = 1.2, height: float = 1.2, colour: str = "#f3f2ee", casements: int = 2, view: int = 0,
-    frosted: bool = False, offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
-    """A window with a bright view; casements: number of lights side by side."""
-    asm, half, x, t = Assembly(), width / 2, WALL / 2, 0.045
-    paint = finish(colour, 1, offset)
-    for low, high in (((-x, -half, 0), (x, -half + t, height)), ((-x, half - t, 0), (x, half, height)), ((-x, -half + t, height - t), (x, half - t, height)), ((-x, -half + t, 0), (x, half - t, t))):
-        asm.board("body", low, high, paint)
-    # window boards inside and out
-    for a, b in ((-x - 0.018, -x), (x, x + 0.018)):
-        asm.board("body", (a, -half + 0.001, t - 0.022), (b, half - 0.001, t + 0.002), paint, 0.004, solid=False)
-    step = (width - 2 * t) / casements
-    for k in range(casements):
-        ya, yb, w, d = -half + t + k * step, -half + t + (k + 1) * step, 0.045, 0.024
-        for low, high in (((-d, ya, t), (d, ya + w, height - t)), ((-d, yb - w, t), (d, yb, height - t)), ((-d, ya + w, t), (d, yb - w, t + w)), ((-d, ya + w, height - t - w), (d, yb - w, height - t))):
-            asm.board("body", low, high, paint, 0.005, solid=False)
-        y = yb - w / 2 if k == 0 else ya + w / 2
-        for face in (-1, 1):
-            near, far = sorted((face * d, face * (d + 0.012)))
-            low, high = (near, y - 0.008, height / 2 - 0.06), (far, y + 0.008, height / 2 + 0.02)
-            asm.board("body", low, high, steel(30), 0.002, solid=False)
-    picture = garden(view, 256, int(256 * height / width)) if not frosted else _frosted()
-    pane = label(picture, occlusion=0.0)
-    low, high = (-0.006, -half + t + 0.02, t + 0.02), (0.006, half - t - 0.02, height - t - 0.02)
-    asm.board("pane", low, high, pane, 0, {"+x": pane, "-x": pane}, 2.0)
-    return Model(
-        title=f"{'bathroom ' if frosted else ''}window",
-        parts=asm.parts(pane={"rgba": (1.35, 1.35, 1.35, 0.999)}),
-        mass=28.0 * width * height,
-    )
-
-
-def _frosted(width: int = 128, height: int = 128) -> Image.Image:
-    rng = np.random.default_rng(4)
-    base = np.asarray(garden(9, width, height).convert("RGB").filter(ImageFilter.GaussianBlur(14)), float)
-    cells = rng.standard_normal((height, width, 1))
-    blurred = np.asarray(Image.fromarray((cells[..., 0] * 40 + 128).clip(0, 255).astype(np.uint8)).filter(ImageFilter.GaussianBlur(1.2)), float)
-    return Image.fromarray((0.35 * base + 150 + 0.9 * (blurred[..., None] - 128)).clip(0, 255).astype(np.uint8))
-
-
-def window_random(rng: np.random.Generator) -> dict:
-    """Parameters of a random window."""
-    return {"colour": pick(rng, ["#f3f2ee", "oak"]), "view": int(rng.integers(1000)), "offset": noise_offset(rng)}
-
-
 MODELS = {
     "front_door": Maker(
         front_door,
         front_door_random,
-        2,
-        [{"colour": "#7a2e2a", "style": "six", "brass": True}, {"colour": "#2f4f45", "style": "glazed", "brass": False}],
-    ),
-    "door": Maker(door, door_random, 2, [{"colour": "#f1efea", "panels": 2}, {"colour": "oak", "panels": 0}]),
-    "window": Maker(
-        window,
-        window_random,
         3,
         [
-            {"casements": 2, "colour": "#f3f2ee"},
-            {"casements": 3, "colour": "oak"},
-            {"width": 0.6, "height": 0.6, "casements": 1, "frosted": True, "colour": "#f3f2ee"},
+            {"colour": "#7a2e2a", "style": "six", "brass": True},
+            {"colour": "#2f4f45", "style": "glazed", "brass": False},
+            {"colour": "#33475e", "style": "six", "brass": False},
         ],
+    ),
+    "door": Maker(
+        door, door_random, 2, [{"colour": "#f1efea", "panels": 2}, {"colour": "oak", "panels": 0}]
     ),
 }

@@ -1,4 +1,4 @@
-"""Fruit and vegetables; each has a `rotten` variant."""
+"""Apples, oranges, tomatoes; each has a `rotten` variant."""
 
 from __future__ import annotations
 
@@ -7,60 +7,17 @@ import math
 import numpy as np
 from toolkit.materials import Material, blend, plain, shade
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part
+from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import lathe, loft, spline, tube
 
-SPOILED = [{"state": "EXPIRED", "variants": ["rotten"], "parts": ["body_rotten"]}]
-MOULD, MOULD_GREEN = "dfe0d2", "6f8a6a"
+from makers.spoilage import decay, fruit, on_table, shrivel
 
-
-def decay(m: Material, colour, size: float, spot, offset, brown="3b200e", amount: float = 0.55):
-    """Lay rot over a skin: browned all over, dark spots, and mould around the point `spot`."""
-    o = offset
-    near = m.distance(spot)
-    rough = m.math("MULTIPLY", m.math("SUBTRACT", m.noise(1.7 / size, 4, offset=o), 0.5), size * 1.1)
-    field = m.math("ADD", near, rough)
-    colour = m.mix(amount, colour, "6b4520")
-    colour = m.mix(m.remap(field, size * 0.75, size * 1.0, 1, 0), colour, "5d3716")
-    colour = m.mix(m.remap(field, size * 0.52, size * 0.68, 1, 0), colour, brown)
-    freckles = m.math("ADD", m.voronoi(2.8 / size, (o[2], 1, 0)), m.math("MULTIPLY", m.noise(3.4 / size, 3, offset=(o[2], 2, 0)), 0.4))
-    colour = m.mix(m.remap(freckles, 0.34, 0.44, 0.9, 0), colour, "4a2a12")
-    fuzz = m.math("MULTIPLY", m.math("SUBTRACT", m.noise(4.5 / size, 5, 0.7, offset=(o[1], o[0], o[2])), 0.5), size)
-    mould = m.math("ADD", near, fuzz)
-    colour = m.mix(m.remap(mould, size * 0.32, size * 0.42, 1, 0), colour, MOULD)
-    grain = m.remap(m.noise(10 / size, 3, offset=o), 0.35, 0.6, 0.45, 1)
-    return m.mix(m.math("MULTIPLY", m.remap(mould, size * 0.2, size * 0.3, 1, 0), grain), colour, MOULD_GREEN)
-
-
-def shrivel(mesh: Mesh, size: float, spot, strength: float = 0.16) -> Mesh:
-    """Cave a fruit in around the spot."""
-
-    def pull(x, y, z):
-        d = math.dist((x, y, z), spot) / size
-        k = 1 - strength * math.exp(-((d / 0.6) ** 2)) - 0.02 * math.sin(9 * z / size + 3 * math.atan2(y, x))
-        return x * k, y * k, z * (0.5 + 0.5 * k) * 0.97
-
-    return mesh.warp(pull)
-
-
-def on_table(*groups: list[Mesh]) -> None:
-    """Stand every group on z = 0."""
-    for group in groups:
-        low = min(m.v[:, 2].min() for m in group)
-        for mesh in group:
-            mesh.move(z=-low)
-
-
-def fruit(title: str, fresh: list[Mesh], rotten: list[Mesh], mass: float) -> Model:
-    return Model(
-        title=title, mass=mass, friction=0.7, texture_size=128,
-        parts={"body": Part(fresh, collision="hull"), "body_rotten": Part(rotten, collision="hull")},
-        variants={"default": ["body"], "rotten": ["body_rotten"]}, states=SPOILED,
-    )  # fmt: skip
-
-
-APPLES = {"red": ("a31420", "c8262c", "e4a93a"), "green": ("79a52c", "9cc544", "c9dc78"), "gala": ("c6402c", "dd7a3a", "ecc860")}
+APPLES = {
+    "red": ("a31420", "c8262c", "e4a93a"),
+    "green": ("79a52c", "9cc544", "c9dc78"),
+    "gala": ("c6402c", "dd7a3a", "ecc860"),
+}
 
 
 def apple(radius=0.038, kind="red", leaf=True, seed=0) -> Model:
@@ -74,12 +31,18 @@ def apple(radius=0.038, kind="red", leaf=True, seed=0) -> Model:
             a = math.pi * (1 - t)
             dimple = math.exp(-((math.sin(a) / 0.42) ** 2))
             z = math.cos(a) * 0.88 + (-0.3 if math.cos(a) > 0 else 0.2) * dimple
-            profile.append((math.sin(a) * (1 + 0.1 * math.cos(a)) * 1.05 * r if 0 < t < 1 else 0, z * r))
+            profile.append(
+                (math.sin(a) * (1 + 0.1 * math.cos(a)) * 1.05 * r if 0 < t < 1 else 0, z * r)
+            )
         mesh = lathe(profile, 16, discs=False)
 
         def dent(x, y, z):
             a = math.atan2(y, x)
-            f = 1 + 0.025 * math.cos(5 * a + phase[0]) * max(0, -z / r * 0.8) + 0.02 * math.cos(a + phase[1])
+            f = (
+                1
+                + 0.025 * math.cos(5 * a + phase[0]) * max(0, -z / r * 0.8)
+                + 0.02 * math.cos(a + phase[1])
+            )
             return x * f, y * f, z * (1 + 0.03 * math.cos(a + phase[2])) + zb
 
         return mesh.warp(dent)
@@ -91,22 +54,41 @@ def apple(radius=0.038, kind="red", leaf=True, seed=0) -> Model:
         c = m.mix(m.remap(streaks, 0.42, 0.62), low, mid)
         c = m.mix(m.remap(m.noise(22, 2, offset=o), 0.56, 0.8, 0, 0.75), c, blush)
         hollow = m.distance((0, 0, r * 0.62 + zb), (1, 1, 0.6))
-        c = m.mix(m.remap(hollow, r * 0.15, r * 0.62, 0.85, 0), c, "8f8a3a" if kind == "green" else "b9a53f")
+        c = m.mix(
+            m.remap(hollow, r * 0.15, r * 0.62, 0.85, 0),
+            c,
+            "8f8a3a" if kind == "green" else "b9a53f",
+        )
         c = m.mix(m.remap(m.voronoi(230, o), 0.06, 0.13, 0.7, 0), c, "f0d9a0")
         return m.colour(decay(m, c, r, spot, o) if rot else c)
 
     spot = (r * 0.85, r * 0.25, r * 0.35 + zb)
     top = r * 0.58 + zb
-    stem_path = spline([(0, 0, top - 0.003), (0.001, 0, top + 0.008), (0.004, 0.001, top + 0.018)], 2)
-    stems = [tube(stem_path, [0.0013, 0.0012, 0.0013, 0.0016, 0.0019], 5, mat=plain("5a3a1c", 0.2, 300)) for _ in range(2)]
+    stem_path = spline(
+        [(0, 0, top - 0.003), (0.001, 0, top + 0.008), (0.004, 0.001, top + 0.018)], 2
+    )
+    stems = [
+        tube(stem_path, [0.0013, 0.0012, 0.0013, 0.0016, 0.0019], 5, mat=plain("5a3a1c", 0.2, 300))
+        for _ in range(2)
+    ]
     fresh, rotten = body(), shrivel(body(), r, spot)
     fresh.mats, rotten.mats = [skin(False)], [skin(True)]
     good = [fresh, stems[0]]
     if leaf:
         rings, length = [], 0.034
         for t in np.linspace(0, 1, 6):
-            w, z = 0.0105 * math.sin(math.pi * min(1, t * 0.94 + 0.03)) ** 0.8, 0.009 * math.sin(t * 2.3)
-            rings.append([(t * length, -w, z), (t * length, 0, z - 0.002), (t * length, w, z), (t * length, 0, z - 0.0032)])
+            w, z = (
+                0.0105 * math.sin(math.pi * min(1, t * 0.94 + 0.03)) ** 0.8,
+                0.009 * math.sin(t * 2.3),
+            )
+            rings.append(
+                [
+                    (t * length, -w, z),
+                    (t * length, 0, z - 0.002),
+                    (t * length, w, z),
+                    (t * length, 0, z - 0.0032),
+                ]
+            )
         green = Material()
         green.colour(green.mix(green.remap(green.noise(300, 2), 0.35, 0.65), "3f7a22", "5c9a33"))
         good.append(loft(rings, mat=green).turn(rz=-0.9).move(0.001, 0, top + 0.01))
@@ -116,7 +98,12 @@ def apple(radius=0.038, kind="red", leaf=True, seed=0) -> Model:
 
 
 def apple_random(rng: np.random.Generator) -> dict:
-    return {"radius": uniform(rng, 0.034, 0.041), "kind": pick(rng, list(APPLES)), "leaf": bool(rng.random() < 0.5), "seed": seed_of(rng)}
+    return {
+        "radius": uniform(rng, 0.034, 0.041),
+        "kind": pick(rng, list(APPLES)),
+        "leaf": bool(rng.random() < 0.5),
+        "seed": seed_of(rng),
+    }
 
 
 def orange(radius=0.038, colour="f08a14", seed=0) -> Model:
@@ -126,18 +113,31 @@ def orange(radius=0.038, colour="f08a14", seed=0) -> Model:
 
     def body(rot: bool) -> list[Mesh]:
         m = Material()
-        c = m.mix(m.remap(m.noise(30, 3, offset=o), 0.3, 0.7), shade(colour, 0.93), blend(colour, "ffc04a", 0.3))
+        c = m.mix(
+            m.remap(m.noise(30, 3, offset=o), 0.3, 0.7),
+            shade(colour, 0.93),
+            blend(colour, "ffc04a", 0.3),
+        )
         c = m.mix(m.remap(m.voronoi(420, o), 0.0, 0.35, 0.55, 0), c, shade(colour, 0.72))
-        c = m.mix(m.remap(m.distance((r * 0.35, -r * 0.3, r * 1.75)), 0, r * 0.5, 0.5, 0), c, "ffd9a0")
+        c = m.mix(
+            m.remap(m.distance((r * 0.35, -r * 0.3, r * 1.75)), 0, r * 0.5, 0.5, 0), c, "ffd9a0"
+        )
         if rot:
             c = decay(m, c, r * 1.15, spot, o, "4a3a1c", 0.25)
         m.colour(c)
-        profile = [(math.sin(math.pi * k / 10) * r, -math.cos(math.pi * k / 10) * r * 0.95) for k in range(11)]
+        profile = [
+            (math.sin(math.pi * k / 10) * r, -math.cos(math.pi * k / 10) * r * 0.95)
+            for k in range(11)
+        ]
         profile[0], profile[-1] = (0, -r * 0.93), (0, r * 0.9)
         mesh = lathe(profile, 18, mat=m, discs=False).move(z=r * 0.95)
         if rot:
             shrivel(mesh, r, spot, 0.12)
-        star = lathe([(0, -0.001), (0.0042, 0), (0.003, 0.0012), (0, 0.0014)], 5, mat=plain("6f8a3a", 0.1, 300))
+        star = lathe(
+            [(0, -0.001), (0.0042, 0), (0.003, 0.0012), (0, 0.0014)],
+            5,
+            mat=plain("6f8a3a", 0.1, 300),
+        )
         return [mesh, star.move(z=mesh.v[:, 2].max() - 0.0005)]
 
     good, bad = body(False), body(True)
@@ -146,7 +146,11 @@ def orange(radius=0.038, colour="f08a14", seed=0) -> Model:
 
 
 def orange_random(rng: np.random.Generator) -> dict:
-    return {"radius": uniform(rng, 0.034, 0.042), "colour": pick(rng, ["f08a14", "f29a1c", "ea7a10"]), "seed": seed_of(rng)}
+    return {
+        "radius": uniform(rng, 0.034, 0.042),
+        "colour": pick(rng, ["f08a14", "f29a1c", "ea7a10"]),
+        "seed": seed_of(rng),
+    }
 
 
 def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
@@ -156,8 +160,14 @@ def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
 
     def body(rot: bool) -> list[Mesh]:
         m = Material()
-        c = m.mix(m.remap(m.noise(25, 2, offset=o), 0.35, 0.7), shade(colour, 0.9), blend(colour, "ff6a3a", 0.25))
-        c = m.mix(m.remap(m.distance((r * 0.45, -r * 0.35, r * 1.5)), 0, r * 0.4, 0.65, 0), c, "ffb9a0")
+        c = m.mix(
+            m.remap(m.noise(25, 2, offset=o), 0.35, 0.7),
+            shade(colour, 0.9),
+            blend(colour, "ff6a3a", 0.25),
+        )
+        c = m.mix(
+            m.remap(m.distance((r * 0.45, -r * 0.35, r * 1.5)), 0, r * 0.4, 0.65, 0), c, "ffb9a0"
+        )
         c = m.mix(m.remap(m.distance((0, 0, r * 1.6)), r * 0.2, r * 0.6, 0.5, 0), c, "9a8a2c")
         m.colour(decay(m, c, r * 1.1, spot, o, "2c1a10", 0.35) if rot else c)
         profile = []
@@ -167,16 +177,34 @@ def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
             profile.append((math.sin(a) * r, (-math.cos(a) * 0.84 - (dip if k > 5 else -dip)) * r))
         profile[0], profile[-1] = (0, profile[0][1]), (0, profile[-1][1])
         mesh = lathe(profile, 20, mat=m, discs=False)
-        mesh.warp(lambda x, y, z: (*(q * (1 + 0.025 * math.cos(5 * math.atan2(y, x) + phase)) for q in (x, y)), z + r * 0.84))
+        mesh.warp(
+            lambda x, y, z: (
+                *(q * (1 + 0.025 * math.cos(5 * math.atan2(y, x) + phase)) for q in (x, y)),
+                z + r * 0.84,
+            )
+        )
         if rot:
             shrivel(mesh, r, spot, 0.2)
         top, green = r * 1.53, plain("4f8a2c" if not rot else "6a5a2c", 0.15, 200)
         leaves = []
         for i in range(5):
             a = 2 * math.pi * i / 5 + phase
-            rings = [[(x, -w, z), (x, 0, z + 0.0012), (x, w, z), (x, 0, z - 0.0015)] for x, w, z in ((0, 0.003, 0), (0.008, 0.004, 0.0035), (0.017, 0.0025, 0.003), (0.023, 0.0003, 0.006))]
+            rings = [
+                [(x, -w, z), (x, 0, z + 0.0012), (x, w, z), (x, 0, z - 0.0015)]
+                for x, w, z in (
+                    (0, 0.003, 0),
+                    (0.008, 0.004, 0.0035),
+                    (0.017, 0.0025, 0.003),
+                    (0.023, 0.0003, 0.006),
+                )
+            ]
             leaves.append(loft(rings, mat=green).turn(rz=a).move(z=top))
-        stalk = tube([(0, 0, top - 0.002), (0, 0, top + 0.006), (0.003, 0.001, top + 0.012)], [0.0022, 0.002, 0.0024], 5, mat=green)
+        stalk = tube(
+            [(0, 0, top - 0.002), (0, 0, top + 0.006), (0.003, 0.001, top + 0.012)],
+            [0.0022, 0.002, 0.0024],
+            5,
+            mat=green,
+        )
         return [mesh, *leaves, stalk]
 
     good, bad = body(False), body(True)
@@ -185,74 +213,17 @@ def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
 
 
 def tomato_random(rng: np.random.Generator) -> dict:
-    return {"radius": uniform(rng, 0.031, 0.04), "colour": pick(rng, ["c8281c", "d2331c", "b8201c"]), "seed": seed_of(rng)}
-
-
-def banana(length=0.19, count=1, ripeness=0.15, seed=0) -> Model:
-    """One banana on its side, or a hand of several."""
-    rng = np.random.default_rng(seed)
-    o = noise_offset(rng)
-    s = length / 0.19
-
-    def skin(rot: bool) -> Material:
-        m = Material()
-        c = m.mix(m.remap(m.noise(14, 3, offset=o), 0.3, 0.7), "f0c62c", "f7d94e")
-        ends = m.math("MAXIMUM", m.remap(m.axis(1), 0.05 * s, 0.085 * s), m.remap(m.axis(1), -0.05 * s, -0.08 * s))
-        c = m.mix(m.math("MULTIPLY", ends, 0.6), c, "a8b04a")
-        spots = m.math("ADD", m.voronoi(130, o, (1, 0.5, 1)), m.math("MULTIPLY", m.noise(160, 2, offset=o), 0.5))
-        c = m.mix(m.remap(spots, 0.22 + ripeness, 0.3 + ripeness, 0.85, 0), c, "6b421a")
-        if rot:
-            c = m.mix(m.remap(m.noise(16, 4, offset=(o[1], o[0], 1)), 0.36, 0.5, 0.3, 0.94), c, "2a190c")
-            c = m.mix(m.remap(m.voronoi(60, (o[2], 0, 1)), 0.2, 0.3, 0.9, 0), c, "1c100a")
-            fuzz = m.math("ADD", m.distance((0.03 * s, 0.01, 0.03)), m.math("MULTIPLY", m.noise(130, 4, offset=o), 0.03))
-            c = m.mix(m.remap(fuzz, 0.028, 0.034, 1, 0), c, MOULD)
-        return m.colour(c)
-
-    dark = plain("3a2412", 0.15, 200)
-
-    def one(mat: Material, n: int, rot: bool) -> list[Mesh]:
-        # bent in the xy plane, lying on its side; the bulge points to +x
-        reach, bend = 0.105 * s, 1.15
-        rings, m = [], 13
-        widths = np.interp(np.linspace(0, 1, m), [0, 0.06, 0.18, 0.35, 0.7, 0.88, 0.96, 1], [0.45, 0.42, 0.6, 0.95, 1.0, 0.7, 0.4, 0.3])
-        for t, w in zip(np.linspace(-1, 1, m), widths, strict=True):
-            a = t * bend
-            cx, cy = reach * (math.cos(a) - 1) * 0.9, reach * math.sin(a)
-            radial, r = np.array([math.cos(a), math.sin(a), 0]), 0.0175 * s * w * (0.88 if rot else 1)
-            ring = []
-            for k in range(n):
-                q = 2 * math.pi * k / n
-                rr = r * (1 + 0.05 * math.cos(5 * q))
-                ring.append(np.array([cx, cy, 0]) + radial * rr * math.cos(q) + np.array([0, 0, rr * math.sin(q)]))
-            rings.append(np.array(ring))
-        body = loft(rings, mat=mat)
-        tip = tube([rings[-1].mean(0) - [0, 0.002 * 0, 0], rings[-1].mean(0) + np.array([-math.sin(bend), math.cos(bend), 0]) * 0.006 * s], [0.0056 * s, 0.0035 * s], 6, mat=dark)
-        start = rings[0].mean(0)
-        back = np.array([-math.sin(bend), -math.cos(bend), 0])
-        stalk = tube([start, start + back * 0.012 * s, start + back * 0.022 * s], [0.0078 * s, 0.0062 * s, 0.007 * s], 6, mat=mat)
-        return [body, tip, stalk]
-
-    groups = []
-    for rot in (False, True):
-        mat, group = skin(rot), []
-        for i in range(count):
-            meshes = one(mat, 8 if count > 1 else 10, rot)
-            for mesh in meshes:
-                if count > 1:  # fan about the common stalk
-                    mesh.turn(ry=-0.16 * i).turn(rz=0.16 * (i - 1), pivot=(-0.09 * s, -0.11 * s, 0)).move(-0.026 * s * i, 0, 0.012 * s * i)
-            group += meshes
-        groups.append(group)
-    on_table(*groups)
-    return fruit("banana" if count == 1 else f"hand of {count} bananas", *groups, 0.13 * count)
-
-
-def banana_random(rng: np.random.Generator) -> dict:
-    return {"length": uniform(rng, 0.17, 0.2), "ripeness": uniform(rng, -0.12, -0.02), "seed": seed_of(rng)}
+    return {
+        "radius": uniform(rng, 0.031, 0.04),
+        "colour": pick(rng, ["c8281c", "d2331c", "b8201c"]),
+        "seed": seed_of(rng),
+    }
 
 
 MODELS = {
-    "apple": Maker(apple, apple_random, count=3, presets=[{"kind": "red"}, {"kind": "green"}, {"kind": "gala"}]),
+    "apple": Maker(
+        apple, apple_random, count=3, presets=[{"kind": "red"}, {"kind": "green"}, {"kind": "gala"}]
+    ),
     "orange": Maker(orange, orange_random, count=2),
     "tomato": Maker(tomato, tomato_random, count=2),
-    "banana": Maker(banana, banana_random, count=2, presets=[{"count": 1}, {"count": 3}]),
-}  # fmt: skip
+}

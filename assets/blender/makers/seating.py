@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-
 from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box
@@ -14,9 +13,12 @@ Offset = tuple[float, float, float]
 
 
 def chair(
-    wood: str = "oak", seat: str | None = "#7a8a99", style: str = "slats", height: float = 0.86,
+    wood: str = "oak",
+    seat: str | None = "#7a8a99",
+    style: str = "slats",
+    height: float = 0.86,
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """A dining chair; seat: colour of the cushion, None for a bare wooden seat.
 
     style: back of "slats" (upright), "rungs" (crosswise) or one "panel".
@@ -26,20 +28,60 @@ def chair(
     lean = 0.07
     for y in (-w / 2 + r, w / 2 - r):
         leg(asm, "body", (d / 2 - r, y), (d / 2 - r, y), (0, seat_z - 0.03), (0.014, r), timber, 4)
-        leg(asm, "body", (-d / 2 - 0.03 + r, y), (-d / 2 + r, y), (0, seat_z), (0.014, r), timber, 4)
-        leg(asm, "body", (-d / 2 + r, y), (-d / 2 - lean + r, y), (seat_z, height), (r, 0.013), timber, 4)
+        leg(
+            asm, "body", (-d / 2 - 0.03 + r, y), (-d / 2 + r, y), (0, seat_z), (0.014, r), timber, 4
+        )
+        leg(
+            asm,
+            "body",
+            (-d / 2 + r, y),
+            (-d / 2 - lean + r, y),
+            (seat_z, height),
+            (r, 0.013),
+            timber,
+            4,
+        )
         asm.board("body", (-d / 2 + r, y - 0.01, 0.2), (d / 2 - r, y + 0.01, 0.225), timber)
     for x in (-d / 2 + r, d / 2 - r):
-        asm.board("body", (x - 0.011, -w / 2 + r, seat_z - 0.085), (x + 0.011, w / 2 - r, seat_z - 0.025), cross)
+        asm.board(
+            "body",
+            (x - 0.011, -w / 2 + r, seat_z - 0.085),
+            (x + 0.011, w / 2 - r, seat_z - 0.025),
+            cross,
+        )
     for y in (-w / 2 + r, w / 2 - r):
-        asm.board("body", (-d / 2 + r, y - 0.011, seat_z - 0.085), (d / 2 - r, y + 0.011, seat_z - 0.025), timber)
+        asm.board(
+            "body",
+            (-d / 2 + r, y - 0.011, seat_z - 0.085),
+            (d / 2 - r, y + 0.011, seat_z - 0.025),
+            timber,
+        )
     asm.board(
-        "body", (-d / 2 + 0.005, -w / 2, seat_z - 0.025), (d / 2 + 0.01, w / 2, seat_z), cross, 0.008, segments=2
+        "body",
+        (-d / 2 + 0.005, -w / 2, seat_z - 0.025),
+        (d / 2 + 0.01, w / 2, seat_z),
+        cross,
+        0.008,
+        segments=2,
     )
     top = seat_z
     if seat:
-        asm.add("body", cushion((d - 0.04, w - 0.03, 0.035), (0.005, 0, seat_z), fabric(seat, offset), 0.05, 0.008, 0.015))
-        asm.solid("body", (-d / 2 + 0.025, -w / 2 + 0.015, seat_z), (d / 2 - 0.015, w / 2 - 0.015, seat_z + 0.04))
+        asm.add(
+            "body",
+            cushion(
+                (d - 0.04, w - 0.03, 0.035),
+                (0.005, 0, seat_z),
+                fabric(seat, offset),
+                0.05,
+                0.008,
+                0.015,
+            ),
+        )
+        asm.solid(
+            "body",
+            (-d / 2 + 0.025, -w / 2 + 0.015, seat_z),
+            (d / 2 - 0.015, w / 2 - 0.015, seat_z + 0.04),
+        )
         top = seat_z + 0.04
 
     def back_x(z: float) -> float:
@@ -63,13 +105,22 @@ def chair(
             slanted((0.016, inner, 0.05), 0, z)
     else:
         slanted((0.014, inner, height - seat_z - 0.2), 0, (seat_z + 0.16 + height - 0.06) / 2)
-    low = np.array([(back_x(z) + s, y, z) for z in (seat_z + 0.1, height) for s in (-0.012, 0.012) for y in (-inner / 2, inner / 2)])
+    low = np.array(
+        [
+            (back_x(z) + s, y, z)
+            for z in (seat_z + 0.1, height)
+            for s in (-0.012, 0.012)
+            for y in (-inner / 2, inner / 2)
+        ]
+    )
     asm.piece("body", low)
     return Model(
         title=f"{wood} chair{' with a cushion' if seat else ''}",
         parts=asm.parts(),
         mass=5.0,
-        supports=[surface("seat", (-d / 2 + 0.03, -w / 2 + 0.02), (d / 2 - 0.02, w / 2 - 0.02), top)],
+        supports=[
+            surface("seat", (-d / 2 + 0.03, -w / 2 + 0.02), (d / 2 - 0.02, w / 2 - 0.02), top)
+        ],
         ground_shadow=True,
     )
 
@@ -86,34 +137,73 @@ def chair_random(rng: np.random.Generator) -> dict:
 
 
 def upholstered_seat(
-    seats: int = 3, seat_width: float = 0.62, depth: float = 0.88, colour: str = "#6f7f8c", arm: float = 0.16,
-    arm_height: float = 0.6, back_height: float = 0.82, wood: str = "walnut",
-    pillows: tuple[str, ...] = (), offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
-    """A sofa (or, with one seat, an armchair): base, arms, back and loose cushions on short legs."""
+    seats: int = 3,
+    seat_width: float = 0.62,
+    depth: float = 0.88,
+    colour: str = "#6f7f8c",
+    arm: float = 0.16,
+    arm_height: float = 0.6,
+    back_height: float = 0.82,
+    wood: str = "walnut",
+    pillows: tuple[str, ...] = (),
+    offset: Offset = (0, 0, 0),
+) -> Model:
+    """A sofa or, with one seat, an armchair: base, arms, back, loose cushions, short legs."""
     asm, cloth, timber = Assembly(), fabric(colour, offset), finish(wood, 2, offset)
     inner = seats * seat_width
     half, x0, x1 = inner / 2 + arm, -depth / 2, depth / 2
     foot, seat_base, seat_z, back = 0.11, 0.27, 0.43, 0.2
-    asm.board("body", (x0 + 0.02, -half + 0.03, foot), (x1 - 0.03, half - 0.03, seat_base), cloth, 0.012)
+    asm.board(
+        "body",
+        (x0 + 0.02, -half + 0.03, foot),
+        (x1 - 0.03, half - 0.03, seat_base + 0.03),
+        cloth,
+        0.012,
+    )
     for side in (-1, 1):
-        mesh = cushion((depth - 0.01, arm, arm_height - foot - 0.02), (0, side * (half - arm / 2), foot), cloth, 0.045, 0.015, 0.05)
+        mesh = cushion(
+            (depth - 0.01, arm, arm_height - foot - 0.02),
+            (0, side * (half - arm / 2), foot),
+            cloth,
+            0.045,
+            0.015,
+            0.05,
+        )
         asm.add("body", mesh, solid=True)
-    rest = cushion((back, inner + 0.02, back_height - foot - 0.03), (x0 + back / 2, 0, foot), cloth, 0.04, 0.02, 0.06)
+    rest = cushion(
+        (back, inner + 0.02, back_height - foot - 0.03),
+        (x0 + back / 2, 0, foot),
+        cloth,
+        0.04,
+        0.02,
+        0.06,
+    )
     asm.add("body", rest, solid=True)
     for k in range(seats):
         y = -inner / 2 + (k + 0.5) * seat_width
         size = (depth - back - 0.005, seat_width - 0.008, seat_z - seat_base - 0.02)
-        asm.add("body", cushion(size, (x0 + back + size[0] / 2 + 0.012, y, seat_base), cloth, 0.05, 0.02, 0.045), solid=True)
+        asm.add(
+            "body",
+            cushion(
+                size, (x0 + back + size[0] / 2 + 0.012, y, seat_base), cloth, 0.05, 0.02, 0.045
+            ),
+            solid=True,
+        )
         # the back cushion stands on the seat and leans on the back
         thick, tall = 0.15, back_height - seat_z + 0.01
         mesh = cushion((tall, seat_width - 0.02, thick - 0.03), (0, 0, 0), cloth, 0.07, 0.03, 0.05)
         mesh.turn(ry=np.pi / 2).turn(ry=-0.16).move(x0 + back - 0.015, y, seat_z + tall / 2 + 0.012)
         asm.add("body", mesh)
-        asm.solid("body", (x0 + back, y - seat_width / 2, seat_z), (x0 + back + 0.15, y + seat_width / 2, back_height))
+        asm.solid(
+            "body",
+            (x0 + back, y - seat_width / 2, seat_z),
+            (x0 + back + 0.15, y + seat_width / 2, back_height),
+        )
     for i, shade_of_pillow in enumerate(pillows):
         side = -1 if i % 2 == 0 else 1
-        mesh = cushion((0.40, 0.40, 0.07), (0, 0, 0), fabric(shade_of_pillow, offset, 0.06), 0.05, 0.035, 0.05)
+        mesh = cushion(
+            (0.40, 0.40, 0.07), (0, 0, 0), fabric(shade_of_pillow, offset, 0.06), 0.05, 0.035, 0.05
+        )
         mesh.turn(ry=np.pi / 2 - 0.35, rz=0.0).turn(rz=-side * 0.35)
         mesh.move(x0 + back + 0.17, side * (inner / 2 - 0.2), seat_z + 0.2)
         asm.add("body", mesh)
@@ -154,16 +244,22 @@ MODELS = {
     "chair": Maker(
         chair,
         chair_random,
-        2,
-        [{"wood": "oak", "seat": "#7a8a99", "style": "slats"}, {"wood": "#e8e6e0", "seat": None, "style": "rungs"}],
+        4,
+        [
+            {"wood": "oak", "seat": "#7a8a99", "style": "slats"},
+            {"wood": "#e8e6e0", "seat": None, "style": "rungs"},
+            {"wood": "walnut", "seat": "#8d9a7b", "style": "panel"},
+            {"wood": "black", "seat": None, "style": "slats"},
+        ],
     ),
     "sofa": Maker(
         upholstered_seat,
         sofa_random,
-        2,
+        3,
         [
             {"seats": 3, "colour": "#6f7f8c", "pillows": ("#d8a84e", "#e6ded0")},
             {"seats": 2, "colour": "#a89a86", "pillows": ("#5d7a78",)},
+            {"seats": 3, "colour": "#5f6f5c", "pillows": ("#c98f5a", "#c98f5a")},
         ],
     ),
     "armchair": Maker(

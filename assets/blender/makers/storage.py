@@ -1,10 +1,8 @@
-"""Free-standing storage: bookshelf, wardrobe, nightstand, tv stand, shoe rack."""
+"""Free-standing storage: bookshelf, wardrobe, nightstand, tv stand."""
 
 from __future__ import annotations
 
 import numpy as np
-
-from toolkit.materials import plain
 from toolkit.model import Container, Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, tube
@@ -27,9 +25,14 @@ Offset = tuple[float, float, float]
 
 
 def bookshelf(
-    width: float = 0.8, height: float = 1.8, depth: float = 0.3, shelves: int = 5, wood: str = "oak",
-    back_panel: bool = True, offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+    width: float = 0.8,
+    height: float = 1.8,
+    depth: float = 0.3,
+    shelves: int = 5,
+    wood: str = "oak",
+    back_panel: bool = True,
+    offset: Offset = (0, 0, 0),
+) -> Model:
     """An open bookcase with `shelves` boards to stand things on, and a top."""
     asm, half, t = Assembly(), width / 2, 0.024
     x0, x1, plinth = -depth / 2, depth / 2, 0.07
@@ -40,7 +43,7 @@ def bookshelf(
     asm.board("body", (x1 - 0.035, -half + t, 0), (x1 - 0.015, half - t, plinth), boards)
     if back_panel:
         low, high = (x0, -half + t, plinth), (x0 + 0.008, half - t, height - t)
-        asm.board("body", low, high, finish(wood if wood.startswith("#") else wood, 2, offset))
+        asm.board("body", low, high, sides)
     step = (height - t - plinth) / shelves
     supports = [surface("top", (x0, -half), (x1, half), height)]
     for i in range(shelves):
@@ -70,15 +73,26 @@ def bookshelf_random(rng: np.random.Generator) -> dict:
 
 
 def wardrobe(
-    width: float = 1.2, height: float = 2.0, depth: float = 0.58, wood: str = "#eceae5",
-    style: str = "shaker", offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+    width: float = 1.2,
+    height: float = 2.0,
+    depth: float = 0.58,
+    wood: str = "#eceae5",
+    style: str = "shaker",
+    offset: Offset = (0, 0, 0),
+) -> Model:
     """Two hinged doors: shelves behind the left one, a rail behind the right one."""
     asm, half, t, plinth = Assembly(), width / 2, 0.02, 0.07
     back, case_front = -depth / 2, depth / 2 - 0.02
-    outside, inside = finish(wood, 2, offset), finish("birch" if wood.startswith("#") else wood, 2, offset)
-    asm.board("body", (back + 0.01, -half + 0.01, 0), (case_front - 0.02, half - 0.01, plinth), outside)
-    carcass(asm, "body", (back, -half, plinth), (case_front, half, height - 0.03), outside, inside, t)
+    outside, inside = (
+        finish(wood, 2, offset),
+        finish("birch" if wood.startswith("#") else wood, 2, offset),
+    )
+    asm.board(
+        "body", (back + 0.01, -half + 0.01, 0), (case_front - 0.02, half - 0.01, plinth), outside
+    )
+    carcass(
+        asm, "body", (back, -half, plinth), (case_front, half, height - 0.03), outside, inside, t
+    )
     cornice = (back, -half, height - 0.03), (case_front + 0.022, half, height)
     asm.board("body", *cornice, outside, 0.006, segments=2)
     asm.board("body", (back, -0.01, plinth + t), (case_front, 0.01, height - 0.03 - t), inside)
@@ -96,7 +110,12 @@ def wardrobe(
             asm.board("body", (low[0], low[1], z - t), (high[0], high[1], z), inside)
         supports.append(surface(name, low, high, z, following - t - z, "inside_left"))
     rail_z = roof - 0.32
-    asm.board("body", (back + 0.01, 0.01, roof - 0.25 - t), (case_front - 0.03, half - t, roof - 0.25), inside)
+    asm.board(
+        "body",
+        (back + 0.01, 0.01, roof - 0.25 - t),
+        (case_front - 0.03, half - t, roof - 0.25),
+        inside,
+    )
     rail = [(0, 0.01, rail_z), (0, half - t, rail_z)]
     asm.add("body", tube(rail, 0.013, 8, mat=steel()), solid=True)
     low, high = (back + 0.01, 0.01), (case_front - 0.03, half - t)
@@ -108,7 +127,9 @@ def wardrobe(
         door = f"door_{side}"
         z = (plinth + 0.003, height - 0.034)
         front(asm, door, case_front, (y0 + 0.002, y1 - 0.002), z, outside, style, 0.02, 0.075)
-        bar_handle(asm, door, outer, -0.05 if side == "left" else 0.05, 1.02, 0.22, steel(), reach=0.028)
+        bar_handle(
+            asm, door, outer, -0.05 if side == "left" else 0.05, 1.02, 0.22, steel(), reach=0.028
+        )
         joints[door] = hinge(outer, y0 if side == "left" else y1)
         states += open_closed(door, door)
         a, b = (y0 + t, -0.01) if side == "left" else (0.01, y1 - t)
@@ -139,28 +160,51 @@ def wardrobe_random(rng: np.random.Generator) -> dict:
 
 
 def nightstand(
-    width: float = 0.45, height: float = 0.5, depth: float = 0.4, wood: str = "oak", legs: bool = True,
+    width: float = 0.45,
+    height: float = 0.5,
+    depth: float = 0.4,
+    wood: str = "oak",
+    legs: bool = True,
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """A bedside table: a drawer above an open compartment."""
     asm, half, t = Assembly(), width / 2, 0.018
     back, case_front = -depth / 2, depth / 2 - 0.018
     base = 0.14 if legs else 0.0
     case, knob = finish(wood, 1, offset), steel()
     carcass(asm, "body", (back, -half, base), (case_front, half, height - 0.02), case, case, t)
-    asm.board("body", (back, -half - 0.008, height - 0.02), (depth / 2, half + 0.008, height), case, 0.004)
+    asm.board(
+        "body", (back, -half - 0.008, height - 0.02), (depth / 2, half + 0.008, height), case, 0.004
+    )
     if legs:
-        for x, y in ((a, b) for a in (back + 0.05, case_front - 0.05) for b in (-half + 0.05, half - 0.05)):
+        for x, y in (
+            (a, b) for a in (back + 0.05, case_front - 0.05) for b in (-half + 0.05, half - 0.05)
+        ):
             spread = (1 if x > 0 else -1) * 0.025, (1 if y > 0 else -1) * 0.025
-            leg(asm, "body", (x + spread[0], y + spread[1]), (x, y), (0, base), (0.011, 0.017), case)
+            leg(
+                asm, "body", (x + spread[0], y + spread[1]), (x, y), (0, base), (0.011, 0.017), case
+            )
     drawer_low = height - 0.19
-    asm.board("body", (back + 0.008, -half + t, drawer_low - t), (case_front, half - t, drawer_low), case)
+    asm.board(
+        "body", (back + 0.008, -half + t, drawer_low - t), (case_front, half - t, drawer_low), case
+    )
     y, z = (-half + 0.003, half - 0.003), (drawer_low - 0.014, height - 0.024)
     front(asm, "drawer", case_front, y, z, case, "slab")
-    sphere = [(0, 0), (0.008, 0), (0.007, 0.008), (0.014, 0.014), (0.015, 0.02), (0.01, 0.026), (0, 0.027)]
+    sphere = [
+        (0, 0),
+        (0.008, 0),
+        (0.007, 0.008),
+        (0.014, 0.014),
+        (0.015, 0.02),
+        (0.01, 0.026),
+        (0, 0.027),
+    ]
     round_knob = lathe(sphere, 12, mat=knob).turn(ry=np.pi / 2)
     asm.add("drawer", round_knob.move(depth / 2, 0, (z[0] + z[1]) / 2))
-    low, high = (back + 0.03, -half + 0.028, drawer_low + 0.006), (case_front, half - 0.028, height - 0.065)
+    low, high = (
+        (back + 0.03, -half + 0.028, drawer_low + 0.006),
+        (case_front, half - 0.028, height - 0.065),
+    )
     drawer_box(asm, "drawer", low, high, finish("birch", 1, offset))
     size = np.subtract(high, low) - [0.012, 0.024, 0.0]
     center = np.add(high, low) / 2
@@ -176,7 +220,9 @@ def nightstand(
         states=open_closed("drawer", "drawer", 0.01, 0.1),
         supports=[
             surface("top", (back, -half), (depth / 2, half), height),
-            surface("drawer_floor", *inner, low[2] + 0.008, high[2] + 0.01 - low[2], "drawer", "drawer"),
+            surface(
+                "drawer_floor", *inner, low[2] + 0.008, high[2] + 0.01 - low[2], "drawer", "drawer"
+            ),
             surface("compartment", *compartment, open_floor, room, "compartment"),
         ],
         containers=[
@@ -203,9 +249,12 @@ def nightstand_random(rng: np.random.Generator) -> dict:
 
 
 def tv_stand(
-    width: float = 1.5, height: float = 0.48, depth: float = 0.4, wood: str = "walnut",
+    width: float = 1.5,
+    height: float = 0.48,
+    depth: float = 0.4,
+    wood: str = "walnut",
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """A low board: an open bay with a shelf in the middle, closed fronts left and right."""
     asm, half, t, base = Assembly(), width / 2, 0.022, 0.12
     x0, x1, third = -depth / 2, depth / 2, width / 6
@@ -214,13 +263,24 @@ def tv_stand(
     for y in (-third, third):
         asm.board("body", (x0, y - t / 2, base + t), (x1 - 0.002, y + t / 2, height - t), case)
     middle = (base + height) / 2
-    asm.board("body", (x0 + 0.01, -third + t / 2, middle - 0.009), (x1 - 0.03, third - t / 2, middle + 0.009), case)
+    asm.board(
+        "body",
+        (x0 + 0.01, -third + t / 2, middle - 0.009),
+        (x1 - 0.03, third - t / 2, middle + 0.009),
+        case,
+    )
     fronts = finish("#e6e2d8" if wood != "birch" else "birch", 1, offset)
     for y0, y1 in ((-half + t, -third - t / 2), (third + t / 2, half - t)):
-        low, high = (x1 - 0.024, y0 + 0.002, base + t + 0.002), (x1 - 0.004, y1 - 0.002, height - t - 0.002)
+        low, high = (
+            (x1 - 0.024, y0 + 0.002, base + t + 0.002),
+            (x1 - 0.004, y1 - 0.002, height - t - 0.002),
+        )
         asm.board("body", low, high, fronts, 0.002)
         groove = (y0 + y1) / 2
-        slot = (x1 - 0.006, groove - 0.06, height - t - 0.03), (x1 + 0.004, groove + 0.06, height - t - 0.018)
+        slot = (
+            (x1 - 0.006, groove - 0.06, height - t - 0.03),
+            (x1 + 0.004, groove + 0.06, height - t - 0.018),
+        )
         asm.board("body", *slot, steel(), solid=False)
     for x in (x0 + 0.05, x1 - 0.05):
         for y in (-half + 0.1, half - 0.1):
@@ -233,7 +293,9 @@ def tv_stand(
         supports=[
             surface("top", (x0, -half), (x1, half), height),
             surface("shelf_1", low, high, base + t, middle - 0.009 - base - t),
-            surface("shelf_2", low, (x1 - 0.03, high[1]), middle + 0.009, height - t - middle - 0.009),
+            surface(
+                "shelf_2", low, (x1 - 0.03, high[1]), middle + 0.009, height - t - middle - 0.009
+            ),
         ],
         ground_shadow=True,
     )
@@ -249,66 +311,28 @@ def tv_stand_random(rng: np.random.Generator) -> dict:
     }
 
 
-def shoe_rack(
-    width: float = 0.7, depth: float = 0.3, wood: str = "oak", metal_frame: bool = False,
-    offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
-    """An open rack: two slatted shelves and a seat board on top."""
-    asm, half, height, t = Assembly(), width / 2, 0.48, 0.022
-    x0, x1 = -depth / 2, depth / 2
-    boards = finish(wood, 1, offset)
-    frame = plain("#2c2d2f", 0.05, 20) if metal_frame else finish(wood, 2, offset)
-    thick = 0.018 if metal_frame else 0.03
-    for x in (x0, x1 - thick):
-        for y in (-half, half - thick):
-            asm.board("body", (x, y, 0), (x + thick, y + thick, height - t), frame, 0.002)
-    supports = [surface("top", (x0, -half), (x1, half), height)]
-    asm.board("body", (x0, -half, height - t), (x1, half, height), boards, 0.004)
-    for i, z in enumerate((0.09, 0.27)):
-        for y in (-half, half - thick):
-            asm.board("body", (x0 + thick, y, z - 0.03), (x1 - thick, y + thick, z - 0.008), frame, solid=False)
-        slats, gap = 4, 0.012
-        step = (depth + gap) / slats
-        for k in range(slats):
-            a = x0 + k * step
-            asm.board("body", (a, -half + thick, z - 0.014), (a + step - gap, half - thick, z), boards, solid=False)
-        asm.solid("body", (x0, -half, z - 0.03), (x1, half, z))
-        headroom = (0.24, 0.458)[i] - z - 0.002
-        supports.append(surface(f"shelf_{i + 1}", (x0, -half + thick), (x1, half - thick), z, headroom))
-    return Model(
-        title=f"{wood} shoe rack{' on a metal frame' if metal_frame else ''}",
-        parts=asm.parts(),
-        mass=8.0,
-        supports=supports,
-        ground_shadow=True,
-    )
-
-
-def shoe_rack_random(rng: np.random.Generator) -> dict:
-    """Parameters of a random shoe rack."""
-    return {
-        "width": round(float(rng.uniform(0.6, 0.9)), 2),
-        "wood": pick(rng, ["oak", "birch", "walnut"]),
-        "metal_frame": bool(rng.random() < 0.5),
-        "offset": noise_offset(rng),
-    }
-
-
 MODELS = {
     "bookshelf": Maker(
         bookshelf,
         bookshelf_random,
-        2,
-        [{"wood": "oak", "shelves": 5, "height": 1.85}, {"wood": "#e9e7e1", "shelves": 4, "height": 1.75}],
+        3,
+        [
+            {"wood": "oak", "shelves": 5, "height": 1.85},
+            {"wood": "#e9e7e1", "shelves": 4, "height": 1.75},
+            {"wood": "walnut", "shelves": 5, "width": 0.95},
+        ],
     ),
     "wardrobe": Maker(
-        wardrobe, wardrobe_random, 2, [{"wood": "#eceae5", "style": "shaker"}, {"wood": "oak", "style": "slab"}]
+        wardrobe,
+        wardrobe_random,
+        2,
+        [{"wood": "#eceae5", "style": "shaker"}, {"wood": "oak", "style": "slab"}],
     ),
     "nightstand": Maker(
-        nightstand, nightstand_random, 2, [{"wood": "oak", "legs": True}, {"wood": "#e9e7e1", "legs": False}]
+        nightstand,
+        nightstand_random,
+        2,
+        [{"wood": "oak", "legs": True}, {"wood": "#e9e7e1", "legs": False}],
     ),
     "tv_stand": Maker(tv_stand, tv_stand_random, 2, [{"wood": "walnut"}, {"wood": "oak"}]),
-    "shoe_rack": Maker(
-        shoe_rack, shoe_rack_random, 2, [{"wood": "oak", "metal_frame": False}, {"metal_frame": True}]
-    ),
 }

@@ -6,9 +6,8 @@ import math
 
 import numpy as np
 from PIL import Image
-
 from toolkit import labels
-from toolkit.materials import Material, label, metal, plain
+from toolkit.materials import Material, glowing, label, metal, plain
 from toolkit.model import Container, Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe, tube
@@ -21,9 +20,13 @@ HOB = 0.9
 # (x, y, radius) of each burner: front left, front right, back left, back right
 BURNERS = [(0.13, -0.145, 0.095), (0.13, 0.145, 0.08), (-0.13, -0.145, 0.08), (-0.13, 0.145, 0.095)]
 GLOW = (1.7, 1.7, 1.7, 1.0)
+# where the knob of each burner sits on the panel (y)
+KNOBS = [-0.25, 0.25, -0.185, 0.185]
 
 
-def _body(asm: Assembly, enamel: Material, panel: Material, digits: str, knob: Material, splash: float) -> None:
+def _body(
+    asm: Assembly, enamel: Material, panel: Material, digits: str, knob: Material, splash: float
+) -> None:
     """Everything that the three kinds of range share: case, hollow oven, door, knobs."""
     half, dark = WIDTH / 2, plain("#26282b", 0.05, 20)
     oven = plain("#4b4d51", 0.08, 12)
@@ -33,8 +36,12 @@ def _body(asm: Assembly, enamel: Material, panel: Material, digits: str, knob: M
     asm.board("body", (BACK, -half, z0), (CASE_FRONT, -half + w, z1), enamel, 0.004, {"+y": oven})
     asm.board("body", (BACK, half - w, z0), (CASE_FRONT, half, z1), enamel, 0.004, {"-y": oven})
     asm.board("body", (BACK, -half + w, z0), (BACK + w, half - w, z1), enamel, 0, {"+x": oven})
-    asm.board("body", (BACK + w, -half + w, z0), (CASE_FRONT, half - w, 0.25), enamel, 0, {"+z": oven})
-    asm.board("body", (BACK + w, -half + w, 0.68), (CASE_FRONT, half - w, z1), enamel, 0, {"-z": oven})
+    asm.board(
+        "body", (BACK + w, -half + w, z0), (CASE_FRONT, half - w, 0.25), enamel, 0, {"+z": oven}
+    )
+    asm.board(
+        "body", (BACK + w, -half + w, 0.68), (CASE_FRONT, half - w, z1), enamel, 0, {"-z": oven}
+    )
     for z in (0.36, 0.5):
         for y in np.linspace(-half + w + 0.01, half - w - 0.01, 7):
             low, high = (BACK + w, y - 0.003, z - 0.006), (CASE_FRONT - 0.02, y + 0.003, z)
@@ -42,7 +49,13 @@ def _body(asm: Assembly, enamel: Material, panel: Material, digits: str, knob: M
         low, high = (BACK + w, -half + w, z - 0.006), (CASE_FRONT - 0.02, half - w, z)
         asm.solid("body", low, high)
     # drawer front, control panel, hob slab
-    asm.board("body", (CASE_FRONT, -half + 0.002, 0.065), (DOOR_FRONT - 0.008, half - 0.002, 0.21), enamel, 0.006)
+    asm.board(
+        "body",
+        (CASE_FRONT, -half + 0.002, 0.065),
+        (DOOR_FRONT - 0.008, half - 0.002, 0.21),
+        enamel,
+        0.006,
+    )
     asm.board("body", (BACK, -half, z1), (CASE_FRONT, half, HOB - 0.02), enamel, 0.003)
     face = box(0.035, WIDTH - 0.002, 0.125, (CASE_FRONT + 0.017, 0, 0.752), panel, 0.006)
     asm.add("body", face, solid=True)
@@ -51,25 +64,46 @@ def _body(asm: Assembly, enamel: Material, panel: Material, digits: str, knob: M
         asm.board("body", (BACK, -half, HOB), (BACK + 0.04, half, HOB + splash), enamel, 0.008)
     picture, draw = labels.canvas(96, 36, "#0a0c10")
     labels.text(draw, digits, (10, 4, 86, 32), "bold", "#39e6b0")
-    clock = box(0.004, 0.09, 0.034, (DOOR_FRONT + 0.002, 0, 0.8), dark, labels={"+x": label(picture, occlusion=0.0)}, weight=2.0)
+    clock = box(
+        0.004,
+        0.09,
+        0.034,
+        (DOOR_FRONT + 0.002, 0, 0.8),
+        dark,
+        labels={"+x": label(picture, occlusion=0.0)},
+        weight=2.0,
+    )
     asm.add("body", clock)
     mark = plain("#f2f2ef", 0)
     for y in (-0.25, -0.185, -0.12, 0.12, 0.185, 0.25):
-        turned = [(0, 0), (0.024, 0), (0.024, 0.006), (0.019, 0.009), (0.017, 0.026), (0.013, 0.03), (0, 0.03)]
+        turned = [
+            (0, 0),
+            (0.024, 0),
+            (0.024, 0.006),
+            (0.019, 0.009),
+            (0.017, 0.026),
+            (0.013, 0.03),
+            (0, 0.03),
+        ]
         asm.add("body", lathe(turned, 9, mat=knob).turn(ry=math.pi / 2).move(DOOR_FRONT, y, 0.815))
         pointer = (DOOR_FRONT + 0.029, y - 0.0025, 0.815), (DOOR_FRONT + 0.032, y + 0.0025, 0.832)
         asm.board("body", *pointer, mark, solid=False)
     # oven door
     part, y = "oven_door", half - 0.003
     bottom, top = 0.216, 0.742
-    asm.board(part, (CASE_FRONT + 0.002, -y, bottom), (DOOR_FRONT, y, top), enamel, 0.007, segments=2)
+    asm.board(
+        part, (CASE_FRONT + 0.002, -y, bottom), (DOOR_FRONT, y, top), enamel, 0.007, segments=2
+    )
     window, pen = labels.canvas(128, 72, "#15181b")
     pen.polygon([(24, 72), (60, 0), (82, 0), (46, 72)], fill="#2c3238")
     pen.polygon([(54, 72), (90, 0), (96, 0), (60, 72)], fill="#242a2f")
     pen.rectangle((0, 0, 127, 71), outline="#3a3f44", width=3)
     low, high = (DOOR_FRONT - 0.004, -0.2, 0.31), (DOOR_FRONT + 0.004, 0.2, 0.58)
     asm.board(part, low, high, dark, 0.002, {"+x": label(window)}, 1.3, solid=False)
-    inner = (CASE_FRONT - 0.008, -half + w + 0.006, 0.258), (CASE_FRONT + 0.003, half - w - 0.006, 0.672)
+    inner = (
+        (CASE_FRONT - 0.008, -half + w + 0.006, 0.258),
+        (CASE_FRONT + 0.003, half - w - 0.006, 0.672),
+    )
     asm.board(part, *inner, oven, 0.002, solid=False)
     bar_handle(asm, part, DOOR_FRONT, 0, 0.68, 0.46, steel(), False, reach=0.045, radius=0.011)
 
@@ -79,13 +113,20 @@ def _coils(asm: Assembly) -> float:
     black, chrome = plain("#2a2a2c", 0.1, 60), metal("c9cdd1", "7b8187", (1, 1, 1), 30)
     top = HOB + 0.018
     for k, (x, y, r) in enumerate(BURNERS, 1):
-        bowl = [(0, HOB + 0.001), (r * 1.18, HOB + 0.001), (r * 1.2, HOB + 0.005), (r * 1.1, HOB + 0.007)]
+        bowl = [
+            (0, HOB + 0.001),
+            (r * 1.18, HOB + 0.001),
+            (r * 1.2, HOB + 0.005),
+            (r * 1.1, HOB + 0.007),
+        ]
         bowl += [(r * 0.95, HOB + 0.003), (0, HOB + 0.003)]
-        asm.add("body", lathe(bowl, 16, mat=chrome).move(x, y, 0))
-        turns, per_turn = (2.9, 10) if r > 0.09 else (2.4, 10)
+        asm.add("body", lathe(bowl, 14, mat=chrome).move(x, y, 0))
+        turns, per_turn = (2.7, 9) if r > 0.09 else (2.3, 9)
         t = np.linspace(0, 1, int(turns * per_turn) + 1)
         angle, radius = 2 * math.pi * turns * t, r * (0.24 + 0.74 * t)
-        path = np.c_[x + radius * np.cos(angle), y + radius * np.sin(angle), np.full(len(t), top - 0.008)]
+        path = np.c_[
+            x + radius * np.cos(angle), y + radius * np.sin(angle), np.full(len(t), top - 0.008)
+        ]
         asm.add("body", tube(path, 0.0072, 4, mat=black, up=(0, 0, 1)))
         hot = Material(occlusion=0.0)
         heat = hot.remap(hot.distance((x, y, top)), 0, r)
@@ -95,7 +136,12 @@ def _coils(asm: Assembly) -> float:
         halo = Material(occlusion=0.0)
         fade = halo.remap(halo.distance((x, y, HOB)), r * 0.3, r * 1.12)
         halo.colour(halo.ramp(fade, [(0, "#e8480f"), (0.8, "#c23a10"), (1, "#5a2a1c")]))
-        disc = [(0, HOB + 0.004), (r * 1.1, HOB + 0.004), (r * 1.1, HOB + 0.0085), (0, HOB + 0.0085)]
+        disc = [
+            (0, HOB + 0.004),
+            (r * 1.1, HOB + 0.004),
+            (r * 1.1, HOB + 0.0085),
+            (0, HOB + 0.0085),
+        ]
         asm.add(f"burner_{k}", lathe(disc, 16, mat=halo).move(x, y, 0).weigh(0.6))
     asm.solid("body", (-0.24, -0.26, HOB), (0.24, 0.26, top))
     return top
@@ -126,15 +172,26 @@ def _ceramic(asm: Assembly) -> float:
     for k, (x, y, r) in enumerate(BURNERS, 1):
         for part, material, rise in (("body", cold, 0.001), (f"burner_{k}", hot, 0.003)):
             radius = r * (1.12 if part == "body" else 1.18)
-            asm.add(part, _round_plate(x, y, radius, top - 0.004 + rise, top + rise, glass, material))
+            asm.add(
+                part, _round_plate(x, y, radius, top - 0.004 + rise, top + rise, glass, material)
+            )
     return top
 
 
-def _round_plate(x: float, y: float, r: float, z0: float, z1: float, side: Material, face: Material):
+def _round_plate(
+    x: float, y: float, r: float, z0: float, z1: float, side: Material, face: Material
+):
     """A flat disc with a picture on top (label UV over its square bounds)."""
-    disc = lathe([(0, z0), (r, z0), (r, z1), (0, z1)], 28, mats=[side, face], mat_of_segment=[0, 0, 1], weight=1.4)
+    disc = lathe(
+        [(0, z0), (r, z0), (r, z1), (0, z1)],
+        28,
+        mats=[side, face],
+        mat_of_segment=[0, 0, 1],
+        weight=1.4,
+    )
     disc.label_uv = [
-        [(0.5 + disc.v[i][1] / (2 * r), 0.5 - disc.v[i][0] / (2 * r)) for i in corners] for corners in disc.f
+        [(0.5 + disc.v[i][1] / (2 * r), 0.5 - disc.v[i][0] / (2 * r)) for i in corners]
+        for corners in disc.f
     ]
     return disc.move(x, y, 0)
 
@@ -147,19 +204,39 @@ def _gas(asm: Assembly) -> float:
     asm.board("body", (BACK + 0.05, -0.28, HOB - 0.002), (0.262, 0.28, base), tray, 0.001)
     for k, (x, y, r) in enumerate(BURNERS, 1):
         q = r * 0.5
-        crown = [(q * 1.15, base), (q * 1.15, base + 0.01), (q * 0.95, base + 0.012), (0, base + 0.012)]
+        crown = [
+            (q * 1.15, base),
+            (q * 1.15, base + 0.01),
+            (q * 0.95, base + 0.012),
+            (0, base + 0.012),
+        ]
         asm.add("body", lathe([(0, base), *crown], 14, mat=ring).move(x, y, 0))
-        lid = [(0, base + 0.012), (q * 0.9, base + 0.012), (q * 0.92, base + 0.016), (q * 0.85, base + 0.019), (0, base + 0.019)]
+        lid = [
+            (0, base + 0.012),
+            (q * 0.9, base + 0.012),
+            (q * 0.92, base + 0.016),
+            (q * 0.85, base + 0.019),
+            (0, base + 0.019),
+        ]
         asm.add("body", lathe(lid, 14, mat=cap).move(x, y, 0))
         flame = Material(occlusion=0.0)
         height = flame.remap(flame.axis(2), base + 0.006, base + 0.082)
-        stops = [(0, "#1b3cff"), (0.3, "#2f78ff"), (0.52, "#86ccff"), (0.68, "#ffd98a"), (1, "#ff7a1e")]
+        stops = [
+            (0, "#1b3cff"),
+            (0.3, "#2f78ff"),
+            (0.52, "#86ccff"),
+            (0.68, "#ffd98a"),
+            (1, "#ff7a1e"),
+        ]
         flame.colour(flame.ramp(height, stops))
         tongue = [(0, 0), (0.014, 0.014), (0.0145, 0.028), (0.008, 0.056), (0, 0.08)]
         for j in range(12):
             a = 2 * math.pi * j / 12
             mesh = lathe(tongue, 5, mat=flame, discs=False).turn(ry=0.55).turn(rz=a).weigh(0.6)
-            asm.add(f"burner_{k}", mesh.move(x + math.cos(a) * q * 1.12, y + math.sin(a) * q * 1.12, base + 0.006))
+            asm.add(
+                f"burner_{k}",
+                mesh.move(x + math.cos(a) * q * 1.12, y + math.sin(a) * q * 1.12, base + 0.006),
+            )
         hot = Material(occlusion=0.0)
         fade = hot.remap(hot.distance((x, y, base)), q * 1.1, q * 2.4)
         hot.colour(hot.ramp(fade, [(0, "#c86a30"), (0.25, "#4a5fb0"), (1, "#1b1c20")]))
@@ -173,21 +250,37 @@ def _gas(asm: Assembly) -> float:
         bars += [((-d / 2, y - t / 2), (d / 2, y + t / 2)) for y in (cy - w / 2, cy + w / 2)]
         for x in (-0.13, 0.13):
             reach = 0.04
-            bars += [((x - t / 2, cy - w / 2), (x + t / 2, cy - reach)), ((x - t / 2, cy + reach), (x + t / 2, cy + w / 2))]
-            bars += [((x - 0.115, cy - t / 2), (x - reach, cy + t / 2)), ((x + reach, cy - t / 2), (x + 0.115, cy + t / 2))]
+            bars += [
+                ((x - t / 2, cy - w / 2), (x + t / 2, cy - reach)),
+                ((x - t / 2, cy + reach), (x + t / 2, cy + w / 2)),
+            ]
+            bars += [
+                ((x - 0.115, cy - t / 2), (x - reach, cy + t / 2)),
+                ((x + reach, cy - t / 2), (x + 0.115, cy + t / 2)),
+            ]
         for low, high in bars:
             asm.board("body", (*low, z0), (*high, z1), iron, solid=False)
         for x in (-d / 2, d / 2):
             for y in (cy - w / 2, cy + w / 2):
-                asm.board("body", (x - t / 2, y - t / 2, base), (x + t / 2, y + t / 2, z0), iron, solid=False)
+                asm.board(
+                    "body",
+                    (x - t / 2, y - t / 2, base),
+                    (x + t / 2, y + t / 2, z0),
+                    iron,
+                    solid=False,
+                )
     asm.solid("body", (-0.25, -0.275, HOB), (0.25, 0.275, top))
     return top
 
 
 def stove(
-    kind: str = "coil", colour: str = "#f1f1ee", panel: str = "#e3e4e3", clock: str = "12:45", splash: float = 0.09,
+    kind: str = "coil",
+    colour: str = "#f1f1ee",
+    panel: str = "#e3e4e3",
+    clock: str = "12:45",
+    splash: float = 0.09,
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """A range of `kind` "coil", "ceramic" or "gas"."""
     asm = Assembly()
     enamel = steel(3.0) if colour == "steel" else plain(colour, 0.02, 8, offset)
@@ -195,6 +288,9 @@ def stove(
     knob = plain("#d5d7d9" if panel < "#6" else "#2a2b2e", 0.03)
     _body(asm, enamel, panel_material, clock, knob, splash)
     top = {"coil": _coils, "ceramic": _ceramic, "gas": _gas}[kind](asm)
+    for k, y in enumerate(KNOBS, 1):  # a pilot lamp below the knob, for those who see no hob
+        low, high = (DOOR_FRONT, y - 0.009, 0.776), (DOOR_FRONT + 0.006, y + 0.009, 0.786)
+        asm.board(f"burner_{k}", low, high, glowing("#ff4a1c"), solid=False)
     fixed = ["body", "oven_door"]
     burners = [f"burner_{k}" for k in (1, 2, 3, 4)]
     variants = {"default": fixed, **{f"on_{k}": [*fixed, f"burner_{k}"] for k in (1, 2, 3, 4)}}
@@ -222,7 +318,11 @@ def stove(
             surface("oven_rack_1", low, high, 0.36, 0.13, "oven"),
             surface("oven_rack_2", low, high, 0.5, 0.175, "oven"),
         ],
-        containers=[Container("oven", ((low[0] + high[0]) / 2, 0, 0.465), (0.48, 0.5, 0.43), "body", "oven_door")],
+        containers=[
+            Container(
+                "oven", ((low[0] + high[0]) / 2, 0, 0.465), (0.48, 0.5, 0.43), "body", "oven_door"
+            )
+        ],
         ground_shadow=True,
     )
 

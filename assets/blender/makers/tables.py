@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-
 from toolkit.materials import Material, plain
 from toolkit.model import Container, Joint, Maker, Model, Support, cylinder_piece, round_polygon
 from toolkit.sampling import noise_offset, pick
@@ -41,10 +40,14 @@ def _four_legs(
 
 
 def kitchen_table(
-    length: float = 1.4, depth: float = 0.8, wood: str = "oak", legs: str | None = None, square: bool = True,
+    length: float = 1.4,
+    depth: float = 0.8,
+    wood: str = "oak",
+    legs: str | None = None,
+    square: bool = True,
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
-    """Four legs, aprons and a board; the length runs along y. legs: their finish, None as the top."""
+) -> Model:
+    """Four legs, aprons and a board, long along y. legs: their finish, None: as the top."""
     asm, height, t = Assembly(), 0.75, 0.028
     hx, hy = depth / 2, length / 2
     top, frame = finish(wood, 1, offset), finish(legs or wood, 2, offset)
@@ -78,15 +81,28 @@ def kitchen_table_random(rng: np.random.Generator) -> dict:
 
 
 def coffee_table(
-    length: float = 1.1, depth: float = 0.6, height: float = 0.42, wood: str = "walnut", shelf: bool = True,
+    length: float = 1.1,
+    depth: float = 0.6,
+    height: float = 0.42,
+    wood: str = "walnut",
+    shelf: bool = True,
     offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+) -> Model:
     """A low table, with or without a shelf under the top."""
     asm, t = Assembly(), 0.03
     hx, hy = depth / 2, length / 2
     top, frame = finish(wood, 1, offset), finish(wood, 2, offset)
     asm.board("body", (-hx, -hy, height - t), (hx, hy, height), top, 0.008, segments=2, weight=1.3)
-    _four_legs(asm, (hx, hy), 0.06, height - t, (0.018, 0.026), frame, 4 if shelf else 10, 0 if shelf else 0.03)
+    _four_legs(
+        asm,
+        (hx, hy),
+        0.06,
+        height - t,
+        (0.018, 0.026),
+        frame,
+        4 if shelf else 10,
+        0 if shelf else 0.03,
+    )
     supports = [surface("top", (-hx, -hy), (hx, hy), height)]
     if shelf:
         z = 0.15
@@ -127,9 +143,14 @@ def coffee_table_round(
 
 
 def coffee_table_any(
-    round_top: bool = False, length: float = 1.1, radius: float = 0.42, height: float = 0.42,
-    wood: str = "walnut", shelf: bool = True, offset: Offset = (0, 0, 0),
-) -> Model:  # fmt: skip
+    round_top: bool = False,
+    length: float = 1.1,
+    radius: float = 0.42,
+    height: float = 0.42,
+    wood: str = "walnut",
+    shelf: bool = True,
+    offset: Offset = (0, 0, 0),
+) -> Model:
     """A rectangular or a round coffee table."""
     if round_top:
         return coffee_table_round(radius, height, wood, offset)
@@ -150,7 +171,11 @@ def coffee_table_random(rng: np.random.Generator) -> dict:
 
 
 def desk(
-    length: float = 1.2, depth: float = 0.6, wood: str = "oak", frame: str = "#f0efec", offset: Offset = (0, 0, 0)
+    length: float = 1.2,
+    depth: float = 0.6,
+    wood: str = "oak",
+    frame: str = "#f0efec",
+    offset: Offset = (0, 0, 0),
 ) -> Model:
     """A writing desk: legs on the left, a pedestal with a drawer that opens on the right."""
     asm, height, t = Assembly(), 0.74, 0.026
@@ -167,14 +192,25 @@ def desk(
     for y in (y0, y1 - 0.018):
         asm.board("body", (x0, y, 0.05), (x1, y + 0.018, z1), paint, 0.002)
     asm.board("body", (x0, y0 + 0.018, 0.05), (x0 + 0.01, y1 - 0.018, z1), paint)
-    asm.board("body", (x0 + 0.03, y0 + 0.02, 0), (x1 - 0.05, y1 - 0.02, 0.068), plain("#3a3a3a", 0.04, 8))
+    asm.board(
+        "body", (x0 + 0.03, y0 + 0.02, 0), (x1 - 0.05, y1 - 0.02, 0.068), plain("#3a3a3a", 0.04, 8)
+    )
     drawer_low = z1 - 0.15
-    asm.board("body", (x0 + 0.01, y0 + 0.018, drawer_low - 0.018), (x1, y1 - 0.018, drawer_low), paint)
-    for i, z in enumerate(((0.07, 0.31), (0.314, drawer_low - 0.002), (drawer_low + 0.002, z1 - 0.004))):
+    asm.board(
+        "body", (x0 + 0.01, y0 + 0.018, drawer_low - 0.018), (x1, y1 - 0.018, drawer_low), paint
+    )
+    for i, z in enumerate(
+        ((0.07, 0.31), (0.314, drawer_low - 0.002), (drawer_low + 0.002, z1 - 0.004))
+    ):
         part = "drawer" if i == 2 else "body"
         front(asm, part, x1, (y0 + 0.002, y1 - 0.002), z, paint, "slab")
-        bar_handle(asm, part, x1 + 0.018, (y0 + y1) / 2, (z[0] + z[1]) / 2, 0.12, metal, False, 0.024)
-    low_corner, high_corner = (x0 + 0.04, y0 + 0.028, drawer_low + 0.006), (x1, y1 - 0.028, z1 - 0.03)
+        bar_handle(
+            asm, part, x1 + 0.018, (y0 + y1) / 2, (z[0] + z[1]) / 2, 0.12, metal, False, 0.024
+        )
+    low_corner, high_corner = (
+        (x0 + 0.04, y0 + 0.028, drawer_low + 0.006),
+        (x1, y1 - 0.028, z1 - 0.03),
+    )
     drawer_box(asm, "drawer", low_corner, high_corner, finish("birch", 0, offset))
     size = np.subtract(high_corner, low_corner) - [0.012, 0.024, 0]
     center = np.add(high_corner, low_corner) / 2
@@ -206,7 +242,11 @@ def desk_random(rng: np.random.Generator) -> dict:
 
 
 def console_table(
-    length: float = 1.0, depth: float = 0.32, wood: str = "walnut", shelf: bool = True, offset: Offset = (0, 0, 0)
+    length: float = 1.0,
+    depth: float = 0.32,
+    wood: str = "walnut",
+    shelf: bool = True,
+    offset: Offset = (0, 0, 0),
 ) -> Model:
     """A narrow hall table, with a shelf low down or a pair of blind drawers under the top."""
     asm, height, t = Assembly(), 0.8, 0.024
@@ -219,9 +259,16 @@ def console_table(
     asm.board("body", (-hx + 0.04, -hy + 0.04, low), (hx - 0.04, hy - 0.04, height - t), frame)
     for s in (-1, 1):
         y = s * (hy / 2 - 0.02)
-        face = (hx - 0.042, y - hy / 2 + 0.03, low + 0.012), (hx - 0.03, y + hy / 2 - 0.03, height - t - 0.01)
+        face = (
+            (hx - 0.042, y - hy / 2 + 0.03, low + 0.012),
+            (hx - 0.03, y + hy / 2 - 0.03, height - t - 0.01),
+        )
         asm.board("body", *face, top, 0.002, solid=False)
-        knob = lathe([(0, 0), (0.006, 0), (0.006, 0.008), (0.013, 0.014), (0.011, 0.022), (0, 0.024)], 10, mat=steel())
+        knob = lathe(
+            [(0, 0), (0.006, 0), (0.006, 0.008), (0.013, 0.014), (0.011, 0.022), (0, 0.024)],
+            10,
+            mat=steel(),
+        )
         asm.add("body", knob.turn(ry=np.pi / 2).move(hx - 0.03, y, low + 0.065))
     if shelf:
         z = 0.18
@@ -253,7 +300,10 @@ MODELS = {
         kitchen_table,
         kitchen_table_random,
         2,
-        [{"wood": "oak", "legs": None, "length": 1.4}, {"wood": "pine", "legs": "#e8e6e0", "length": 1.2}],
+        [
+            {"wood": "oak", "legs": None, "length": 1.4},
+            {"wood": "pine", "legs": "#e8e6e0", "length": 1.2},
+        ],
     ),
     "coffee_table": Maker(
         coffee_table_any,
@@ -265,8 +315,16 @@ MODELS = {
             {"round_top": True, "wood": "oak"},
         ],
     ),
-    "desk": Maker(desk, desk_random, 2, [{"wood": "oak", "frame": "#f0efec"}, {"wood": "walnut", "frame": "#3d4043"}]),
+    "desk": Maker(
+        desk,
+        desk_random,
+        2,
+        [{"wood": "oak", "frame": "#f0efec"}, {"wood": "walnut", "frame": "#3d4043"}],
+    ),
     "console_table": Maker(
-        console_table, console_table_random, 2, [{"wood": "walnut", "shelf": True}, {"wood": "#e8e5de", "shelf": False}]
+        console_table,
+        console_table_random,
+        2,
+        [{"wood": "walnut", "shelf": True}, {"wood": "#e8e5de", "shelf": False}],
     ),
 }

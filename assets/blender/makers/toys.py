@@ -1,4 +1,4 @@
-"""Toys: ball, teddy bear, big toy car, bricks, wooden train."""
+"""Toys: ball, big toy car, bricks, wooden train."""
 
 from __future__ import annotations
 
@@ -6,12 +6,24 @@ import math
 
 import numpy as np
 from toolkit.labels import canvas, text
-from toolkit.materials import Material, blend, plain, shade
+from toolkit.materials import Material, plain
 from toolkit.materials import label as printed
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part, box_piece, cylinder_piece
-from toolkit.sampling import noise_offset, pick, seed_of, uniform
-from toolkit.shapes import TAU, box, ellipsoid, extrude, lathe, spline, tube
+from toolkit.model import (
+    Maker,
+    Model,
+    Part,
+    box_piece,
+    cylinder_piece,
+)
+from toolkit.sampling import pick, uniform
+from toolkit.shapes import (
+    box,
+    ellipsoid,
+    extrude,
+    lathe,
+    spline,
+)
 
 
 def toy_ball(radius: float, style: str, colours: list[str]) -> Model:
@@ -20,7 +32,10 @@ def toy_ball(radius: float, style: str, colours: list[str]) -> Model:
     picture, draw = canvas(width, height, colours[0])
     if style == "beach":
         for i in range(6):
-            draw.rectangle((128 * i, 0, 128 * i + 127, height), fill=["#f6f4ee", colours[0], "#f6f4ee", colours[1], "#f6f4ee", colours[2]][i])
+            draw.rectangle(
+                (128 * i, 0, 128 * i + 127, height),
+                fill=["#f6f4ee", colours[0], "#f6f4ee", colours[1], "#f6f4ee", colours[2]][i],
+            )
         draw.rectangle((0, 0, width, 26), fill="#f6f4ee")
         draw.rectangle((0, height - 26, width, height), fill="#f6f4ee")
     elif style == "stripe":
@@ -33,7 +48,10 @@ def toy_ball(radius: float, style: str, colours: list[str]) -> Model:
         for j in range(4):
             for i in range(8):
                 x, y = 96 * i + 48 * (j % 2) + 24, 60 + 88 * j
-                draw.ellipse((x - 28, y - 24, x + 28, y + 24), fill=[colours[1], "#f6f4ee", colours[2]][(i + j) % 3])
+                draw.ellipse(
+                    (x - 28, y - 24, x + 28, y + 24),
+                    fill=[colours[1], "#f6f4ee", colours[2]][(i + j) % 3],
+                )
     ball = ellipsoid(radius, (0, 0, radius), 20, 12, printed(picture))
     ball.turn(0.45, 0.3, 0.2, pivot=(0, 0, radius))
     shell = [ellipsoid(radius, (0, 0, radius), 8, 5).v]
@@ -42,86 +60,30 @@ def toy_ball(radius: float, style: str, colours: list[str]) -> Model:
 
 def toy_ball_random(rng: np.random.Generator) -> dict:
     return {
-        "radius": uniform(rng, 0.09, 0.11), "style": "beach",
-        "colours": pick(rng, [["#d8303a", "#2f6fc0", "#f2c52a"], ["#e8862c", "#2f9a5a", "#3f7fd0"]]),
-    }  # fmt: skip
+        "radius": uniform(rng, 0.09, 0.11),
+        "style": "beach",
+        "colours": pick(
+            rng, [["#d8303a", "#2f6fc0", "#f2c52a"], ["#e8862c", "#2f9a5a", "#3f7fd0"]]
+        ),
+    }
 
 
-def _furry(mesh: Mesh, rng: np.random.Generator, amount: float) -> Mesh:
-    """Push vertices in and out a little (the same for vertices that coincide)."""
-    _, group = np.unique(np.round(mesh.v, 6), axis=0, return_inverse=True)
-    group = group.ravel()
-    push = rng.normal(0, amount, group.max() + 1)[group]
-    away = mesh.v - mesh.v.mean(0)
-    away /= np.linalg.norm(away, axis=1)[:, None] + 1e-9
-    mesh.v = mesh.v + away * push[:, None]
-    return mesh
-
-
-def teddy_bear(height: float, fur: str, bow: str | None, seed: int) -> Model:
-    """A sitting teddy bear."""
-    rng = np.random.default_rng(seed)
-    offset = noise_offset(rng)
-    s = height / 0.29
-    pelt, light = Material(), Material()
-    tufts, patches = pelt.noise(260, 4, 0.7, 0.8, offset), pelt.noise(30, 2, offset=offset)
-    coat = pelt.mix(pelt.remap(tufts, 0.32, 0.68), shade(fur, 0.66), shade(fur, 1.22))
-    pelt.colour(pelt.mix(pelt.remap(patches, 0.35, 0.7, 0, 0.25), coat, shade(fur, 1.3)))
-    pale = blend(fur, "#fff6e6", 0.55)
-    light.colour(light.mix(light.remap(light.noise(260, 4, offset=offset), 0.3, 0.7), shade(pale, 0.86), pale))
-    black, thread = plain("#14110f", 0), plain("#2a1a12", 0)
-
-    def ball(radii, at, mat=pelt, n=10, m=7, turn=(0, 0, 0)):
-        return _furry(ellipsoid(radii, (0, 0, 0), n, m, mat).turn(*turn), rng, 0.0018 if mat in (pelt, light) else 0).move(*at)
-
-    parts = [
-        ball((0.060, 0.070, 0.080), (0, 0, 0.078), n=13, m=8), ball((0.022, 0.046, 0.052), (0.044, 0, 0.076), light, 10, 6),
-        ball((0.058, 0.064, 0.056), (0.006, 0, 0.205), n=14, m=9), ball((0.026, 0.030, 0.024), (0.056, 0, 0.193), light, 10, 6),
-        ball((0.007, 0.0115, 0.008), (0.081, 0, 0.202), black, 7, 5),
-    ]  # fmt: skip
-    for q in (-1, 1):
-        parts += [
-            ball((0.014, 0.027, 0.027), (0, q * 0.052, 0.250), n=9, m=6), ball((0.008, 0.016, 0.016), (0.011, q * 0.049, 0.248), light, 7, 5),
-            ball((0.024, 0.024, 0.054), (0.018, q * 0.080, 0.113), n=9, m=7, turn=(q * 0.75, -0.4, 0)),
-            ball((0.060, 0.033, 0.032), (0.062, q * 0.052, 0.032), n=9, m=7, turn=(0, 0, q * 0.35)),
-            ball((0.010, 0.025, 0.025), (0.118, q * 0.073, 0.034), light, 9, 5, (0, 0, q * 0.35)),
-            ball((0.006, 0.0085, 0.009), (0.0575, q * 0.024, 0.219), black, 7, 5),
-            tube(spline([(0.0828, 0, 0.188), (0.081, q * 0.008, 0.182), (0.077, q * 0.014, 0.185)], 2), 0.0014, 3, mat=thread, weight=0.5),
-        ]  # fmt: skip
-    if bow:
-        ribbon = plain(bow, 0.08, 120)
-        ring = [(0.008 + 0.048 * math.cos(t), 0.044 * math.sin(t), 0.150) for t in np.linspace(0, TAU, 14, endpoint=False)]
-        parts += [tube(ring, 0.006, 5, closed=True, mat=ribbon, flatten=1.3), ball((0.009, 0.009, 0.009), (0.060, 0, 0.148), ribbon, 6, 5)]
-        for q in (-1, 1):
-            parts.append(ball((0.009, 0.023, 0.016), (0.058, q * 0.026, 0.148), ribbon, 8, 5, (q * 0.2, 0, 0)))
-    for mesh in parts:
-        mesh.scale(s)
-    lowest = min(mesh.v[:, 2].min() for mesh in parts)
-    for mesh in parts:
-        mesh.move(z=-lowest)
-    solids = [(0, 4), (2, 3)]
-    pieces = [np.concatenate([parts[i].v for i in group]) for group in solids]
-    pieces = [np.concatenate([ellipsoid((0.06 * s, 0.07 * s, 0.08 * s), (0, 0, 0.079 * s), 7, 4).v])]
-    pieces.append(ellipsoid((0.062 * s, 0.066 * s, 0.056 * s), (0.012 * s, 0, 0.206 * s), 7, 4).v)
-    for q in (-1, 1):
-        leg = ellipsoid((0.068 * s, 0.033 * s, 0.032 * s), (0, 0, 0), 7, 4).turn(rz=q * 0.35)
-        pieces.append(leg.move(0.062 * s, q * 0.052 * s, 0.033 * s).v)
-    return Model("teddy bear", {"body": Part(parts, collision=pieces)}, mass=0.25, friction=0.8)
-
-
-def teddy_bear_random(rng: np.random.Generator) -> dict:
-    return {
-        "height": uniform(rng, 0.24, 0.36), "fur": pick(rng, ["#a8713c", "#c79a62", "#d9c3a0", "#8f8a86"]),
-        "bow": pick(rng, ["#c8242c", "#2a5fb8", "#2f8a4c"]), "seed": seed_of(rng),
-    }  # fmt: skip
-
-
-def _wheel(radius: float, width: float, tyre: Material, hub: Material, n: int = 14) -> Mesh:
-    """A wheel about the y axis, centred on the origin."""
+def _wheel(
+    radius: float, width: float, tyre: Material, hub: Material, side: int, n: int = 14
+) -> Mesh:
+    """A wheel about the y axis, centred on the origin; its hub shows on one side (+1: +Y)."""
     w = width / 2
-    profile = [(0, -w * 0.7), (radius * 0.5, -w * 0.7), (radius * 0.58, -w), (radius * 0.92, -w), (radius, -w * 0.6), (radius, w * 0.6),
-               (radius * 0.92, w), (radius * 0.58, w), (radius * 0.5, w * 0.7), (0, w * 0.7)]  # fmt: skip
-    return lathe(profile, n, mats=[tyre, hub], mat_of_segment=[1, 1, 0, 0, 0, 0, 0, 1, 1]).turn(rx=math.pi / 2)
+    profile = [
+        (0, -w),
+        (radius * 0.97, -w),
+        (radius, -w * 0.7),
+        (radius, w * 0.5),
+        (radius * 0.9, w),
+        (radius * 0.55, w),
+        (0, w * 0.8),
+    ]
+    wheel = lathe(profile, n, mats=[tyre, hub], mat_of_segment=[0, 0, 0, 0, 0, 1])
+    return wheel.turn(rx=-side * math.pi / 2)
 
 
 def toy_car(kind: str, length: float, paint: str, second: str, hub: str) -> Model:
@@ -136,45 +98,117 @@ def toy_car(kind: str, length: float, paint: str, second: str, hub: str) -> Mode
         meshes.append(box(0.27, 0.1, 0.022, (0, 0, 0.034), dark, 0.004))
         cabin = [(0.045, 0.052), (0.135, 0.052), (0.135, 0.098), (0.112, 0.148), (0.045, 0.148)]
         meshes.append(extrude(cabin, 0.124, mat=body, axis="y", bevel_width=0.005))
-        meshes.append(extrude([(0.062, 0.1), (0.118, 0.1), (0.105, 0.137), (0.062, 0.137)], 0.127, mat=glass, axis="y"))
+        meshes.append(
+            extrude(
+                [(0.062, 0.1), (0.118, 0.1), (0.105, 0.137), (0.062, 0.137)],
+                0.127,
+                mat=glass,
+                axis="y",
+            )
+        )
         meshes.append(box(0.003, 0.098, 0.04, (0, 0, 0), glass).turn(ry=-0.43).move(0.1335, 0, 0.1))
         hopper = [(0.035, 0.066), (0.045, 0.138), (-0.15, 0.138), (-0.138, 0.066)]
-        meshes.append(extrude([(0.03, 0.06), (0.035, 0.07), (-0.136, 0.07), (-0.132, 0.06)], 0.118, mat=tip, axis="y"))
+        meshes.append(
+            extrude(
+                [(0.03, 0.06), (0.035, 0.07), (-0.136, 0.07), (-0.132, 0.06)],
+                0.118,
+                mat=tip,
+                axis="y",
+            )
+        )
         for q in (-1, 1):
-            meshes.append(extrude(hopper, 0.008, mat=tip, axis="y", bevel_width=0.0015).move(y=q * 0.06))
+            meshes.append(
+                extrude(hopper, 0.008, mat=tip, axis="y", bevel_width=0.0015).move(y=q * 0.06)
+            )
             for x in (-0.1, -0.05, 0.0):
                 meshes.append(box(0.01, 0.006, 0.062, (x, q * 0.065, 0.07), tip))
             meshes.append(box(0.005, 0.022, 0.018, (0.1355, q * 0.042, 0.062), lamp, 0.002))
         meshes.append(box(0.008, 0.12, 0.07, (0.0, 0, 0), tip).turn(ry=0.13).move(0.037, 0, 0.068))
-        meshes.append(box(0.008, 0.12, 0.07, (0.0, 0, 0), tip).turn(ry=-0.16).move(-0.139, 0, 0.068))
+        meshes.append(
+            box(0.008, 0.12, 0.07, (0.0, 0, 0), tip).turn(ry=-0.16).move(-0.139, 0, 0.068)
+        )
         meshes.append(box(0.016, 0.12, 0.018, (0.14, 0, 0.038), dark, 0.003))
         axles, radius, track = (0.092, -0.088), 0.037, 0.06
-        pieces = [box_piece((0.09, 0, 0.095), (0.1, 0.126, 0.11)), box_piece((-0.055, 0, 0.1), (0.19, 0.126, 0.076)), box_piece((0, 0, 0.03), (0.26, 0.12, 0.06))]
+        pieces = [
+            box_piece((0.09, 0, 0.095), (0.1, 0.126, 0.11)),
+            box_piece((-0.055, 0, 0.1), (0.19, 0.126, 0.076)),
+            box_piece((0, 0, 0.03), (0.26, 0.12, 0.06)),
+        ]
     else:
-        side = spline([(-0.14, 0.03), (-0.142, 0.062), (-0.128, 0.078), (-0.085, 0.083), (0.055, 0.08), (0.125, 0.066), (0.142, 0.05), (0.14, 0.03)], 2)
+        side = spline(
+            [
+                (-0.14, 0.03),
+                (-0.142, 0.062),
+                (-0.128, 0.078),
+                (-0.085, 0.083),
+                (0.055, 0.08),
+                (0.125, 0.066),
+                (0.142, 0.05),
+                (0.14, 0.03),
+            ],
+            2,
+        )
         meshes.append(extrude(side, 0.116, mat=body, axis="y", bevel_width=0.007, segments=1))
         roof = [(-0.095, 0.078), (-0.07, 0.122), (0.012, 0.125), (0.062, 0.079)]
         meshes.append(extrude(roof, 0.098, mat=body, axis="y", bevel_width=0.006))
-        meshes.append(extrude([(-0.082, 0.084), (-0.064, 0.115), (-0.03, 0.117), (-0.03, 0.084)], 0.101, mat=glass, axis="y"))
-        meshes.append(extrude([(-0.022, 0.084), (-0.022, 0.117), (0.008, 0.118), (0.046, 0.084)], 0.101, mat=glass, axis="y"))
-        meshes.append(box(0.003, 0.084, 0.05, (0, 0, 0), glass).turn(ry=-0.82).move(0.0545, 0, 0.086))
-        meshes.append(box(0.003, 0.084, 0.038, (0, 0, 0), glass).turn(ry=0.5).move(-0.0935, 0, 0.084))
+        meshes.append(
+            extrude(
+                [(-0.082, 0.084), (-0.064, 0.115), (-0.03, 0.117), (-0.03, 0.084)],
+                0.101,
+                mat=glass,
+                axis="y",
+            )
+        )
+        meshes.append(
+            extrude(
+                [(-0.022, 0.084), (-0.022, 0.117), (0.008, 0.118), (0.046, 0.084)],
+                0.101,
+                mat=glass,
+                axis="y",
+            )
+        )
+        meshes.append(
+            box(0.003, 0.084, 0.05, (0, 0, 0), glass).turn(ry=-0.82).move(0.0545, 0, 0.086)
+        )
+        meshes.append(
+            box(0.003, 0.084, 0.038, (0, 0, 0), glass).turn(ry=0.5).move(-0.0935, 0, 0.084)
+        )
         number, draw = canvas(64, 64)
         draw.ellipse((2, 2, 61, 61), fill="#ffffff")
         text(draw, "7", (16, 10, 48, 54), "bold", "#1c1c20")
-        meshes.append(box(0.036, 0.119, 0.036, (-0.03, 0, 0.036), body, labels={"-y": printed(number, paint), "+y": printed(number, paint)}))
-        meshes.append(box(0.1, 0.03, 0.0025, (0, 0, 0), plain(second, 0.02)).turn(ry=0.13).move(0.086, 0, 0.071))
+        meshes.append(
+            box(
+                0.036,
+                0.119,
+                0.036,
+                (-0.03, 0, 0.036),
+                body,
+                labels={"-y": printed(number, paint), "+y": printed(number, paint)},
+            )
+        )
+        meshes.append(
+            box(0.1, 0.03, 0.0025, (0, 0, 0), plain(second, 0.02))
+            .turn(ry=0.13)
+            .move(0.086, 0, 0.071)
+        )
         meshes.append(box(0.076, 0.03, 0.0025, (-0.03, 0, 0.1238), plain(second, 0.02)))
         for q in (-1, 1):
             meshes.append(ellipsoid((0.006, 0.012, 0.009), (0.137, q * 0.038, 0.055), 8, 5, lamp))
             meshes.append(box(0.005, 0.022, 0.011, (-0.141, q * 0.038, 0.052), red))
         meshes.append(box(0.014, 0.112, 0.014, (0.139, 0, 0.027), dark, 0.003))
         axles, radius, track = (0.085, -0.085), 0.032, 0.055
-        pieces = [box_piece((0, 0, 0.05), (0.28, 0.122, 0.06)), box_piece((-0.02, 0, 0.1), (0.13, 0.1, 0.05))]
+        pieces = [
+            box_piece((0, 0, 0.05), (0.28, 0.122, 0.06)),
+            box_piece((-0.02, 0, 0.1), (0.13, 0.1, 0.05)),
+        ]
     for x in axles:
         for q in (-1, 1):
-            meshes.append(_wheel(radius, 0.026, tyre, cap).move(x, q * track, radius))
-            pieces.append(cylinder_piece(radius, -0.013, 0.013, 10) @ np.array([[1, 0, 0], [0, 0, 1], [0, 1, 0]]) + [x, q * track, radius])
+            meshes.append(_wheel(radius, 0.026, tyre, cap, q).move(x, q * track, radius))
+            pieces.append(
+                cylinder_piece(radius, -0.013, 0.013, 10)
+                @ np.array([[1, 0, 0], [0, 0, 1], [0, 1, 0]])
+                + [x, q * track, radius]
+            )
     for mesh in meshes:
         mesh.scale(s)
     pieces = [piece * s for piece in pieces]
@@ -183,9 +217,12 @@ def toy_car(kind: str, length: float, paint: str, second: str, hub: str) -> Mode
 
 def toy_car_random(rng: np.random.Generator) -> dict:
     return {
-        "kind": "car", "length": uniform(rng, 0.22, 0.3), "paint": pick(rng, ["#d8303a", "#2f6fc0", "#2f9a5a"]),
-        "second": pick(rng, ["#f6f4ee", "#f2c52a"]), "hub": pick(rng, ["#e8e8e6", "#f2c52a"]),
-    }  # fmt: skip
+        "kind": "car",
+        "length": uniform(rng, 0.22, 0.3),
+        "paint": pick(rng, ["#d8303a", "#2f6fc0", "#2f9a5a"]),
+        "second": pick(rng, ["#f6f4ee", "#f2c52a"]),
+        "hub": pick(rng, ["#e8e8e6", "#f2c52a"]),
+    }
 
 
 def toy_brick(columns: int, rows: int, unit: float, colour: str, tall: float) -> Model:
@@ -204,14 +241,23 @@ def toy_brick(columns: int, rows: int, unit: float, colour: str, tall: float) ->
             meshes.append(lathe(stud, sides, mat=m).move(*at))
     whole = box_piece((0, 0, (height + 0.2 * unit) / 2), (sx, sy, height + 0.2 * unit))
     mass = 1100 * columns * rows * unit**2 * height * 0.35
-    return Model("toy brick", {"body": Part(meshes, collision=[whole])}, mass=round(mass, 4), friction=0.4, texture_size=128)
+    return Model(
+        "toy brick",
+        {"body": Part(meshes, collision=[whole])},
+        mass=round(mass, 4),
+        friction=0.4,
+        texture_size=128,
+    )
 
 
 def toy_brick_random(rng: np.random.Generator) -> dict:
     return {
-        "columns": 4, "rows": 2, "unit": 0.008, "tall": 1.0,
+        "columns": 4,
+        "rows": 2,
+        "unit": 0.008,
+        "tall": 1.0,
         "colour": pick(rng, ["#c91a1e", "#1157b8", "#f4c812", "#12873c"]),
-    }  # fmt: skip
+    }
 
 
 def toy_train(first: str, second: str, third: str) -> Model:
@@ -219,41 +265,104 @@ def toy_train(first: str, second: str, third: str) -> Model:
     red, blue, yellow = plain(first, 0.05), plain(second, 0.05), plain(third, 0.05)
     dark, beech = plain("#2a2a2c", 0.05), plain("#d8b27c", 0.1, 60)
     meshes = [
-        box(0.14, 0.06, 0.016, (0.085, 0, 0.018), beech, 0.003), box(0.05, 0.056, 0.07, (0.04, 0, 0.034), red, 0.004),
+        box(0.14, 0.06, 0.016, (0.085, 0, 0.018), beech, 0.003),
+        box(0.05, 0.056, 0.07, (0.04, 0, 0.034), red, 0.004),
         box(0.062, 0.066, 0.01, (0.04, 0, 0.104), blue, 0.003),
-        lathe([(0, -0.042), (0.024, -0.042), (0.026, -0.038), (0.026, 0.038), (0.023, 0.042), (0, 0.042)], 16, mat=blue).turn(ry=math.pi / 2).move(0.105, 0, 0.058),
-        lathe([(0.007, 0), (0.008, 0.018), (0.014, 0.03), (0.013, 0.034), (0, 0.034)], 12, mat=dark).move(0.128, 0, 0.08),
+        lathe(
+            [
+                (0, -0.042),
+                (0.024, -0.042),
+                (0.026, -0.038),
+                (0.026, 0.038),
+                (0.023, 0.042),
+                (0, 0.042),
+            ],
+            16,
+            mat=blue,
+        )
+        .turn(ry=math.pi / 2)
+        .move(0.105, 0, 0.058),
+        lathe(
+            [(0.007, 0), (0.008, 0.018), (0.014, 0.03), (0.013, 0.034), (0, 0.034)], 12, mat=dark
+        ).move(0.128, 0, 0.08),
         ellipsoid((0.01, 0.01, 0.01), (0.088, 0, 0.084), 8, 5, yellow),
         box(0.026, 0.058, 0.028, (0.04, 0, 0.066), yellow),
-        box(0.12, 0.06, 0.016, (-0.085, 0, 0.018), beech, 0.003), box(0.03, 0.008, 0.008, (0.005, 0, 0.022), dark),
-    ]  # fmt: skip
-    for x, y, colour, turn in ((-0.115, -0.014, red, 0.1), (-0.083, 0.012, yellow, 0.5), (-0.053, -0.01, blue, -0.2)):
-        meshes.append(box(0.026, 0.026, 0.026, (0, 0, 0), colour, 0.002).turn(rz=turn).move(x, y, 0.034))
+        box(0.12, 0.06, 0.016, (-0.085, 0, 0.018), beech, 0.003),
+        box(0.03, 0.008, 0.008, (0.005, 0, 0.022), dark),
+    ]
+    for x, y, colour, turn in (
+        (-0.115, -0.014, red, 0.1),
+        (-0.083, 0.012, yellow, 0.5),
+        (-0.053, -0.01, blue, -0.2),
+    ):
+        meshes.append(
+            box(0.026, 0.026, 0.026, (0, 0, 0), colour, 0.002).turn(rz=turn).move(x, y, 0.034)
+        )
     for q in (-1, 1):
         meshes.append(box(0.12, 0.006, 0.014, (-0.085, q * 0.028, 0.034), beech, 0.001))
         for x in (0.13, 0.085, 0.04, -0.05, -0.12):
-            wheel = _wheel(0.018, 0.012, dark if x > 0 else red, yellow, 12)
+            wheel = _wheel(0.018, 0.012, dark if x > 0 else red, yellow, q, 10)
             meshes.append(wheel.move(x, q * 0.034, 0.018))
-    pieces = [box_piece((0, 0, 0.03), (0.3, 0.08, 0.06)), box_piece((0.04, 0, 0.08), (0.06, 0.066, 0.07)), box_piece((0.11, 0, 0.07), (0.09, 0.05, 0.08))]
-    return Model("wooden toy train", {"body": Part(meshes, collision=pieces)}, mass=0.45, friction=0.4)
+    pieces = [
+        box_piece((0, 0, 0.03), (0.3, 0.08, 0.06)),
+        box_piece((0.04, 0, 0.08), (0.06, 0.066, 0.07)),
+        box_piece((0.11, 0, 0.07), (0.09, 0.05, 0.08)),
+    ]
+    return Model(
+        "wooden toy train",
+        {"body": Part(meshes, collision=pieces)},
+        mass=0.45,
+        friction=0.4,
+        texture_size=128,
+    )
 
 
 def toy_train_random(rng: np.random.Generator) -> dict:
-    first, second, third = pick(rng, [("#c8302c", "#2f6fb0", "#f2c238"), ("#2f8a5a", "#c8402c", "#f2c238")])
+    first, second, third = pick(
+        rng, [("#c8302c", "#2f6fb0", "#f2c238"), ("#2f8a5a", "#c8402c", "#f2c238")]
+    )
     return {"first": first, "second": second, "third": third}
 
 
 MODELS = {
     "toy_ball": Maker(
-        toy_ball, toy_ball_random, 3, [{}, {"style": "stripe", "colours": ["#2f6fc0", "#d8303a", "#f2c52a"]}, {"style": "dots", "colours": ["#e8c22c", "#d8303a", "#2f8fc0"]}]
+        toy_ball,
+        toy_ball_random,
+        3,
+        [
+            {},
+            {"style": "stripe", "colours": ["#2f6fc0", "#d8303a", "#f2c52a"]},
+            {"style": "dots", "colours": ["#e8c22c", "#d8303a", "#2f8fc0"]},
+        ],
     ),
-    "teddy_bear": Maker(teddy_bear, teddy_bear_random, 3, [{"fur": "#a8713c", "bow": "#c8242c"}, {"fur": "#d9c3a0", "bow": "#2a5fb8"}, {"fur": "#8f8a86", "bow": None}]),
     "toy_car": Maker(
-        toy_car, toy_car_random, 3, [{"paint": "#d8303a", "second": "#f6f4ee"}, {"kind": "truck", "paint": "#e8b92c", "second": "#2f6fc0"}, {"paint": "#2f6fc0", "second": "#f2c52a"}]
+        toy_car,
+        toy_car_random,
+        3,
+        [
+            {"paint": "#d8303a", "second": "#f6f4ee"},
+            {"kind": "truck", "paint": "#e8b92c", "second": "#2f6fc0"},
+            {"paint": "#2f6fc0", "second": "#f2c52a"},
+        ],
     ),
     "toy_brick": Maker(
-        toy_brick, toy_brick_random, 4,
-        [{"colour": "#c91a1e"}, {"unit": 0.016, "colour": "#1157b8"}, {"unit": 0.016, "columns": 2, "colour": "#f4c812", "tall": 1.0}, {"columns": 6, "colour": "#12873c"}],
+        toy_brick,
+        toy_brick_random,
+        4,
+        [
+            {"colour": "#c91a1e"},
+            {"unit": 0.016, "colour": "#1157b8"},
+            {"unit": 0.016, "columns": 2, "colour": "#f4c812", "tall": 1.0},
+            {"columns": 6, "colour": "#12873c"},
+        ],
     ),
-    "toy_train": Maker(toy_train, toy_train_random, 1),
-}  # fmt: skip
+    "toy_train": Maker(
+        toy_train,
+        toy_train_random,
+        2,
+        [
+            {"first": "#c8302c", "second": "#2f6fb0", "third": "#f2c238"},
+            {"first": "#2f8a5a", "second": "#c8402c", "third": "#f2c238"},
+        ],
+    ),
+}

@@ -23,7 +23,11 @@ class Frame:
         c, s = round(math.cos(self.turn)), round(math.sin(self.turn))
         self.matrix = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])
         points = np.concatenate(
-            [m.v[sorted({i for f in m.f for i in f})] for n in model.default_parts for m in model.parts[n].meshes]
+            [
+                m.v[sorted({i for f in m.f for i in f})]
+                for n in model.default_parts
+                for m in model.parts[n].meshes
+            ]
         )
         points = points @ self.matrix.T
         low, high = points.min(0), points.max(0)
@@ -66,7 +70,10 @@ def triangles(obj) -> dict[str, np.ndarray]:
         "part": face_attribute(data, "part")[polygon],
     }
     evaluated.to_mesh_clear()
-    area = np.linalg.norm(np.cross(result["p"][:, 1] - result["p"][:, 0], result["p"][:, 2] - result["p"][:, 0]), axis=1)
+    area = np.linalg.norm(
+        np.cross(result["p"][:, 1] - result["p"][:, 0], result["p"][:, 2] - result["p"][:, 0]),
+        axis=1,
+    )
     solid = area > 1e-12
     return {k: v[solid] for k, v in result.items()}
 
@@ -78,9 +85,16 @@ def write_glb(path: Path, parts: dict[str, dict[str, np.ndarray]], texture_uri: 
     def add(array: np.ndarray, kind: str, component: int, target: int, bounds: bool = False) -> int:
         nonlocal blob
         raw = array.tobytes()
-        views.append({"buffer": 0, "byteOffset": len(blob), "byteLength": len(raw), "target": target})
+        views.append(
+            {"buffer": 0, "byteOffset": len(blob), "byteLength": len(raw), "target": target}
+        )
         blob += raw + b"\0" * (-len(raw) % 4)
-        accessor = {"bufferView": len(views) - 1, "componentType": component, "count": len(array), "type": kind}
+        accessor = {
+            "bufferView": len(views) - 1,
+            "componentType": component,
+            "count": len(array),
+            "type": kind,
+        }
         if bounds:
             accessor |= {"min": array.min(0).tolist(), "max": array.max(0).tolist()}
         accessors.append(accessor)
@@ -98,7 +112,12 @@ def write_glb(path: Path, parts: dict[str, dict[str, np.ndarray]], texture_uri: 
             "TEXCOORD_0": add(t[first].astype("<f4"), "VEC2", 5126, 34962),
         }
         indices = add(index.ravel().astype("<u2"), "SCALAR", 5123, 34963)
-        meshes.append({"name": name, "primitives": [{"attributes": attributes, "indices": indices, "material": 0}]})
+        meshes.append(
+            {
+                "name": name,
+                "primitives": [{"attributes": attributes, "indices": indices, "material": 0}],
+            }
+        )
         nodes.append({"name": name, "mesh": len(meshes) - 1})
     surface = {"baseColorTexture": {"index": 0}, "metallicFactor": 0, "roughnessFactor": 0.8}
     document = {
@@ -134,7 +153,9 @@ def _rounded(values) -> list[float]:
     return [round(float(v), 4) + 0.0 for v in np.asarray(values, float)]
 
 
-def record(model: Model, frame: Frame, asset_id: str, category: str, source: str, faces: dict[str, int]) -> dict:
+def record(
+    model: Model, frame: Frame, asset_id: str, category: str, source: str, faces: dict[str, int]
+) -> dict:
     """The manifest entry, plus `collision` for assemble.py; all in the contract's frame."""
     parts, collision = [], {}
     for name, part in model.parts.items():
@@ -147,29 +168,60 @@ def record(model: Model, frame: Frame, asset_id: str, category: str, source: str
         if isinstance(part.collision, str):
             collision[name] = part.collision
         else:
-            collision[name] = [[_rounded(p) for p in frame.points(piece)] for piece in part.collision]
+            collision[name] = [
+                [_rounded(p) for p in frame.points(piece)] for piece in part.collision
+            ]
     joints = [
-        {"name": name, "type": j.type, "origin_m": _rounded(frame.points(j.origin)),
-         "axis": _rounded(frame.directions(j.axis)), "lower": j.lower, "upper": round(j.upper, 4)}
+        {
+            "name": name,
+            "type": j.type,
+            "origin_m": _rounded(frame.points(j.origin)),
+            "axis": _rounded(frame.directions(j.axis)),
+            "lower": j.lower,
+            "upper": round(j.upper, 4),
+        }
         for name, j in model.joints.items()
-    ]  # fmt: skip
+    ]
     supports = []
     for s in model.supports:
         corners = frame.points([(x, y, s.z) for x, y in s.polygon])
-        supports.append({
-            "name": s.name, "part": s.part, "z_m": round(float(corners[0][2]), 4),
-            "polygon_m": [_rounded(c[:2]) for c in corners],
-            "headroom_m": None if s.headroom is None else round(s.headroom, 4), "container": s.container,
-        })  # fmt: skip
+        supports.append(
+            {
+                "name": s.name,
+                "part": s.part,
+                "z_m": round(float(corners[0][2]), 4),
+                "polygon_m": [_rounded(c[:2]) for c in corners],
+                "headroom_m": None if s.headroom is None else round(s.headroom, 4),
+                "container": s.container,
+            }
+        )
     containers = [
-        {"name": c.name, "part": c.part, "center_m": _rounded(frame.points(c.center)),
-         "size_m": _rounded(frame.sizes(c.size)), "closed_by": c.closed_by}
+        {
+            "name": c.name,
+            "part": c.part,
+            "center_m": _rounded(frame.points(c.center)),
+            "size_m": _rounded(frame.sizes(c.size)),
+            "closed_by": c.closed_by,
+        }
         for c in model.containers
-    ]  # fmt: skip
+    ]
     return {
-        "id": asset_id, "category": category, "title": model.title, "licence": "CC-BY-4.0", "source": source,
-        "extents_m": _rounded(frame.extents), "mass_kg": round(model.mass, 4), "friction": model.friction,
-        "mesh": f"meshes/{asset_id}.glb", "hulls": f"meshes/{asset_id}.hulls.json",
-        "texture": f"textures/{asset_id}.png", "parts": parts, "joints": joints, "variants": model.variants,
-        "states": model.states, "supports": supports, "containers": containers, "collision": collision,
-    }  # fmt: skip
+        "id": asset_id,
+        "category": category,
+        "title": model.title,
+        "licence": "CC-BY-4.0",
+        "source": source,
+        "extents_m": _rounded(frame.extents),
+        "mass_kg": round(model.mass, 4),
+        "friction": model.friction,
+        "mesh": f"meshes/{asset_id}.glb",
+        "hulls": f"meshes/{asset_id}.hulls.json",
+        "texture": f"textures/{asset_id}.png",
+        "parts": parts,
+        "joints": joints,
+        "variants": model.variants,
+        "states": model.states,
+        "supports": supports,
+        "containers": containers,
+        "collision": collision,
+    }

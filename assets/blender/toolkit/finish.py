@@ -11,7 +11,9 @@ from .prune import prune_hidden
 from .uv_bake import bake_texture, join, unwrap
 
 
-def finish(model: Model, asset_id: str, category: str, source: str, assets: Path, records: Path) -> str:
+def finish(
+    model: Model, asset_id: str, category: str, source: str, assets: Path, records: Path
+) -> str:
     """Prune, unwrap, bake and write; returns a line about the result."""
     names = list(model.parts)
     grouped: dict[str, list[int]] = {}
@@ -37,7 +39,9 @@ def finish(model: Model, asset_id: str, category: str, source: str, assets: Path
     data = triangles(obj)
     data["p"] = frame.points(data["p"])
     data["n"] = frame.directions(data["n"])
-    split = {name: {k: v[data["part"] == i] for k, v in data.items()} for i, name in enumerate(names)}
+    split = {
+        name: {k: v[data["part"] == i] for k, v in data.items()} for i, name in enumerate(names)
+    }
     write_glb(assets / "meshes" / f"{asset_id}.glb", split, f"../textures/{asset_id}.png")
     faces = {name: len(d["p"]) for name, d in split.items()}
     if not all(faces.values()):

@@ -32,7 +32,9 @@ def canvas(width: int, height: int, fill=None) -> tuple[Image.Image, ImageDraw.I
     return image, ImageDraw.Draw(image)
 
 
-def text(draw, words: str, box, kind="bold", fill="#fff", stroke=0, stroke_fill="#000", align="centre") -> None:
+def text(
+    draw, words: str, box, kind="bold", fill="#fff", stroke=0, stroke_fill="#000", align="centre"
+) -> None:
     """The largest lettering that fits the box (x0, y0, x1, y1)."""
     x0, y0, x1, y1 = box
     size = y1 - y0
@@ -44,7 +46,14 @@ def text(draw, words: str, box, kind="bold", fill="#fff", stroke=0, stroke_fill=
         size *= 0.93
     x = (x0 + x1 - (right - left)) / 2 if align == "centre" else x0
     y = (y0 + y1 - (bottom - top)) / 2
-    draw.text((x - left, y - top), words, font=chosen, fill=fill, stroke_width=stroke, stroke_fill=stroke_fill)
+    draw.text(
+        (x - left, y - top),
+        words,
+        font=chosen,
+        fill=fill,
+        stroke_width=stroke,
+        stroke_fill=stroke_fill,
+    )
 
 
 def small_print(draw, box, rows: int, fill="#777", rng=None, thickness=0.45) -> None:
@@ -53,7 +62,10 @@ def small_print(draw, box, rows: int, fill="#777", rng=None, thickness=0.45) -> 
     step = (y1 - y0) / rows
     for i in range(rows):
         short = rng.random() if rng is not None else (i * 37 % 10) / 10
-        draw.rectangle((x0, y0 + i * step, x1 - (x1 - x0) * short * 0.35, y0 + (i + thickness) * step), fill=fill)
+        draw.rectangle(
+            (x0, y0 + i * step, x1 - (x1 - x0) * short * 0.35, y0 + (i + thickness) * step),
+            fill=fill,
+        )
 
 
 def barcode(draw, box, rng) -> None:
@@ -83,7 +95,11 @@ def blob(draw, cx, cy, radius, rng, fill, unevenness=0.45) -> None:
     points = []
     for i in range(40):
         t = 2 * math.pi * i / 40
-        wave = 0.5 * math.sin(2 * t + phase[0]) + 0.3 * math.sin(3 * t + phase[1]) + 0.2 * math.sin(5 * t + phase[2])
+        wave = (
+            0.5 * math.sin(2 * t + phase[0])
+            + 0.3 * math.sin(3 * t + phase[1])
+            + 0.2 * math.sin(5 * t + phase[2])
+        )
         r = radius * (1 + unevenness * wave)
         points.append((cx + r * math.cos(t), cy + r * math.sin(t)))
     draw.polygon(points, fill=fill)

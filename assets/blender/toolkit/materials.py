@@ -1,7 +1,8 @@
 """Materials: every one is an Emission of its colour, so an EMIT bake gives the colour exactly.
 
-Object texture coordinates are the maker's own coordinates (the shift to the contract's
-origin happens at export), so `distance((x, y, z))` and `axis(2)` may be used freely.
+Texture coordinates are the maker's own coordinates (the shift to the contract's origin happens
+at export; a mesh's `rest` keeps them while it is moved), so `distance((x, y, z))` and `axis(2)`
+may be used freely.
 """
 
 from __future__ import annotations
@@ -83,16 +84,20 @@ class Material:
         return self
 
     # ---- coordinates
+    def _rest(self):
+        """Where the point was made (a shard that fell keeps the pattern of the whole)."""
+        return self._node("ShaderNodeAttribute", attribute_name="rest").outputs["Vector"]
+
     def coordinates(self, offset=(0, 0, 0), stretch=(1, 1, 1)):
-        source, mapping = self._node("ShaderNodeTexCoord"), self._node("ShaderNodeMapping")
-        self.tree.links.new(source.outputs["Object"], mapping.inputs[0])
+        mapping = self._node("ShaderNodeMapping")
+        self.tree.links.new(self._rest(), mapping.inputs[0])
         mapping.inputs["Location"].default_value = offset
         mapping.inputs["Scale"].default_value = stretch
         return mapping.outputs[0]
 
     def axis(self, i: int):
-        """Object coordinate x, y or z (0, 1, 2), in metres."""
-        return self._component(self._node("ShaderNodeTexCoord").outputs["Object"], i)
+        """Maker's coordinate x, y or z (0, 1, 2), in metres."""
+        return self._component(self._rest(), i)
 
     def normal(self, i: int):
         """Component of the surface normal."""
@@ -105,7 +110,7 @@ class Material:
 
     def distance(self, point, stretch=(1, 1, 1)):
         """Distance from a point of the model, in metres."""
-        source = self._node("ShaderNodeTexCoord").outputs["Object"]
+        source = self._rest()
         for operation, value in (("SUBTRACT", point), ("MULTIPLY", stretch)):
             node = self._node("ShaderNodeVectorMath", operation=operation)
             self.tree.links.new(source, node.inputs[0])
@@ -116,15 +121,30 @@ class Material:
         return node.outputs["Value"]
 
     # ---- patterns
-    def noise(self, scale, detail=3.0, roughness=0.55, distortion=0.0, offset=(0, 0, 0), stretch=(1, 1, 1)):
+    def noise(
+        self, scale, detail=3.0, roughness=0.55, distortion=0.0, offset=(0, 0, 0), stretch=(1, 1, 1)
+    ):
         node = self._node("ShaderNodeTexNoise")
         self.tree.links.new(self.coordinates(offset, stretch), node.inputs["Vector"])
-        values = {"Scale": scale, "Detail": detail, "Roughness": roughness, "Distortion": distortion}
+        values = {
+            "Scale": scale,
+            "Detail": detail,
+            "Roughness": roughness,
+            "Distortion": distortion,
+        }
         for key, value in values.items():
             node.inputs[key].default_value = value
         return node.outputs["Fac"]
 
-    def voronoi(self, scale, offset=(0, 0, 0), stretch=(1, 1, 1), output="Distance", feature="F1", randomness=1.0):
+    def voronoi(
+        self,
+        scale,
+        offset=(0, 0, 0),
+        stretch=(1, 1, 1),
+        output="Distance",
+        feature="F1",
+        randomness=1.0,
+    ):
         node = self._node("ShaderNodeTexVoronoi", feature=feature)
         self.tree.links.new(self.coordinates(offset, stretch), node.inputs["Vector"])
         node.inputs["Scale"].default_value = scale
@@ -150,7 +170,10 @@ class Material:
         def rgba(c):
             return (c, c, c, 1) if isinstance(c, (int, float)) else linear(c)
 
-        for element, (position, colour) in ((ramp.elements[0], stops[0]), (ramp.elements[1], stops[-1])):
+        for element, (position, colour) in (
+            (ramp.elements[0], stops[0]),
+            (ramp.elements[1], stops[-1]),
+        ):
             element.position, element.color = position, rgba(colour)
         for position, colour in stops[1:-1]:
             ramp.elements.new(position).color = rgba(colour)
@@ -181,11 +204,16 @@ class Material:
         """A plain colour with soft, irregular variation."""
         c = srgb(colour)
         factor = self.remap(self.noise(scale, detail, offset=offset), 0.3, 0.7)
-        return self.mix(factor, shade(c, 1 - amount), tuple((c * (1 + amount) + amount * 0.15).clip(0, 1)))
+        return self.mix(
+            factor, shade(c, 1 - amount), tuple((c * (1 + amount) + amount * 0.15).clip(0, 1))
+        )
 
     def edge_highlight(self, colour, radius: float, strength: float = 0.35, tint="ffffff"):
         """Lighten convex edges (wear, moulded plastic)."""
-        rounded, geometry = self._node("ShaderNodeBevel", samples=4), self._node("ShaderNodeNewGeometry")
+        rounded, geometry = (
+            self._node("ShaderNodeBevel", samples=4),
+            self._node("ShaderNodeNewGeometry"),
+        )
         rounded.inputs["Radius"].default_value = radius
         dot = self._node("ShaderNodeVectorMath", operation="DOT_PRODUCT")
         self.tree.links.new(rounded.outputs[0], dot.inputs[0])
@@ -223,23 +251,41 @@ def label(picture, base=None, occlusion=1.0) -> Material:
     return m.colour(m.image(picture, base))
 
 
-def metal(colour="b8bcc0", dark="6f757b", brush=(1, 1, 12), scale=90.0, offset=(0, 0, 0), occlusion=0.8) -> Material:
+def metal(
+    colour="b8bcc0", dark="6f757b", brush=(1, 1, 12), scale=90.0, offset=(0, 0, 0), occlusion=0.8
+) -> Material:
     """Reflections painted in: a ramp over the normal (as a matcap) and brushed streaks."""
     m = Material(occlusion=occlusion)
     t = m.math("ADD", m.math("MULTIPLY", m.normal(2), 0.35), m.math("MULTIPLY", m.normal(0), 0.25))
-    stops = [(0, dark), (0.35, colour), (0.5, shade(colour, 1.18)), (0.62, colour), (0.8, shade(colour, 1.12)), (1, colour)]
+    stops = [
+        (0, dark),
+        (0.35, colour),
+        (0.5, shade(colour, 1.18)),
+        (0.62, colour),
+        (0.8, shade(colour, 1.12)),
+        (1, colour),
+    ]
     base = m.ramp(m.remap(t, -0.6, 0.6), stops)
     streaks = m.remap(m.noise(scale, 2, offset=offset, stretch=brush), 0.3, 0.7, 0, 0.22)
     return m.colour(m.mix(streaks, base, dark))
 
 
-def wood(light="b98552", dark="7d5230", grain_axis=0, scale=9.0, offset=(0, 0, 0), contrast=1.0) -> Material:
+def wood(
+    light="b98552", dark="7d5230", grain_axis=0, scale=9.0, offset=(0, 0, 0), contrast=1.0
+) -> Material:
     """Wood with its grain along an axis."""
     m = Material()
     stretch = [7.0, 7.0, 7.0]
     stretch[grain_axis] = 0.6
     rings = m.noise(scale, 4, distortion=1.2, offset=offset, stretch=stretch)
-    fine = m.noise(scale * 8, 3, offset=offset, stretch=[s * 1.5 if i != grain_axis else 0.4 for i, s in enumerate(stretch)])
+    fine = m.noise(
+        scale * 8,
+        3,
+        offset=offset,
+        stretch=[s * 1.5 if i != grain_axis else 0.4 for i, s in enumerate(stretch)],
+    )
     mid = blend(light, dark, 0.45)
-    base = m.ramp(rings, [(0.28, blend(light, dark, contrast)), (0.45, mid), (0.6, light), (0.75, mid)])
+    base = m.ramp(
+        rings, [(0.28, blend(light, dark, contrast)), (0.45, mid), (0.6, light), (0.75, mid)]
+    )
     return m.colour(m.mix(m.remap(fine, 0.4, 0.65, 0, 0.35), base, dark))

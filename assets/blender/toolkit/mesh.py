@@ -39,10 +39,11 @@ class Mesh:
         self.bake_uv = bake_uv
         self.weight = weight
         self.smooth = smooth
+        self.rest: np.ndarray | None = None  # pattern coordinates, if not those of the vertices
 
     # ---- transforms: in place, chainable
     def move(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Mesh:
-        self.v = self.v + [x, y, z]
+        self.v = self.v + np.array([x, y, z])
         return self
 
     def turn(self, rx: float = 0.0, ry: float = 0.0, rz: float = 0.0, pivot=(0, 0, 0)) -> Mesh:
@@ -74,14 +75,28 @@ class Mesh:
         self.weight = weight
         return self
 
+    def keep_pattern(self) -> Mesh:
+        """From now on moving the mesh no longer moves it through its material's pattern."""
+        self.rest = self.v.copy()
+        return self
+
     def flat(self) -> Mesh:
         self.smooth = False
         return self
 
     def copy(self) -> Mesh:
-        return Mesh(
-            self.v.copy(), self.f, self.mi, self.mats, self.label_uv, self.bake_uv, self.weight, self.smooth
+        twin = Mesh(
+            self.v.copy(),
+            self.f,
+            self.mi,
+            self.mats,
+            self.label_uv,
+            self.bake_uv,
+            self.weight,
+            self.smooth,
         )
+        twin.rest = None if self.rest is None else self.rest.copy()
+        return twin
 
     def keep_faces(self, keep: Sequence[int]) -> None:
         for name in ("f", "mi", "label_uv", "bake_uv"):
@@ -104,7 +119,10 @@ class Mesh:
 
 def face_normal(points: np.ndarray) -> np.ndarray:
     """Unnormalised normal of a planar polygon."""
-    return sum(np.cross(points[i] - points[0], points[i + 1] - points[0]) for i in range(1, len(points) - 1))
+    return sum(
+        np.cross(points[i] - points[0], points[i + 1] - points[0])
+        for i in range(1, len(points) - 1)
+    )
 
 
 def cube_project(mesh: Mesh) -> Mesh:
@@ -139,9 +157,16 @@ def bevel(mesh: Mesh, width: float, segments: int = 1, sharper_than_deg: float =
     limit = math.radians(sharper_than_deg)
     edges = [e for e in bm.edges if len(e.link_faces) == 2 and e.calc_face_angle(0) > limit]
     bmesh.ops.bevel(
-        bm, geom=edges, offset=width, segments=segments, profile=0.5, affect="EDGES",
-        clamp_overlap=True, loop_slide=True, material=-1,
-    )  # fmt: skip
+        bm,
+        geom=edges,
+        offset=width,
+        segments=segments,
+        profile=0.5,
+        affect="EDGES",
+        clamp_overlap=True,
+        loop_slide=True,
+        material=-1,
+    )
     result = from_bmesh(bm, mesh.mats)
     result.weight, result.smooth = mesh.weight, mesh.smooth
     return cube_project(result)

@@ -118,10 +118,18 @@ def prism_piece(outline, z0: float, z1: float) -> np.ndarray:
     return np.array([(x, y, z) for z in (z0, z1) for x, y in outline], float)
 
 
-def cylinder_piece(radius: float, z0: float, z1: float, n: int = 12, top_radius: float | None = None) -> np.ndarray:
+def cylinder_piece(
+    radius: float, z0: float, z1: float, n: int = 12, top_radius: float | None = None
+) -> np.ndarray:
     top = radius if top_radius is None else top_radius
     angles = [2 * math.pi * i / n for i in range(n)]
-    return np.array([(r * math.cos(a), r * math.sin(a), z) for r, z in ((radius, z0), (top, z1)) for a in angles])
+    return np.array(
+        [
+            (r * math.cos(a), r * math.sin(a), z)
+            for r, z in ((radius, z0), (top, z1))
+            for a in angles
+        ]
+    )
 
 
 def ring_pieces(outer, inner, n: int = 10) -> list[np.ndarray]:
@@ -133,14 +141,19 @@ def ring_pieces(outer, inner, n: int = 10) -> list[np.ndarray]:
     for i in range(n):
         a, b = 2 * math.pi * i / n, 2 * math.pi * (i + 1) / n
         pieces.append(
-            np.array([(r * math.cos(t), r * math.sin(t), z) for r, z in (*outer, *inner) for t in (a, b)])
+            np.array(
+                [(r * math.cos(t), r * math.sin(t), z) for r, z in (*outer, *inner) for t in (a, b)]
+            )
         )
     return pieces
 
 
 def round_polygon(radius: float, n: int = 12) -> list[tuple[float, float]]:
     """For supports: a regular polygon inside a circle."""
-    return [(radius * math.cos(2 * math.pi * i / n), radius * math.sin(2 * math.pi * i / n)) for i in range(n)]
+    return [
+        (radius * math.cos(2 * math.pi * i / n), radius * math.sin(2 * math.pi * i / n))
+        for i in range(n)
+    ]
 
 
 def rectangle(sx: float, sy: float, cx: float = 0.0, cy: float = 0.0) -> list[tuple[float, float]]:

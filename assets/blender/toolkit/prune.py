@@ -31,6 +31,7 @@ def prune_hidden(meshes: list[Mesh], rays: int = 24, seed: int = 0) -> int:
     points = np.concatenate([m.v for m in meshes])
     tree = BVHTree.FromPolygons(points.tolist(), triangles)
     step = float(np.ptp(points, axis=0).max()) * 2e-4
+    coarse = 500 * step
     directions = np.random.default_rng(seed).normal(size=(rays, 3))
     directions /= np.linalg.norm(directions, axis=1)[:, None]
 
@@ -42,6 +43,10 @@ def prune_hidden(meshes: list[Mesh], rays: int = 24, seed: int = 0) -> int:
         normal = normal / length
         centre = corners.mean(0)
         starts = [centre, *(centre + (c - centre) * t for t in (0.92, 0.5) for c in corners)]
+        if np.ptp(corners, axis=0).max() > coarse:  # a large face may show in one narrow gap only
+            a, b, c = corners[:3]
+            grid = [(i, j) for i in range(1, 12) for j in range(1, 12 - i)]
+            starts += [a + (b - a) * i / 12 + (c - a) * j / 12 for i, j in grid]
         for start in starts:
             origin = Vector(start + normal * step)
             for d in directions:

@@ -14,9 +14,16 @@ BOX_FACES = ("-x", "+x", "-y", "+y", "-z", "+z")
 
 
 def box(
-    sx: float, sy: float, sz: float, at=(0, 0, 0), mat=None, bevel_width: float = 0.0, segments: int = 1,
-    labels: dict[str, tuple] | None = None, weight: float = 1.0,
-) -> Mesh:  # fmt: skip
+    sx: float,
+    sy: float,
+    sz: float,
+    at=(0, 0, 0),
+    mat=None,
+    bevel_width: float = 0.0,
+    segments: int = 1,
+    labels: dict[str, tuple] | None = None,
+    weight: float = 1.0,
+) -> Mesh:
     """A box standing on `at` (centre of its bottom face).
 
     labels: face name ("+x", "-y", ...) -> material, or (material, (u0, v0, u1, v1)) to show that
@@ -36,10 +43,13 @@ def box(
         # corner order of each face above, so that the label reads upright from outside;
         # the top reads upright when seen from the front (+x)
         luv[k] = {
-            "-x": [(u1, v0), (u1, v1), (u0, v1), (u0, v0)], "+x": [(u1, v0), (u1, v1), (u0, v1), (u0, v0)],
-            "-y": [(u1, v0), (u1, v1), (u0, v1), (u0, v0)], "+y": [(u1, v0), (u1, v1), (u0, v1), (u0, v0)],
-            "-z": [(u0, v1), (u0, v0), (u1, v0), (u1, v1)], "+z": [(u0, v1), (u0, v0), (u1, v0), (u1, v1)],
-        }[name]  # fmt: skip
+            "-x": [(u1, v0), (u1, v1), (u0, v1), (u0, v0)],
+            "+x": [(u1, v0), (u1, v1), (u0, v1), (u0, v0)],
+            "-y": [(u1, v0), (u1, v1), (u0, v1), (u0, v0)],
+            "+y": [(u1, v0), (u1, v1), (u0, v1), (u0, v0)],
+            "-z": [(u0, v1), (u0, v0), (u1, v0), (u1, v1)],
+            "+z": [(u0, v1), (u0, v0), (u1, v0), (u1, v1)],
+        }[name]
     mesh = cube_project(Mesh(v, f, mi, mats, luv, weight=weight))
     if bevel_width:
         mesh = bevel(mesh, min(bevel_width, 0.45 * min(sx, sy, sz)), segments)
@@ -47,10 +57,17 @@ def box(
 
 
 def lathe(
-    profile: Sequence[tuple[float, float]], n: int = 24, mat=None, mats: Sequence | None = None,
-    mat_of_segment: Sequence[int] | None = None, label_z: tuple[float, float] | None = None,
-    start: float = 0.0, rib: Callable[[int, int], float] | None = None, discs: bool = True, weight: float = 1.0,
-) -> Mesh:  # fmt: skip
+    profile: Sequence[tuple[float, float]],
+    n: int = 24,
+    mat=None,
+    mats: Sequence | None = None,
+    mat_of_segment: Sequence[int] | None = None,
+    label_z: tuple[float, float] | None = None,
+    start: float = 0.0,
+    rib: Callable[[int, int], float] | None = None,
+    discs: bool = True,
+    weight: float = 1.0,
+) -> Mesh:
     """Revolve (radius, z) pairs about z, listed from the bottom's centre outwards and up.
 
     label_z: the band a label's v covers; label u runs anticlockwise from angle `start`
@@ -85,10 +102,20 @@ def lathe(
             island, climbed = island + 1, 0.0
         for i in range(n):
             quad = [index[k][i], index[k][i + 1], index[k + 1][i + 1], index[k + 1][i]]
-            corners = [0, 2, 3] if quad[0] == quad[1] else [0, 1, 2] if quad[2] == quad[3] else [0, 1, 2, 3]
+            corners = (
+                [0, 2, 3]
+                if quad[0] == quad[1]
+                else [0, 1, 2]
+                if quad[2] == quad[3]
+                else [0, 1, 2, 3]
+            )
             faces.append([quad[c] for c in corners])
             mi.append(mat_of_segment[k] if mat_of_segment else 0)
-            us, zs, rs = [i / n, (i + 1) / n, (i + 1) / n, i / n], [za, za, zb, zb], [r0, r0, r1, r1]
+            us, zs, rs = (
+                [i / n, (i + 1) / n, (i + 1) / n, i / n],
+                [za, za, zb, zb],
+                [r0, r0, r1, r1],
+            )
             if r0 < 1e-9:
                 us[0] = (i + 0.5) / n
             if r1 < 1e-9:
@@ -98,11 +125,16 @@ def lathe(
                 polar = [(rs[c], start + TAU * us[c]) for c in corners]
                 # a disc seen from below is mirrored, otherwise its texels would be
                 flip = 1 if r1 < r0 else -1
-                buv.append([(island * spacing + flip * r * math.cos(a), r * math.sin(a)) for r, a in polar])
+                buv.append(
+                    [(island * spacing + flip * r * math.cos(a), r * math.sin(a)) for r, a in polar]
+                )
             else:
                 around = TAU * widest * 0.9
                 buv.append(
-                    [(island * spacing + us[c] * around, climbed + (0 if c < 2 else length)) for c in corners]
+                    [
+                        (island * spacing + us[c] * around, climbed + (0 if c < 2 else length))
+                        for c in corners
+                    ]
                 )
         climbed += length
         previous = (disc, angle)
@@ -110,7 +142,14 @@ def lathe(
 
 
 def tube(
-    points, radius, n: int = 8, closed: bool = False, mat=None, flatten: float = 1.0, up=None, weight: float = 1.0
+    points,
+    radius,
+    n: int = 8,
+    closed: bool = False,
+    mat=None,
+    flatten: float = 1.0,
+    up=None,
+    weight: float = 1.0,
 ) -> Mesh:
     """A tube along points; radius may vary per point; flatten scales it along `up`."""
     path = np.asarray(points, float)
@@ -118,7 +157,9 @@ def tube(
     radii = np.broadcast_to(radius, (m,))
     tangents = (np.roll(path, -1, 0) - np.roll(path, 1, 0)) if closed else np.gradient(path, axis=0)
     tangents = tangents / (np.linalg.norm(tangents, axis=1)[:, None] + 1e-12)
-    u = np.array(up if up is not None else (0, 0, 1.0) if abs(tangents[0][2]) < 0.9 else (1.0, 0, 0))
+    u = np.array(
+        up if up is not None else (0, 0, 1.0) if abs(tangents[0][2]) < 0.9 else (1.0, 0, 0)
+    )
     vertices = []
     for point, tangent, r in zip(path, tangents, radii, strict=True):
         b = u - tangent * (u @ tangent)
@@ -127,7 +168,8 @@ def tube(
             u = b
         c = np.cross(tangent, b)
         vertices += [
-            point + r * (math.cos(a) * b * flatten + math.sin(a) * c) for a in (TAU * i / n for i in range(n))
+            point + r * (math.cos(a) * b * flatten + math.sin(a) * c)
+            for a in (TAU * i / n for i in range(n))
         ]
     loop = np.r_[path, path[:1]] if closed else path
     length = np.r_[0, np.cumsum(np.linalg.norm(np.diff(loop, axis=0), axis=1))]
@@ -147,7 +189,10 @@ def tube(
         for k, back in ((0, True), (m - 1, False)):
             face = [k * n + i for i in range(n)]
             away = -4 * length[-1] * (1 + (k > 0))
-            ring = [(away + widest * math.cos(TAU * i / n), widest * math.sin(TAU * i / n)) for i in range(n)]
+            ring = [
+                (away + widest * math.cos(TAU * i / n), widest * math.sin(TAU * i / n))
+                for i in range(n)
+            ]
             faces.append(tuple(face[::-1] if back else face))
             buv.append(ring[::-1] if back else ring)
             luv.append([(0, 0)] * n)
@@ -155,9 +200,15 @@ def tube(
 
 
 def extrude(
-    outline, height: float, mat=None, side_mat=None, bevel_width: float = 0.0, segments: int = 1, axis: str = "z",
+    outline,
+    height: float,
+    mat=None,
+    side_mat=None,
+    bevel_width: float = 0.0,
+    segments: int = 1,
+    axis: str = "z",
     weight: float = 1.0,
-) -> Mesh:  # fmt: skip
+) -> Mesh:
     """A prism from a 2D outline.
 
     axis "z": outline in xy, standing on z = 0; "y": outline in xz, centred on y = 0;
@@ -184,9 +235,14 @@ def extrude(
 
 
 def loft(
-    rings, mat=None, mats: Sequence | None = None, caps=(True, True),
-    mat_of_face: Callable[[int, int], int] | None = None, closed: bool = True, weight: float = 1.0,
-) -> Mesh:  # fmt: skip
+    rings,
+    mat=None,
+    mats: Sequence | None = None,
+    caps=(True, True),
+    mat_of_face: Callable[[int, int], int] | None = None,
+    closed: bool = True,
+    weight: float = 1.0,
+) -> Mesh:
     """Skin a list of rings with equally many points; label UV: u around, v along."""
     rings = [np.asarray(r, float) for r in rings]
     n, m = len(rings[0]), len(rings)
@@ -194,7 +250,8 @@ def loft(
     centres = [r.mean(0) for r in rings]
     spread = [np.linalg.norm(r - c, axis=1).mean() for r, c in zip(rings, centres, strict=True)]
     steps = [
-        np.linalg.norm(centres[k + 1] - centres[k]) + 0.5 * abs(spread[k + 1] - spread[k]) for k in range(m - 1)
+        np.linalg.norm(centres[k + 1] - centres[k]) + 0.5 * abs(spread[k + 1] - spread[k])
+        for k in range(m - 1)
     ]
     along = np.r_[0, np.cumsum(steps)]
     count = n if closed else n - 1
@@ -205,7 +262,9 @@ def loft(
             faces.append((k * n + i, k * n + j, (k + 1) * n + j, (k + 1) * n + i))
             mi.append(mat_of_face(k, i) if mat_of_face else 0)
             u0, u1, a, b = i / count, (i + 1) / count, along[k], along[k + 1]
-            buv.append([(u0 * perimeter, a), (u1 * perimeter, a), (u1 * perimeter, b), (u0 * perimeter, b)])
+            buv.append(
+                [(u0 * perimeter, a), (u1 * perimeter, a), (u1 * perimeter, b), (u0 * perimeter, b)]
+            )
             a, b = a / along[-1], b / along[-1]
             luv.append([(u0, a), (u1, a), (u1, b), (u0, b)])
     for end, (k, back) in enumerate(((0, True), (m - 1, False))):

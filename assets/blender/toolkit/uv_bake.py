@@ -20,9 +20,11 @@ def reset_blender() -> None:
     bpy.ops.wm.read_factory_settings(use_empty=True)
 
 
-def join(meshes: list[Mesh], part_of_mesh: list[int], name: str, smooth_deg: float = 40) -> bpy.types.Object:
-    """One object of all meshes; face attributes remember the part, the weight and the bake UV's origin."""
-    vertices, faces, shift, materials = [], [], 0, []
+def join(
+    meshes: list[Mesh], part_of_mesh: list[int], name: str, smooth_deg: float = 40
+) -> bpy.types.Object:
+    """One object of all meshes; face attributes keep part, weight and whether UVs are native."""
+    vertices, rest, faces, shift, materials = [], [], [], 0, []
     per_face: dict[str, list] = {k: [] for k in ("material", "smooth", "native", "weight", "part")}
     corners: dict[str, list] = {"label": [], "bake": []}
     for mesh, part in zip(meshes, part_of_mesh, strict=True):
@@ -34,6 +36,8 @@ def join(meshes: list[Mesh], part_of_mesh: list[int], name: str, smooth_deg: flo
         used = sorted({i for face in mesh.f for i in face})
         renumber = {old: new + shift for new, old in enumerate(used)}
         vertices += [mesh.v[i].tolist() for i in used]
+        pattern = mesh.v if mesh.rest is None else mesh.rest
+        rest += [pattern[i].tolist() for i in used]
         shift += len(used)
         for i, face in enumerate(mesh.f):
             faces.append([renumber[j] for j in face])
@@ -57,6 +61,7 @@ def join(meshes: list[Mesh], part_of_mesh: list[int], name: str, smooth_deg: flo
     data.polygons.foreach_set("use_smooth", per_face["smooth"])
     for key, kind in (("native", "INT"), ("weight", "FLOAT"), ("part", "INT")):
         data.attributes.new(key, kind, "FACE").data.foreach_set("value", per_face[key])
+    data.attributes.new("rest", "FLOAT_VECTOR", "POINT").data.foreach_set("vector", np.ravel(rest))
     data.uv_layers.active = data.uv_layers["bake"]
     data.uv_layers["bake"].active_render = True
     data.use_auto_smooth = True
@@ -92,8 +97,8 @@ def _write_uv(data, uv: np.ndarray) -> None:
     data.uv_layers["bake"].data.foreach_set("uv", np.ascontiguousarray(uv, np.float32).ravel())
 
 
-def unwrap(obj, margin: float = 0.012) -> None:
-    """Average the islands' scale, apply the weights and pack; smart projection where none is given."""
+def unwrap(obj, margin: float = 0.005) -> None:
+    """Average the islands' scale, weigh and pack them; smart projection where none is given."""
     data = obj.data
     for material in data.materials:
         # packing corrects for the proportions of the active image: an empty one, not a drawn label
@@ -105,7 +110,8 @@ def unwrap(obj, margin: float = 0.012) -> None:
     bpy.context.scene.tool_settings.use_uv_select_sync = True
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.context.tool_settings.mesh_select_mode = (False, False, True)
-    bm = bmesh.from_edit_mesh(data)  # selecting through the mesh before edit mode selects everything
+    # (selecting through the mesh before edit mode selects everything)
+    bm = bmesh.from_edit_mesh(data)
     for face in bm.faces:
         face.select_set(False)
     for face, given in zip(bm.faces, native, strict=True):
@@ -123,7 +129,7 @@ def unwrap(obj, margin: float = 0.012) -> None:
     _write_uv(data, _read_uv(data) * weight[:, None])
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.uv.pack_islands(rotate=True, margin=margin)
+    bpy.ops.uv.pack_islands(rotate=True, margin_method="FRACTION", margin=margin)
     bpy.ops.object.mode_set(mode="OBJECT")
     uv = _read_uv(data)
     low, high, border = uv.min(0), uv.max(0), 0.006
@@ -157,7 +163,9 @@ def _subset(obj, keep: np.ndarray):
     """A copy of the object with some of its faces."""
     bm = bmesh.new()
     bm.from_mesh(obj.data)
-    bmesh.ops.delete(bm, geom=[f for f, k in zip(bm.faces, keep, strict=True) if not k], context="FACES")
+    bmesh.ops.delete(
+        bm, geom=[f for f, k in zip(bm.faces, keep, strict=True) if not k], context="FACES"
+    )
     data = obj.data.copy()
     bm.to_mesh(data)
     bm.free()
@@ -215,7 +223,9 @@ def bake_texture(
     return (result.clip(0, 1) * 255 + 0.5).astype(np.uint8)
 
 
-def _bake_occlusion(obj, groups: list[list[int]], size: int, ground_group: int | None) -> np.ndarray:
+def _bake_occlusion(
+    obj, groups: list[list[int]], size: int, ground_group: int | None
+) -> np.ndarray:
     world = bpy.context.scene.world or bpy.data.worlds.new("world")
     bpy.context.scene.world = world
     part = face_attribute(obj.data, "part")

@@ -1,0 +1,15 @@
+"""Predictions against truth: the metrics, a strict reader of predictions, three detectors."""
+
+from sdgen.benchmark.detectors import DETECTORS, detect
+from sdgen.benchmark.metrics import Evaluation, Score, evaluate
+from sdgen.benchmark.predictions import read_predictions, write_predictions
+
+__all__ = [
+    "DETECTORS",
+    "Evaluation",
+    "Score",
+    "detect",
+    "evaluate",
+    "read_predictions",
+    "write_predictions",
+]

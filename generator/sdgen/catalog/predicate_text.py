@@ -60,4 +60,6 @@ def _joined(terms: Sequence[Predicate], between: str) -> str:
 def _limits(low: float | None, high: float | None) -> str:
     if low is not None and high is not None:
         return f"{low:g} to {high:g} m"
-    return f"at most {high:g} m" if high is not None else f"at least {low:g} m"
+    if high is not None:
+        return f"at most {high:g} m"
+    return f"at least {low or 0.0:g} m"

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from sdgen.catalog.reader import Reader, kind_of
+from sdgen.catalog.reader import Reader, shown
 from sdgen.catalog.records import (
     AllTerm,
     AnyTerm,
@@ -91,7 +91,7 @@ def read_predicate(
 def _listed(reader: Reader, key: str, categories: set[str], rooms: set[str]) -> Iterator[Predicate]:
     value = reader.data[key]
     if not isinstance(value, list) or not value:
-        reader.problem(f"expected a list of terms, got {kind_of(value)}", key)
+        reader.problem(f"expected a list of terms, got {shown(value)}", key)
         return
     for index, item in enumerate(value):
         yield read_predicate(reader.source, (*reader.path, key, index), item, categories, rooms)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from sdgen.catalog.consistency import check_recipes
 from sdgen.catalog.predicate_yaml import ZONE_KINDS, read_predicate
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.records import (
@@ -74,6 +75,8 @@ def read_hazard(reader: Reader, categories: set[str], rooms: set[str], pack: str
     )
     reader.flag("replaces")
     reader.done()
+    if not reader.source.problems:
+        check_recipes(reader, hazard)
     return hazard
 
 
@@ -146,7 +149,7 @@ def _place(reader: Reader, categories: set[str], rooms: set[str]) -> PlaceRecipe
 def _remedy(reader: Reader, categories: set[str]) -> RemedyRule:
     action = reader.choice("action", ACTIONS)
     targets = reader.words("target", (), choices=categories, what="category")
-    if action in ("put_in", "put_on") and not targets and reader.ok:
+    if action in ("put_in", "put_on") and reader.ok and not reader.has("target"):
         reader.problem(f"action {action} needs a target")
     reader.done()
     return RemedyRule(action=action, targets=targets)

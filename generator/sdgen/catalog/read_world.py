@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sdgen.catalog.reader import Reader, kind_of
+from sdgen.catalog.reader import Reader, shown
 from sdgen.catalog.records import (
     Abode,
     Category,
@@ -92,7 +92,7 @@ def _sizes(
         return zero, zero
     value = reader.data["size_m"]
     if not isinstance(value, list) or len(value) != 2:
-        got = f"{len(value)} items" if isinstance(value, list) else kind_of(value)
+        got = f"{len(value)} items" if isinstance(value, list) else shown(value)
         reader.problem(f"expected [[x, y, z] smallest, [x, y, z] largest], got {got}", "size_m")
         return zero, zero
     a = reader.vector(value[0], 3, ("size_m", 0), 0.0, 50.0)

@@ -15,14 +15,19 @@ from sdgen.errors import did_you_mean
 
 WORD = re.compile(r"[a-z][a-z0-9_]*")
 STATE = re.compile(r"[A-Z][A-Z_]*")
-_KINDS = {dict: "a mapping", list: "a list", str: "text", bool: "true or false", int: "a number"}
-_KINDS |= {float: "a number", type(None): "nothing"}
 _REQUIRED: Any = object()
 
 
-def kind_of(value: Any) -> str:
-    """A word for the type of a YAML value."""
-    return _KINDS.get(type(value), type(value).__name__)
+def shown(value: Any) -> str:
+    """What a YAML value is, for a message: ``a list``, ``text 'abc'``, ``the number 3``."""
+    if isinstance(value, str):
+        return f"text {value[:40]!r}"
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, int | float):
+        return f"the number {value:g}"
+    kinds = {dict: "a mapping", list: "a list", type(None): "nothing"}
+    return kinds.get(type(value), type(value).__name__)
 
 
 def state_problem(text: str) -> str:
@@ -44,7 +49,7 @@ class Reader:
         self.ok = isinstance(value, dict)
         self.data: dict[str, Any] = value if self.ok else {}
         if not self.ok:
-            source.problem(path, f"expected a mapping (key: value), got {kind_of(value)}")
+            source.problem(path, f"expected a mapping (key: value), got {shown(value)}")
 
     def problem(self, message: str, *steps: str | int) -> None:
         """Note a problem at a path below this mapping."""
@@ -74,7 +79,7 @@ class Reader:
                 return None
             return default
         if not isinstance(value, types) or (isinstance(value, bool) and bool not in types):
-            self.problem(f"expected {want}, got {kind_of(value)}{_shown(value)}", key)
+            self.problem(f"expected {want}, got {shown(value)}", key)
             return None if default is _REQUIRED else default
         return value
 
@@ -124,7 +129,7 @@ class Reader:
         for index, item in enumerate(listed):
             steps = (key,) if isinstance(value, str) else (key, index)
             if not isinstance(item, str):
-                self.problem(f"expected a {what}, got {kind_of(item)}{_shown(item)}", *steps)
+                self.problem(f"expected a {what}, got {shown(item)}", *steps)
             elif known is not None and item not in known:
                 self.problem(f"unknown {what} {item!r}{did_you_mean(item, known)}", *steps)
             elif item in out:
@@ -184,12 +189,12 @@ class Reader:
         if value is None:
             return zeros
         if not isinstance(value, list) or len(value) != count:
-            got = f"{len(value)} items" if isinstance(value, list) else kind_of(value)
+            got = f"{len(value)} items" if isinstance(value, list) else shown(value)
             self.problem(f"expected a list of {count} numbers, got {got}", *steps)
             return zeros
         for index, item in enumerate(value):
             if isinstance(item, bool) or not isinstance(item, int | float):
-                got = f"{kind_of(item)}{_shown(item)}"
+                got = f"{shown(item)}"
                 self.problem(f"expected a number, got {got}", *steps, index)
                 return zeros
             if not low <= item <= high:
@@ -231,11 +236,3 @@ class Reader:
                 here.problem(f"{name!r} is not a name (lower case letters, digits, _)", name)
             out.append((name, Reader(self.source, (*here.path, name), value)))
         return out
-
-
-def _shown(value: Any) -> str:
-    if isinstance(value, str):
-        return f" {value[:40]!r}"
-    if isinstance(value, bool | int | float):
-        return f" {str(value).lower()}"
-    return ""

@@ -47,14 +47,22 @@ def show_path(path: Path_) -> str:
 class Source:
     """One parsed file: its ``value`` (dict, list, str, int, float, bool or None).
 
-    ``lines`` gives the 1-based line of every key path; ``problems`` collects what is wrong, each
-    ``file:line: key path: problem``.
+    ``lines`` gives the 1-based line of every key path.
     """
 
     file: str
     value: Any = None
     lines: dict[Path_, int] = field(default_factory=dict)
-    problems: list[str] = field(default_factory=list)
+    found: list[tuple[int, str]] = field(default_factory=list)
+
+    @property
+    def problems(self) -> list[str]:
+        """What is wrong, by line, each ``file:line: key path: problem``."""
+        ordered = sorted(self.found, key=lambda item: item[0])
+        return [
+            f"{self.file}:{line}: {text}" if line else f"{self.file}: {text}"
+            for line, text in ordered
+        ]
 
     def line(self, path: Path_) -> int:
         """Line of the path, or of the nearest thing above it that has one."""
@@ -62,12 +70,11 @@ class Source:
             path = path[:-1]
         return self.lines.get(path, 1)
 
-    def problem(self, path: Path_, message: str) -> None:
-        """Note a problem at a key path."""
+    def problem(self, path: Path_, message: str, line: int | None = None) -> None:
+        """Note a problem at a key path (on its line, unless another is given)."""
         where = show_path(path)
-        self.problems.append(
-            f"{self.file}:{self.line(path)}: {where + ': ' if where else ''}{message}"
-        )
+        text = f"{where}: {message}" if where else message
+        self.found.append((self.line(path) if line is None else line, text))
 
 
 class _Stop(Exception):
@@ -95,22 +102,22 @@ def parse_yaml(raw: bytes, name: str) -> Source:
     """Parse bytes. Syntax problems end up in ``problems`` with ``value`` None; never raises."""
     source = Source(name)
     if len(raw) > MAX_BYTES:
-        source.problems.append(f"{name}: is larger than {MAX_BYTES // 1000} kB")
+        source.problem((), f"is larger than {MAX_BYTES // 1000} kB", line=0)
         return source
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
-        source.problems.append(f"{name}:{line}: is not UTF-8 text")
+        source.problem((), "is not UTF-8 text", line)
         return source
     try:
         source.value = _Builder(source, text).document()
     except _Stop as stop:
-        source.problems.append(f"{name}:{stop.line}: {stop}")
+        source.problem((), str(stop), stop.line)
     except yaml.YAMLError as error:
-        source.problems.append(f"{name}:{_error_line(error)}: {_error_text(error)}")
+        source.problem((), _error_text(error), _error_line(error))
     except (RecursionError, ValueError) as error:  # belt and braces: never a traceback
-        source.problems.append(f"{name}: cannot be parsed ({type(error).__name__})")
+        source.problem((), f"cannot be parsed ({type(error).__name__})", line=0)
     return source
 
 
@@ -209,11 +216,9 @@ class _Builder:
                 place = (*path, f"{key}#{spare}")
                 first = self.source.line((*path, key))
                 self.source.lines[place] = line
-                message = f"duplicate key {key!r} (first on line {first})"
                 self.value(next(self.events), place, depth + 1)
-                self.source.problems.append(
-                    f"{self.source.file}:{line}: {show_path((*path, key))}: {message}"
-                )
+                message = f"duplicate key {key!r} (first on line {first})"
+                self.source.problem((*path, key), message, line)
                 continue
             if key == "<<" and not event.style:
                 self.source.lines[place] = line

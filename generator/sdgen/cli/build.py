@@ -183,7 +183,7 @@ def build(
     Example: sdgen build --n 1000 --seed 7
     Example: sdgen build --n 50 --seed 7 --views 4 --size 320x240 --out small
     """
-    _refuse_missing_features(homes, twins, engine, ray_address)
+    _refuse_missing_features(homes, engine, ray_address)
     options = BuildOptions(
         n=n,
         seed=seed,
@@ -209,20 +209,18 @@ def build(
     if homes == "mixed":
         click.echo("homes: base homes only in this version", err=True)
     todo = end - first - (0 if overwrite else _present(out, first, end))
-    click.echo(f"{out}: {end - first} homes, {todo} to build", err=True)
+    click.echo(f"{out}: {end - first} scenes asked for, {todo} to build", err=True)
     click.echo(disk_line(out, bytes_needed(options, todo)), err=True)
     report = _run(options, out, catalogs, assets, workers, (first, end), overwrite)
     _close(report)
 
 
-def _refuse_missing_features(homes: str, twins: bool, engine: str, ray_address: str | None) -> None:
+def _refuse_missing_features(homes: str, engine: str, ray_address: str | None) -> None:
     if ray_address is not None and engine != "ray":
         raise UsageError("--ray-address goes with --engine ray")
     missing = []
     if homes == "procedural":
         missing.append("--homes procedural (use base)")
-    if twins:
-        missing.append("--twins")
     if engine == "ray":
         missing.append("--engine ray (use local)")
     if missing:

@@ -9,10 +9,12 @@ from pathlib import Path
 from sdgen.errors import SdgenError
 from sdgen.options import BuildOptions
 
-#: Bytes a scene takes besides its views, and bytes a pixel by what is written. Measured on
-#: 640x480 builds and rounded up; smaller pictures compress a little worse.
-SCENE_BYTES = 400_000
-PIXEL_BYTES = {"png": 1.5, "jpg": 0.35, "depth": 0.65, "instance": 0.06}
+#: Bytes of a scene's own files, of a view's small change (its camera, half-filled disk blocks),
+#: and a pixel by what is written. Measured on 640x480 builds and rounded up; ``instance`` holds
+#: the parts too.
+SCENE_BYTES = 330_000
+VIEW_BYTES = 12_000
+PIXEL_BYTES = {"png": 1.2, "jpg": 0.3, "depth": 0.3, "instance": 0.065}
 
 #: Estimates are rough: refuse only when less than this part of the need is free.
 HOPELESS = 0.5
@@ -25,7 +27,8 @@ def bytes_needed(options: BuildOptions, scenes: int) -> int:
     for sensor in options.sensors:
         each += PIXEL_BYTES[options.rgb if sensor == "rgb" else sensor]
     twice = 2 if options.twins else 1
-    return round(scenes * twice * (SCENE_BYTES + pixels * each))
+    views = options.views * VIEW_BYTES if options.sensors else 0
+    return round(scenes * twice * (SCENE_BYTES + views + pixels * each))
 
 
 def nearest_folder(path: Path) -> Path:

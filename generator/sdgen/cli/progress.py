@@ -21,7 +21,7 @@ def watch(total: int) -> Iterator[OnEvent]:
         yield _plain_lines(total)
         return
     columns = (
-        TextColumn("homes"),
+        TextColumn("scenes"),
         BarColumn(),
         MofNCompleteColumn(),
         TimeRemainingColumn(),
@@ -32,7 +32,7 @@ def watch(total: int) -> Iterator[OnEvent]:
 
         def show(event: BuildEvent) -> None:
             if isinstance(event, SceneDone):
-                progress.update(task, advance=1, description=_hazards(event))
+                progress.update(task, advance=1, description=f"last: {event.scene_id}")
                 return
             progress.console.print(_line(event), markup=False)
             if isinstance(event, SceneFailed):
@@ -50,6 +50,8 @@ def _plain_lines(total: int) -> OnEvent:
             click.echo(event.text, err=True)
             return
         done += 1
+        if isinstance(event, SceneDone) and event.resumed:
+            return
         click.echo(f"{done}/{total} {_line(event)}", err=True)
 
     return show
@@ -60,8 +62,6 @@ def _line(event: BuildEvent) -> str:
         return event.text
     if isinstance(event, SceneFailed):
         return f"scene {event.scene_id} could not be made: {_counts(event.reasons)}"
-    if event.resumed:
-        return f"scene {event.scene_id} was there: {_hazards(event)}"
     return f"scene {event.scene_id} in {event.seconds:.1f} s: {_hazards(event)}"
 
 
@@ -78,7 +78,7 @@ def summary(report: BuildReport) -> str:
     """The closing table of a build, as plain text."""
     good = report.made + report.resumed
     rows = [
-        ("homes", f"{good} of {report.requested}" + _resumed(report)),
+        ("scenes", f"{good} of {report.requested}" + _resumed(report)),
         ("homes/h", f"{report.homes_per_hour:.0f}"),
         ("frames/s", f"{report.frames_per_second:.2f}"),
         ("peak memory", human_bytes(report.peak_memory_mb * 1e6)),

@@ -6,8 +6,9 @@ from collections import Counter
 
 from pydantic import Field
 
+from sdgen.catalog.records import Label
 from sdgen.options import BuildOptions
-from sdgen.scene import FORMAT_VERSION, Record
+from sdgen.scene import FORMAT_VERSION, Notify, Record
 
 LICENCE = "CC-BY-4.0"
 
@@ -113,6 +114,21 @@ class DatasetInfo(Record):
             assets_sha256=self.assets_sha256,
             hazards_enabled=self.hazards_enabled,
         )
+
+
+class Report(Record):
+    """One detected object of a prediction; ``silent`` = noticed, but not reported."""
+
+    object_id: int
+    label: Label
+    notify: Notify = "now"
+
+
+class Prediction(Record):
+    """One line of ``predictions.jsonl``: what was detected in a scene."""
+
+    scene: str
+    reports: tuple[Report, ...]
 
 
 def count(entries: tuple[ManifestEntry, ...]) -> Counts:

@@ -35,6 +35,18 @@ class FinishedScene(Record):
     assets: tuple[str, ...]
 
 
+def content_files(bundle: SceneBundle, graph: Graph) -> dict[str, bytes]:
+    """The bytes of all files that decide a scene's ``content_sha256``."""
+    records: dict[str, BaseModel] = {
+        "scene.json": bundle.scene,
+        "graph.json": graph,
+        "anomalies.json": bundle.anomalies,
+        "household.json": bundle.household,
+        "physics.json": bundle.physics,
+    }
+    return {name: record_bytes(record) for name, record in records.items()}
+
+
 def content_sha256(files: dict[str, bytes]) -> str:
     """Digest of all that a scene says but views and visibility: names, lengths and bytes."""
     framed = bytearray()
@@ -120,14 +132,7 @@ class SceneFolder:
     def finish(self, visibility: Visibility) -> ManifestEntry:
         """Write the records, then show the scene: its manifest line first, the folder last."""
         bundle = self.bundle
-        records: dict[str, BaseModel] = {
-            "scene.json": bundle.scene,
-            "graph.json": self.graph,
-            "anomalies.json": bundle.anomalies,
-            "household.json": bundle.household,
-            "physics.json": bundle.physics,
-        }
-        files = {name: record_bytes(record) for name, record in records.items()}
+        files = content_files(bundle, self.graph)
         for name, data in files.items():
             self._put(name, data)
         self._put(VISIBILITY_FILE, record_bytes(visibility))

@@ -99,7 +99,8 @@ def parse(data: bytes, where: str) -> Any:
     except UnicodeDecodeError as error:
         raise InputError([f"{where}: not UTF-8 text (byte {error.start})"]) from None
     except json.JSONDecodeError as error:
-        raise InputError([f"{where}:{error.lineno}: not JSON: {error.msg}"]) from None
+        line = f":{error.lineno}" if b"\n" in data.strip() else ""
+        raise InputError([f"{where}{line}: not JSON: {error.msg}"]) from None
     except RecursionError:
         raise InputError([f"{where}: nested too deeply"]) from None
     except ValueError as error:

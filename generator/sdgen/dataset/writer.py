@@ -200,6 +200,13 @@ class DatasetWriter:
             (self.root / BUILD_FOLDER / "entries" / f"{folder.name}.json").unlink(missing_ok=True)
             repaired.append(folder.name)
         self.repaired = tuple(repaired)
+        if self.build.options.twins:
+            # A scene whose twin is not there is made again with it.
+            self.done = {
+                key: entry
+                for key, entry in self.done.items()
+                if entry.twin_of is not None or f"{key}-twin" in self.done
+            }
 
     def _info(
         self,

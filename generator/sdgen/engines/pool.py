@@ -6,6 +6,7 @@ A worker that crashes, hangs or bloats costs its job one retry, not the build.
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import multiprocessing
 import os
 import signal
@@ -67,6 +68,7 @@ def resident_mb() -> float:
 def _serve(pipe: Connection, factory: Factory, args: tuple[Any, ...], quiet: bool) -> None:
     """Body of a worker process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _die_with_parent()
     if quiet:
         # The simulator and its drivers write to the C streams; the parent owns the terminal.
         sink = os.open(os.devnull, os.O_WRONLY)
@@ -94,6 +96,13 @@ def _serve(pipe: Connection, factory: Factory, args: tuple[Any, ...], quiet: boo
                 break
     with contextlib.suppress(Exception):
         work.close()
+
+
+def _die_with_parent() -> None:
+    """Ask Linux to end this process with its parent, so that a killed build writes no more."""
+    with contextlib.suppress(OSError, AttributeError):
+        set_parent_death_signal = 1
+        ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
 
 
 def _last_line() -> str:

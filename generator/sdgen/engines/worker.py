@@ -10,6 +10,7 @@ from pathlib import Path
 
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.scene_folder import SceneWriter
+from sdgen.errors import SdgenError
 from sdgen.hazards.certify import certify, facts_of
 from sdgen.hazards.twin import undone
 from sdgen.library import Library
@@ -70,9 +71,15 @@ class SceneWorker:
         self._render_seconds = 0.0
         setup = self._setup
         bundle = make_scene(index, setup.catalog, self._library, setup.options, self._client)
-        # The twin first: a scene that is there has its twin beside it.
-        frames = self._write(self._twin(bundle)) if setup.options.twins else 0
-        all_visible, drawn = self._write_scene(bundle)
+        try:
+            # The twin first: a scene that is there has its twin beside it.
+            frames = self._write_scene(self._twin(bundle))[1] if setup.options.twins else 0
+            all_visible, drawn = self._write_scene(bundle)
+        except OSError as error:
+            raise SdgenError(
+                f"{setup.writer.root}: scene {bundle.scene.id} cannot be written: "
+                f"{error.strerror or error}; what is finished is kept, the same command goes on"
+            ) from None
         return SceneResult(
             scene_id=bundle.scene.id,
             hazards=tuple(a.hazard for a in bundle.anomalies.anomalies),
@@ -90,9 +97,6 @@ class SceneWorker:
         self._client.close()
         if self._renderer is not None:
             self._renderer.close()
-
-    def _write(self, bundle: SceneBundle) -> int:
-        return self._write_scene(bundle)[1]
 
     def _write_scene(self, bundle: SceneBundle) -> tuple[bool, int]:
         setup = self._setup

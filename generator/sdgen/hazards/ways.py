@@ -110,7 +110,7 @@ def bring_about(
     """
     if isinstance(way.recipe, SetRecipe):
         return _set(way, way.recipe, layout, site, taken, rng)
-    return _place(way, way.recipe, layout, site, rng)
+    return _place(way, way.recipe, layout, site, taken, rng)
 
 
 def _room_types(site: Site) -> dict[int, str]:
@@ -142,7 +142,9 @@ def _set(
     return None
 
 
-def _place(way: Way, recipe: PlaceRecipe, layout: Layout, site: Site, rng: Rng) -> Made | None:
+def _place(
+    way: Way, recipe: PlaceRecipe, layout: Layout, site: Site, taken: Collection[int], rng: Rng
+) -> Made | None:
     models = [
         m
         for m in site.models(way.unique.category)
@@ -159,6 +161,7 @@ def _place(way: Way, recipe: PlaceRecipe, layout: Layout, site: Site, rng: Rng) 
         item
         for item in layout.items.values()
         if item.category == way.unique.target
+        and item.id not in taken  # a pot on a burning stove would be no benign near miss of one
         and (not recipe.rooms or types[item.room_id] in recipe.rooms)
     ]
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:

@@ -19,7 +19,16 @@ from shapely.prepared import prep
 
 from sdgen.actions import at_rest
 from sdgen.freespace import random_point
-from sdgen.geometry import Quat, Vec3, apply, box_corners, matrix, quat_from_yaw
+from sdgen.geometry import (
+    Quat,
+    Vec3,
+    apply,
+    box_corners,
+    matrix,
+    quat_from_yaw,
+    round_position,
+    round_quat,
+)
 from sdgen.library import Library
 from sdgen.library.records import AssetInfo, Support
 from sdgen.library.states import object_from_part
@@ -250,7 +259,10 @@ class Layout:
             id=next(self.ids),
             category=asset.category,
             asset=asset.id,
-            pose=Pose(position_m=(x, y, z + lift_m), quat_xyzw=quat_from_yaw(yaw)),
+            pose=Pose(
+                position_m=round_position((x, y, z + lift_m)),
+                quat_xyzw=round_quat(quat_from_yaw(yaw)),
+            ),
             room_id=room_id,
         )
         return at_rest(item, asset)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sdgen.errors import AssetError
 from sdgen.library.cache import cached_texture, digest, unpack
 from sdgen.library.manifest import read_manifest
-from sdgen.library.meshes import Hull, MeshData, read_glb, read_hulls
+from sdgen.library.meshes import Hull, MeshData, outline, read_glb, read_hulls
 from sdgen.library.records import Asset, AssetInfo, Surface
 from sdgen.resources import data_path
 
@@ -41,7 +41,7 @@ class Library:
         for asset in self.assets.values():
             before = self._by_category.get(asset.category, ())
             self._by_category[asset.category] = (*before, asset)
-        self._infos = {key: asset.info() for key, asset in self.assets.items()}
+        self._infos = _Infos(self)
         self._meshes: dict[str, dict[str, MeshData]] = {}
         self._hulls: dict[str, tuple[Hull, ...]] = {}
         self._objs: dict[str, dict[str, Path]] = {}
@@ -67,7 +67,7 @@ class Library:
 
     @property
     def infos(self) -> Mapping[str, AssetInfo]:
-        """Records without file names, by asset id."""
+        """Records without file names, with outlines, by asset id; each is made when asked for."""
         return self._infos
 
     @property
@@ -122,6 +122,27 @@ class Library:
         """Texture file of a room surface, in the cache."""
         folder = self._folder_of["surface:" + surface_id]
         return cached_texture(folder / self.surfaces[surface_id].texture)
+
+
+class _Infos(Mapping[str, AssetInfo]):
+    """Records by asset id; an outline needs the mesh, so none is made before it is asked for."""
+
+    def __init__(self, library: Library) -> None:
+        self._library = library
+        self._made: dict[str, AssetInfo] = {}
+
+    def __getitem__(self, asset_id: str) -> AssetInfo:
+        if asset_id not in self._made:
+            asset = self._library.assets[asset_id]
+            drawn = [self._library.mesh(asset_id)[part] for part in asset.variants["default"]]
+            self._made[asset_id] = asset.info(outline(drawn))
+        return self._made[asset_id]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._library.assets)
+
+    def __len__(self) -> int:
+        return len(self._library.assets)
 
 
 def _bytes(path: Path, owner: str) -> bytes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.errors import AssetError
+from sdgen.geometry import Vec3, vec3
 from sdgen.library.records import Asset
 
 Floats = npt.NDArray[np.float64]
@@ -97,3 +99,21 @@ def read_hulls(path: Path, asset: Asset) -> tuple[Hull, ...]:
         if hull.part not in parts:
             raise AssetError([f"{path}: {asset.id}: a piece names no part: {hull.part!r}"])
     return hulls
+
+
+def outline(parts: Sequence[MeshData], directions: int = 64) -> tuple[Vec3, ...]:
+    """Outermost vertices of some parts in evenly spread directions and along the axes.
+
+    Metres, rounded to 0.1 mm, sorted. On a ball of radius r they miss at most 0.02 r.
+    """
+    vertices = np.concatenate([part.vertices for part in parts])
+    k = np.arange(directions) + 0.5
+    z = 1 - 2 * k / directions
+    turn = np.pi * (1 + 5**0.5) * k
+    flat = np.sqrt(1 - z * z)
+    spread = np.stack([flat * np.cos(turn), flat * np.sin(turn), z], axis=1)
+    axes = np.concatenate([np.eye(3), -np.eye(3)])
+    corners = np.array([(x, y, w) for x in (-1, 1) for y in (-1, 1) for w in (-1, 1)]) / 3**0.5
+    outermost = np.argmax(vertices @ np.concatenate([spread, axes, corners]).T, axis=0)
+    points = {vec3(np.round(vertices[i], 4) + 0.0) for i in outermost.tolist()}
+    return tuple(sorted(points))

@@ -66,7 +66,11 @@ class Container(Record):
 
 
 class AssetInfo(Record):
-    """One model, as ``assets.jsonl`` carries it: all that labels need, no meshes."""
+    """One model, as ``assets.jsonl`` carries it: all that labels need, no meshes.
+
+    ``outline_m`` are outermost points of the visual mesh (default variant, joints at 0): where
+    the object touches and what it covers from above follow from them, however it lies.
+    """
 
     id: str
     category: str
@@ -74,6 +78,7 @@ class AssetInfo(Record):
     licence: str
     source: str
     extents_m: Vec3
+    outline_m: tuple[Vec3, ...] = ()
     mass_kg: float = Field(gt=0)
     friction: float = Field(default=0.6, ge=0)
     parts: tuple[Part, ...]
@@ -115,10 +120,10 @@ class Asset(AssetInfo):
     hulls: str
     texture: str
 
-    def info(self) -> AssetInfo:
-        """The record without file names."""
-        data = self.model_dump(exclude={"mesh", "hulls", "texture"})
-        return AssetInfo.model_validate(data)
+    def info(self, outline_m: tuple[Vec3, ...]) -> AssetInfo:
+        """The record without file names, with the outline of its mesh."""
+        data = self.model_dump(exclude={"mesh", "hulls", "texture", "outline_m"})
+        return AssetInfo.model_validate({**data, "outline_m": outline_m})
 
 
 class Surface(Record):

@@ -79,7 +79,7 @@ class Client:
         pb.setGravity(0.0, 0.0, -GRAVITY_M_S2, physicsClientId=self._id)
         pb.setPhysicsEngineParameter(
             fixedTimeStep=STEP_S,
-            numSolverIterations=50,
+            numSolverIterations=20,
             deterministicOverlappingPairs=1,
             physicsClientId=self._id,
         )
@@ -111,19 +111,9 @@ class Client:
         )
         return int(shape)
 
-    def trimesh(self, vertices: Array, faces: npt.NDArray[np.int64]) -> int:
-        """Collision shape of a triangle mesh as it is, hollows and all (static bodies only)."""
-        shape = pb.createCollisionShape(
-            pb.GEOM_MESH,
-            vertices=vertices.tolist(),
-            indices=faces.ravel().tolist(),
-            flags=pb.GEOM_FORCE_CONCAVE_TRIMESH,
-            physicsClientId=self._id,
-        )
-        return int(shape)
-
-    def trimesh_file(self, path: Path) -> int:
-        """As :meth:`trimesh`, from an OBJ file."""
+    def trimesh(self, path: Path) -> int:
+        """Collision shape of an OBJ file's triangles as they are (static bodies only)."""
+        # From a file: given as lists, PyBullet never lets go of the numbers (15 MB a scene).
         shape = pb.createCollisionShape(
             pb.GEOM_MESH,
             fileName=str(path),
@@ -201,8 +191,9 @@ class Client:
                 numThreads=1,
                 physicsClientId=self._id,
             )
-            body[chunk] = [item[0] for item in found]
-            fraction[chunk] = [item[2] for item in found]
+            columns = list(zip(*found, strict=True))
+            body[chunk] = columns[0]
+            fraction[chunk] = columns[2]
         return RayHits(body, fraction)
 
     def _file(self, text: str) -> Path:

@@ -45,8 +45,8 @@ class RayWorld:
             world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
             for number, part in enumerate(info.variants[item.variant], start=1):
                 if (item.asset, part) not in shapes:
-                    mesh = library.mesh(item.asset)[part]
-                    shapes[item.asset, part] = self._client.trimesh(mesh.vertices, mesh.faces)
+                    path = library.objs(item.asset)[part]
+                    shapes[item.asset, part] = self._client.trimesh(path)
                 pose = world_from_object @ object_from_part(info, part, item.joints)
                 body = self._client.body(
                     shapes[item.asset, part], vec3(pose[:3, 3]), quat_from_matrix(pose[:3, :3])

@@ -55,10 +55,12 @@ class Renderer:
         self.renderer_string = self.choice.renderer_string
         self._folder = tempfile.TemporaryDirectory(prefix="sdgen-shell-")
         self._shell = ShellFolder(Path(self._folder.name))
-        self._client: int = pb.connect(pb.DIRECT)
+        self.client: int = pb.connect(pb.DIRECT)
+        self._shapes: dict[tuple[Path, Rgba], int] = {}
+        self._bodies: list[int] = []
         self._egl = self.choice.kind == "egl"
         if self._egl:
-            found = start_egl(self._client)
+            found = start_egl(self.client)
             self.renderer_string = found or self.renderer_string
             with quiet():
                 self._warm_up()
@@ -76,10 +78,10 @@ class Renderer:
 
     def close(self) -> None:
         """Let go of the graphics; a second call does nothing."""
-        if self._client >= 0:
+        if self.client >= 0:
             with quiet():
-                pb.disconnect(physicsClientId=self._client)
-            self._client = -1
+                pb.disconnect(physicsClientId=self.client)
+            self.client = -1
             self._folder.cleanup()
 
     def render(
@@ -98,8 +100,8 @@ class Renderer:
         """
         if not sensors or not cameras:
             return
-        shift = _drawing_shift(scene)
-        owner = self._load(library, scene, shift)
+        owner = self.load(library, scene)
+        shift = drawing_shift(scene)
         triangles: dict[int, Array] = {}
         objects = {item.id: item for item in scene.objects}
         ceilings = [s for s in scene.home.structures if s.category == "ceiling"]
@@ -140,9 +142,9 @@ class Renderer:
             pb.GEOM_BOX,
             halfExtents=(0.5, 0.5, 0.5),
             rgbaColor=(1, 1, 1, 1),
-            physicsClientId=self._client,
+            physicsClientId=self.client,
         )
-        pb.createMultiBody(0, -1, box, physicsClientId=self._client)
+        body = pb.createMultiBody(0, -1, box, physicsClientId=self.client)
         for _ in range(3):
             pb.getCameraImage(
                 32,
@@ -151,19 +153,22 @@ class Renderer:
                 lens,
                 lightDirection=LIGHT_M,
                 renderer=pb.ER_BULLET_HARDWARE_OPENGL,
-                physicsClientId=self._client,
+                physicsClientId=self.client,
             )
+        pb.removeBody(body, physicsClientId=self.client)
 
-    def _load(self, library: Library, scene: Scene, shift: Array) -> npt.NDArray[np.int64]:
-        """Put the scene, moved by ``shift``, into the empty world.
+    def load(self, library: Library, scene: Scene) -> npt.NDArray[np.int64]:
+        """Put the scene, moved by :func:`drawing_shift`, into the emptied world.
 
-        Returns (bodies + 1, 2) of node id and part number.
-
-        The last row, zeros, is what the mask's background (−1) reads.
+        Returns (bodies + 1, 2) of node id and part number. The last row, zeros, is what the
+        mask's background (−1) reads.
         """
-        pb.resetSimulation(physicsClientId=self._client)
+        # Not resetSimulation: that would upload every texture again, which EGL never frees.
+        for body in self._bodies:
+            pb.removeBody(body, physicsClientId=self.client)
+        self._bodies = []
+        shift = drawing_shift(scene)
         owner: dict[int, tuple[int, int]] = {}
-        shapes: dict[tuple[Path, Rgba], int] = {}
         for structure in sorted(scene.home.structures, key=lambda s: s.id):
             surface = library.surfaces[structure.surface]
             texture = library.surface_texture(structure.surface)
@@ -171,38 +176,49 @@ class Renderer:
             for face in structure_faces(structure, surface.size_m):
                 path = self._shell.write(face, texture)
                 level = face.brightness if self._egl else 1.0
-                body = self._body(shapes, path, (level, level, level, alpha), shift)
-                owner[body] = (structure.id, 0)
+                rgba = (level, level, level, alpha)
+                owner[self._body(path, rgba, face.vertices_m, shift)] = (structure.id, 0)
         for item in sorted(scene.objects, key=lambda o: o.id):
             info = library.info(item.asset)
-            objs = library.objs(item.asset)
+            objs, meshes = library.objs(item.asset), library.mesh(item.asset)
             pose = shift @ matrix(item.pose.position_m, item.pose.quat_xyzw)
             for number, name in enumerate(info.variants[item.variant], start=1):
                 red, green, blue, _ = info.part(name).rgba
                 # Opaque always: the plugin gives see-through bodies no depth.
-                colour = (red, green, blue, 1.0)
+                rgba = (red, green, blue, 1.0)
                 placed = pose @ object_from_part(info, name, item.joints)
-                owner[self._body(shapes, objs[name], colour, placed)] = (item.id, number)
+                body = self._body(objs[name], rgba, meshes[name].vertices, placed)
+                owner[body] = (item.id, number)
         table = np.zeros((max(owner, default=-1) + 2, 2), dtype=np.int64)
         for body, pair in owner.items():
             table[body] = pair
         return table
 
-    def _body(
-        self, shapes: dict[tuple[Path, Rgba], int], path: Path, rgba: Rgba, pose: Array
-    ) -> int:
-        if (path, rgba) not in shapes:
-            shapes[path, rgba] = pb.createVisualShape(
-                pb.GEOM_MESH, fileName=str(path), rgbaColor=rgba, physicsClientId=self._client
+    def _body(self, path: Path, rgba: Rgba, vertices_m: Array, pose: Array) -> int:
+        """A body that shows an OBJ file at ``pose``.
+
+        Its origin is the middle of the mesh: the plugin draws bodies in the order of their
+        origins' depth, and where faces coincide the first one drawn wins. Parts with one common
+        origin would be drawn in an order that depends on what the process has drawn before.
+        """
+        middle = np.round((vertices_m.min(axis=0) + vertices_m.max(axis=0)) / 2, 3)
+        if (path, rgba) not in self._shapes:
+            self._shapes[path, rgba] = pb.createVisualShape(
+                pb.GEOM_MESH,
+                fileName=str(path),
+                rgbaColor=rgba,
+                visualFramePosition=(-middle).tolist(),
+                physicsClientId=self.client,
             )
         body = pb.createMultiBody(
             0,
             -1,
-            shapes[path, rgba],
-            basePosition=pose[:3, 3].tolist(),
+            self._shapes[path, rgba],
+            basePosition=apply(pose, middle)[0].tolist(),
             baseOrientation=quat_from_matrix(pose[:3, :3]),
-            physicsClientId=self._client,
+            physicsClientId=self.client,
         )
+        self._bodies.append(int(body))
         return int(body)
 
     def _draw(
@@ -231,7 +247,7 @@ class Renderer:
                     shadow=0,
                     flags=0 if mask else pb.ER_NO_SEGMENTATION_MASK,
                     renderer=pb.ER_BULLET_HARDWARE_OPENGL if self._egl else pb.ER_TINY_RENDERER,
-                    physicsClientId=self._client,
+                    physicsClientId=self.client,
                 )
                 rows, columns = slice(y0, y0 + h), slice(x0, x0 + w)
                 rgb[rows, columns] = np.asarray(image[2], dtype=np.uint8).reshape(h, w, 4)[..., :3]
@@ -241,7 +257,7 @@ class Renderer:
         return rgb, depth, body
 
 
-def _drawing_shift(scene: Scene) -> Array:
+def drawing_shift(scene: Scene) -> Array:
     """4x4 that brings the middle of the home's rooms above the world's origin."""
     out = np.eye(4)
     corners = [corner for room in scene.home.rooms for corner in room.polygon_m]

@@ -5,11 +5,12 @@ from __future__ import annotations
 import hashlib
 import shutil
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 
-from sdgen.geometry import Array, vec3
+from sdgen.geometry import Array
 from sdgen.scene import Box, Structure
 
 #: Outward normals of a box's six faces.
@@ -24,56 +25,78 @@ LIGHT_M = (12.0, -14.0, 100.0)
 # little different from wall to wall, so that corners can be seen. Floors take the shader's light.
 _LEVEL = {
     "floor": (1.0,) * 6,
-    "wall": (0.90, 0.96, 0.94, 0.88, 0.80, 0.70),
-    "ceiling": (0.97,) * 6,
+    "wall": (0.80, 0.92, 0.86, 0.75, 0.80, 0.70),
+    "ceiling": (0.95,) * 6,
 }
 
-# Walls lie about that they look down a little: what faces away from the light gets no highlight
-# and no shadow in Bullet's shader, which paints ugly ones on walls along the light.
-_WALL_DIP = -0.35
+# Walls lie about which way they look: what faces away from the light gets no highlight and no
+# shadow in Bullet's shader, which paints ugly ones on walls along the light. The further down a
+# normal points, the darker; so walls darken softly towards the floor and the ceiling, as corners
+# do in a room. Pairs of (metres from the end, downward slope of the normal there).
+_DIP = -0.35
+_DIPS_ABOVE_FLOOR = ((0.0, -1.4), (0.07, -0.8), (0.35, _DIP))
+_DIPS_BELOW_CEILING = ((0.5, _DIP), (0.12, -0.55), (0.0, -0.9))
 
 
 @dataclass(frozen=True)
 class Face:
-    """All faces of a structure that look one way: a mesh, and the colour factor that brings it
-    to the brightness it should have under the plugin's shader."""
+    """All faces of a structure that look one way, four vertices a quad, and the colour factor
+    that brings them to the brightness they should have under the plugin's shader."""
 
-    normal: tuple[float, float, float]
     vertices_m: Array
+    normals: Array
     uvs: Array
     brightness: float
 
 
 def structure_faces(structure: Structure, tile_m: float) -> list[Face]:
-    """Quads of the structure's boxes, grouped by direction; four vertices a quad.
+    """Quads of the structure's boxes, grouped by direction.
 
     Texture coordinates are world metres / ``tile_m``, so the pattern runs on across pieces.
     Floors show their top and ceilings their underside only: nothing sees the rest.
     """
     wanted = {"floor": (4,), "ceiling": (5,), "wall": (0, 1, 2, 3, 4, 5)}[structure.category]
+    low = min(piece.center_m[2] - piece.size_m[2] / 2 for piece in structure.pieces)
+    high = max(piece.center_m[2] + piece.size_m[2] / 2 for piece in structure.pieces)
+    slopes = _slopes(low, high)
     out = []
     for index in wanted:
-        quads = np.concatenate([_quad(piece, index) for piece in structure.pieces])
+        side = structure.category == "wall" and index < 4
+        pieces = structure.pieces
+        if side:
+            pieces = tuple(part for piece in pieces for part in _cut(piece, slopes[:, 0]))
+        quads = np.concatenate([_quad(piece, index) for piece in pieces])
+        normals = np.repeat([_NORMALS[index]], len(quads), axis=0).astype(np.float64)
+        middle = np.array(_NORMALS[index], dtype=float)
+        if side:
+            normals[:, 2] = np.interp(quads[:, 2], slopes[:, 0], slopes[:, 1])
+            normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+            middle[2] = _DIP
         across, up = ((1, 2), (0, 2), (0, 1))[index // 2]
-        uvs = quads[:, [across, up]] / tile_m
-        normal = _lit_normal(structure.category, index)
-        brightness = _LEVEL[structure.category][index] / _shade(normal)
-        out.append(Face(normal, quads, uvs, brightness))
+        brightness = _LEVEL[structure.category][index] / _shade(middle)
+        out.append(Face(quads, normals, quads[:, [across, up]] / tile_m, brightness))
     return out
 
 
-def _lit_normal(category: str, index: int) -> tuple[float, float, float]:
-    normal = np.asarray(_NORMALS[index], dtype=float)
-    if category == "wall" and index < 4:
-        normal[2] = _WALL_DIP
-        normal /= np.linalg.norm(normal)
-    return vec3(normal)
+def _slopes(low_m: float, high_m: float) -> Array:
+    """Heights of a wall from ``low_m`` to ``high_m``, rising, and its normals' slope there."""
+    rows = [(low_m + up, dip) for up, dip in _DIPS_ABOVE_FLOOR]
+    rows += [(high_m - down, dip) for down, dip in _DIPS_BELOW_CEILING]
+    return np.array(sorted(rows))
 
 
-def _shade(normal: tuple[float, float, float]) -> float:
+def _cut(piece: Box, heights_m: Array) -> list[Box]:
+    """The box sliced at those of the heights that it spans."""
+    (x, y, z), (dx, dy, dz) = piece.center_m, piece.size_m
+    low, high = z - dz / 2, z + dz / 2
+    levels = [low, *(h for h in heights_m.tolist() if low + 1e-6 < h < high - 1e-6), high]
+    return [Box(center_m=(x, y, (a + b) / 2), size_m=(dx, dy, b - a)) for a, b in pairwise(levels)]
+
+
+def _shade(normal: Array) -> float:
     """What Bullet's shader makes of a white face without highlight (useShadowMapInstancingPS)."""
     light = np.asarray(LIGHT_M) / np.linalg.norm(LIGHT_M)
-    half_lambert = 0.5 + 0.5 * float(light @ np.asarray(normal))
+    half_lambert = 0.5 + 0.5 * float(light @ (normal / np.linalg.norm(normal)))
     return 0.5 + 0.5 * half_lambert * (0.7 if half_lambert < 0.5 else 1.0)
 
 
@@ -96,10 +119,10 @@ def face_obj(face: Face, mtl: str) -> str:
     lines = [f"mtllib {mtl}", "usemtl m"]
     lines += [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in face.vertices_m]
     lines += [f"vt {u:.5f} {v:.5f}" for u, v in face.uvs]
-    lines.append("vn {:.4f} {:.4f} {:.4f}".format(*face.normal))
+    lines += [f"vn {x:.4f} {y:.4f} {z:.4f}" for x, y, z in face.normals]
     for base in range(1, len(face.vertices_m) + 1, 4):
         for triangle in ((base, base + 1, base + 2), (base, base + 2, base + 3)):
-            lines.append("f " + " ".join(f"{k}/{k}/1" for k in triangle))
+            lines.append("f " + " ".join(f"{k}/{k}/{k}" for k in triangle))
     return "\n".join(lines) + "\n"
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -21,7 +21,8 @@ Ints = npt.NDArray[np.int64]
 WIDTH, HEIGHT = 640, 480
 REACH_M = 25.0
 
-_GRID = 16
+#: Rays along each side of a target's rectangle.
+GRID = 16
 
 
 #: Origins (N, 3) and targets (N, 3) to hits: ``RayWorld.cast``.
@@ -61,7 +62,18 @@ def pixel_rays(world_from_camera: Array, pixels: Array, reach_m: float) -> tuple
     return origins, apply(world_from_camera, local)
 
 
-def target_rays(world_from_camera: Array, points_m: Array) -> tuple[Array, Array, float]:
+def in_picture(world_from_camera: Array, points_m: Array) -> npt.NDArray[np.bool_]:
+    """Which world points (N, 3) fall into the picture, hidden or not."""
+    seen = apply(inverse(world_from_camera), points_m)
+    k = np.asarray(intrinsics(WIDTH, HEIGHT))
+    across = np.abs(seen[:, 0]) <= seen[:, 2] * (WIDTH / 2) / k[0, 0]
+    down = np.abs(seen[:, 1]) <= seen[:, 2] * (HEIGHT / 2) / k[1, 1]
+    return np.asarray((seen[:, 2] > 0) & across & down)
+
+
+def target_rays(
+    world_from_camera: Array, points_m: Array, grid: int = GRID
+) -> tuple[Array, Array, float]:
     """Rays over the picture's rectangle around ``points_m``, and pixels each ray stands for.
 
     No rays when the points are not in the picture.
@@ -78,21 +90,26 @@ def target_rays(world_from_camera: Array, points_m: Array) -> tuple[Array, Array
     top, bottom = max(float(v.min()), -0.5), min(float(v.max()), HEIGHT - 0.5)
     if right <= left or bottom <= top:
         return nothing, nothing, 0.0
-    steps = (np.arange(_GRID) + 0.5) / _GRID
+    steps = (np.arange(grid) + 0.5) / grid
     grid_u, grid_v = np.meshgrid(left + steps * (right - left), top + steps * (bottom - top))
     pixels = np.stack([grid_u.ravel(), grid_v.ravel()], axis=1)
     origins, targets = pixel_rays(world_from_camera, pixels, float(seen[:, 2].max()) + 0.5)
-    return origins, targets, (right - left) * (bottom - top) / _GRID**2
+    return origins, targets, (right - left) * (bottom - top) / grid**2
 
 
 def estimate_pixels(
-    cast: Cast, poses: list[Array], points_m: Array, object_id: int, parts: Ints
+    cast: Cast,
+    poses: Sequence[Array],
+    points_m: Array,
+    object_id: int,
+    parts: Ints,
+    grid: int = GRID,
 ) -> Array:
     """Pixels at 640x480 of an object's ``parts`` that each camera pose would see, (len(poses),).
 
     ``points_m`` are the parts' vertices. All rays go in one cast.
     """
-    rays = [target_rays(pose, points_m) for pose in poses]
+    rays = [target_rays(pose, points_m, grid) for pose in poses]
     if not any(len(r[0]) for r in rays):
         return np.zeros(len(poses))
     hits = cast(np.concatenate([r[0] for r in rays]), np.concatenate([r[1] for r in rays]))
@@ -102,7 +119,7 @@ def estimate_pixels(
     return np.array([n * r[2] for n, r in zip(counts, rays, strict=True)])
 
 
-def overview_rays(world_from_camera: Array, across: int = 32) -> tuple[Array, Array]:
+def overview_rays(world_from_camera: Array, across: int = 24) -> tuple[Array, Array]:
     """A coarse grid of rays over the whole picture."""
     down = across * HEIGHT // WIDTH
     u = (np.arange(across) + 0.5) * WIDTH / across - 0.5

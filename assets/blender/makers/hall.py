@@ -1,0 +1,204 @@
+"""Hall furniture: coat rack and shoe rack."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from toolkit.materials import plain, shade
+from toolkit.mesh import Mesh
+from toolkit.model import Maker, Model
+from toolkit.sampling import noise_offset, pick
+from toolkit.shapes import box, lathe, loft, spline, tube
+
+from .joinery import Assembly, fabric, finish, surface
+
+Offset = tuple[float, float, float]
+
+
+def coat(colour: str, collar: str, offset: Offset = (0, 0, 0)) -> list[Mesh]:
+    """A coat hanging from a hook at (0, 0, 0): body, sleeves, collar; its front to +X."""
+    cloth = fabric(colour, offset, 0.08)
+    rings = []
+    # (z, width across, depth, bulge to the front)
+    for z, w, d, x in (
+        (-0.98, 0.34, 0.14, 0.02),
+        (-0.7, 0.31, 0.13, 0.015),
+        (-0.4, 0.29, 0.12, 0.01),
+        (-0.2, 0.3, 0.12, 0.005),
+        (-0.1, 0.26, 0.1, 0.0),
+        (-0.03, 0.13, 0.07, 0.0),
+    ):
+        t = np.arange(16) * 2 * math.pi / 16
+        fold = 1 + 0.09 * np.sin(5 * t + 7 * z) * min(1.0, -z * 1.6)
+        rings.append(np.c_[x + d / 2 * np.cos(t) * fold, w / 2 * np.sin(t) * fold, np.full(16, z)])
+    meshes = [loft(rings, cloth)]
+    for s in (-1, 1):
+        arm = spline(
+            [
+                (0, s * 0.1, -0.1),
+                (0.005, s * 0.17, -0.22),
+                (0.02, s * 0.185, -0.45),
+                (0.035, s * 0.17, -0.68),
+            ],
+            2,
+        )
+        meshes.append(tube(arm, [0.05, 0.058, 0.058, 0.055, 0.05, 0.047, 0.044], 9, mat=cloth))
+    band = fabric(collar, offset, 0.06)
+    ring = [
+        (0.045 * math.cos(a) + 0.005, 0.07 * math.sin(a), -0.05 + 0.02 * math.cos(a))
+        for a in np.arange(10) * 2 * math.pi / 10
+    ]
+    meshes.append(tube(np.array(ring), 0.022, 6, closed=True, mat=band))
+    strip = box(0.008, 0.022, 0.86, (0.074, 0, -0.95), plain(shade(colour, 0.62), 0.05, 40))
+    meshes.append(strip.turn(ry=0.012))
+    return meshes
+
+
+def coat_rack(
+    wood: str = "walnut",
+    coats: tuple[str, ...] = ("#8a3f35", "#3f5568"),
+    offset: Offset = (0, 0, 0),
+) -> Model:
+    """A standing coat rack with up to three coats."""
+    asm, timber, height = Assembly(), finish(wood, 2, offset), 1.72
+    pole = [
+        (0, 0.1),
+        (0.024, 0.1),
+        (0.02, 0.5),
+        (0.018, height - 0.03),
+        (0.026, height - 0.02),
+        (0.016, height),
+        (0, height),
+    ]
+    asm.add("body", lathe(pole, 12, mat=timber))
+    for k in range(4):
+        a = math.pi / 4 + k * math.pi / 2
+        c, s = math.cos(a), math.sin(a)
+        foot = spline(
+            [(0.01 * c, 0.01 * s, 0.16), (0.12 * c, 0.12 * s, 0.1), (0.24 * c, 0.24 * s, 0.016)], 3
+        )
+        asm.add("body", tube(foot, 0.015, 6, mat=timber))
+        asm.solid(
+            "body",
+            (min(0, 0.24 * c), min(0, 0.24 * s), 0),
+            (max(0, 0.24 * c), max(0, 0.24 * s), 0.03),
+        )
+    hooks = 6
+    for k in range(hooks):
+        a = 2 * math.pi * k / hooks
+        c, s = math.cos(a), math.sin(a)
+        z = height - 0.12 - 0.1 * (k % 2)
+        curve = spline(
+            [
+                (0.01 * c, 0.01 * s, z),
+                (0.07 * c, 0.07 * s, z + 0.01),
+                (0.115 * c, 0.115 * s, z + 0.07),
+            ],
+            3,
+        )
+        asm.add("body", tube(curve, 0.009, 6, mat=timber))
+    asm.solid("body", (-0.02, -0.02, 0.03), (0.02, 0.02, height))
+    for k, colour in enumerate(coats):
+        a = (0.0, 2 * math.pi / 3, 4 * math.pi / 3)[k % 3]
+        for mesh in coat(colour, shade(colour, 0.8), offset):
+            asm.add(
+                "body", mesh.turn(rz=a).move(0.1 * math.cos(a), 0.1 * math.sin(a), height - 0.1)
+            )
+        x, y = 0.1 * math.cos(a), 0.1 * math.sin(a)
+        asm.solid("body", (x - 0.07, y - 0.1, height - 1.0), (x + 0.07, y + 0.1, height - 0.2))
+    return Model(
+        title=f"coat rack with {len(coats)} coat{'s' if len(coats) != 1 else ''}",
+        parts=asm.parts(),
+        mass=8.0,
+        ground_shadow=True,
+    )
+
+
+def coat_rack_random(rng: np.random.Generator) -> dict:
+    """Parameters of a random coat rack."""
+    pool = ["#8a3f35", "#3f5568", "#b59a6a", "#4b5a45", "#2f3136"]
+    order = [pool[int(i)] for i in rng.permutation(len(pool))]
+    return {
+        "wood": pick(rng, ["walnut", "oak", "black"]),
+        "coats": tuple(order[: int(rng.integers(1, 3))]),
+        "offset": noise_offset(rng),
+    }
+
+
+def shoe_rack(
+    width: float = 0.7,
+    depth: float = 0.3,
+    wood: str = "oak",
+    metal_frame: bool = False,
+    offset: Offset = (0, 0, 0),
+) -> Model:
+    """An open rack: two slatted shelves and a seat board on top."""
+    asm, half, height, t = Assembly(), width / 2, 0.48, 0.022
+    x0, x1 = -depth / 2, depth / 2
+    boards = finish(wood, 1, offset)
+    frame = plain("#2c2d2f", 0.05, 20) if metal_frame else finish(wood, 2, offset)
+    thick = 0.018 if metal_frame else 0.03
+    for x in (x0, x1 - thick):
+        for y in (-half, half - thick):
+            asm.board("body", (x, y, 0), (x + thick, y + thick, height - t), frame, 0.002)
+    supports = [surface("top", (x0, -half), (x1, half), height)]
+    asm.board("body", (x0, -half, height - t), (x1, half, height), boards, 0.004)
+    for i, z in enumerate((0.09, 0.27)):
+        for y in (-half, half - thick):
+            asm.board(
+                "body",
+                (x0 + thick, y, z - 0.03),
+                (x1 - thick, y + thick, z - 0.008),
+                frame,
+                solid=False,
+            )
+        slats, gap = 4, 0.012
+        step = (depth + gap) / slats
+        for k in range(slats):
+            a = x0 + k * step
+            asm.board(
+                "body",
+                (a, -half + thick, z - 0.014),
+                (a + step - gap, half - thick, z),
+                boards,
+                solid=False,
+            )
+        asm.solid("body", (x0, -half, z - 0.03), (x1, half, z))
+        headroom = (0.24, 0.458)[i] - z - 0.002
+        supports.append(
+            surface(f"shelf_{i + 1}", (x0, -half + thick), (x1, half - thick), z, headroom)
+        )
+    return Model(
+        title=f"{wood} shoe rack{' on a metal frame' if metal_frame else ''}",
+        parts=asm.parts(),
+        mass=8.0,
+        supports=supports,
+        ground_shadow=True,
+    )
+
+
+def shoe_rack_random(rng: np.random.Generator) -> dict:
+    """Parameters of a random shoe rack."""
+    return {
+        "width": round(float(rng.uniform(0.6, 0.9)), 2),
+        "wood": pick(rng, ["oak", "birch", "walnut"]),
+        "metal_frame": bool(rng.random() < 0.5),
+        "offset": noise_offset(rng),
+    }
+
+
+MODELS = {
+    "coat_rack": Maker(
+        coat_rack,
+        coat_rack_random,
+        2,
+        [{"coats": ("#8a3f35", "#3f5568")}, {"wood": "black", "coats": ("#b59a6a",)}],
+    ),
+    "shoe_rack": Maker(
+        shoe_rack,
+        shoe_rack_random,
+        2,
+        [{"wood": "oak", "metal_frame": False}, {"metal_frame": True}],
+    ),
+}

@@ -1,0 +1,216 @@
+"""Vases of flowers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from toolkit.materials import Material, plain, shade
+from toolkit.mesh import Mesh
+from toolkit.model import (
+    Maker,
+    Model,
+    Part,
+    cylinder_piece,
+)
+from toolkit.sampling import noise_offset, pick, seed_of, uniform
+from toolkit.shapes import (
+    TAU,
+    ellipsoid,
+    lathe,
+    loft,
+    tube,
+)
+
+
+def _blossom(kind: str, radius: float, petal: str) -> list[Mesh]:
+    """A flower looking up, its middle at the origin."""
+    paint, heart = (
+        plain(petal, 0.08, 150),
+        plain("#f0b92c" if kind == "daisy" else shade(petal, 0.7), 0.1, 300),
+    )
+    if kind == "tulip":
+        cup = [
+            (0, -0.3),
+            (0.4, -0.22),
+            (0.56, 0.15),
+            (0.5, 0.65),
+            (0.42, 0.95),
+            (0.3, 0.6),
+            (0, 0.1),
+        ]
+        bell = lathe(
+            [(r * radius, z * radius) for r, z in cup],
+            8,
+            mat=paint,
+            rib=lambda k, i: 1.12 - 0.24 * (i % 2) if k in (3, 4) else 1.0,
+        )
+        return [bell]
+    if kind == "rose":
+        bud = [
+            (0, -0.35),
+            (0.5, -0.25),
+            (0.72, 0.05),
+            (0.66, 0.3),
+            (0.45, 0.36),
+            (0.42, 0.22),
+            (0.2, 0.38),
+            (0, 0.3),
+        ]
+        return [
+            lathe(
+                [(r * radius, z * radius) for r, z in bud],
+                9,
+                mat=paint,
+                rib=lambda k, i: 1 + 0.12 * math.sin(2.4 * i + k),
+            )
+        ]
+    disc = [(0, -0.12), (1.0, 0.02), (0.95, 0.14), (0.3, 0.06), (0, 0.06)]
+    petals = lathe(
+        [(r * radius, z * radius) for r, z in disc],
+        16,
+        mat=paint,
+        rib=lambda k, i: 1.0 if i % 2 else 0.55,
+    )
+    return [
+        petals,
+        ellipsoid((radius * 0.34, radius * 0.34, radius * 0.2), (0, 0, radius * 0.1), 6, 3, heart),
+    ]
+
+
+def _leaf(length: float, width: float, mat: Material) -> Mesh:
+    """A long leaf rising along z from the origin and bending towards +X, 5 mm thick."""
+    rings = []
+    for t in np.linspace(0, 1, 6):
+        w = width * math.sin(math.pi * min(1, 0.12 + 0.86 * t)) ** 0.8 / 2
+        x, z = 0.35 * length * t**2.2, length * (t - 0.18 * t**3)
+        rings.append([(x, -w, z), (x + 0.002, 0, z), (x, w, z), (x - 0.003, 0, z)])
+    return loft(rings, mat=mat)
+
+
+def vase(
+    shape: str,
+    height: float,
+    glaze: str,
+    band: str,
+    flower: str,
+    petals: list[str],
+    stems: int,
+    seed: int,
+) -> Model:
+    """A vase with a bunch of flowers."""
+    rng = np.random.default_rng(seed)
+    s = height / 0.2
+    profiles = {
+        "belly": [
+            (0.034, 0),
+            (0.05, 0.02),
+            (0.066, 0.07),
+            (0.06, 0.115),
+            (0.036, 0.155),
+            (0.028, 0.175),
+            (0.037, 0.2),
+        ],
+        "cylinder": [(0.036, 0), (0.04, 0.004), (0.041, 0.07), (0.042, 0.14), (0.044, 0.2)],
+        "flare": [
+            (0.032, 0),
+            (0.036, 0.01),
+            (0.03, 0.05),
+            (0.034, 0.1),
+            (0.045, 0.155),
+            (0.058, 0.2),
+        ],
+    }
+    wall = 0.005
+    outer = [(r * s, z * s) for r, z in profiles[shape]]
+    rim, low = outer[-1], outer[-2]
+    inner = [
+        (rim[0] - wall / 2, rim[1] + 0.002),
+        (rim[0] - wall, rim[1]),
+        (low[0] - wall, low[1]),
+        (0, low[1]),
+    ]
+    clay = Material()
+    base = clay.mottle(glaze, 0.06, 40, noise_offset(rng))
+    wave = clay.math("SINE", clay.math("MULTIPLY", clay.axis(2), 150 / s))
+    inside_band = clay.math(
+        "MULTIPLY",
+        clay.remap(clay.axis(2), 0.05 * s, 0.056 * s),
+        clay.remap(clay.axis(2), 0.115 * s, 0.121 * s, 1, 0),
+    )
+    clay.colour(
+        clay.mix(clay.math("MULTIPLY", inside_band, clay.remap(wave, 0.0, 0.25)), base, band)
+    )
+    pot = lathe(
+        [(0, 0), *outer, *inner],
+        18,
+        mats=[clay, plain(shade(glaze, 0.5), 0.03)],
+        mat_of_segment=[0] * (len(outer) + 2) + [1, 1],
+    )
+    green = plain("#4f8a3c", 0.12, 120)
+    leaf_mat = plain("#5f9a44", 0.15, 80)
+    meshes = [pot]
+    top = rim[1]
+    for k in range(stems):
+        a, spread = (
+            TAU * (k * 0.618 % 1) + float(rng.normal(0, 0.2)),
+            0.0 if k == 0 else float(rng.uniform(0.03, 0.075)) * s**0.5,
+        )
+        tall = top + float(rng.uniform(0.09, 0.15)) - 0.6 * spread
+        tip = (spread * math.cos(a), spread * math.sin(a), tall)
+        start = (rim[0] * 0.5 * math.cos(a), rim[0] * 0.5 * math.sin(a), top - 0.03)
+        middle = np.array(start) * 0.4 + np.array(tip) * 0.6 - [0.25 * tip[0], 0.25 * tip[1], 0]
+        meshes.append(tube([start, middle, tip], 0.0026, 4, mat=green, weight=0.5))
+        lean = 0.25 + 6.0 * spread if k else 0.15
+        for mesh in _blossom(flower, float(rng.uniform(0.026, 0.033)), petals[k % len(petals)]):
+            meshes.append(mesh.turn(ry=lean).turn(rz=a).move(*tip))
+    for k in range(4):
+        blade = _leaf(float(rng.uniform(0.1, 0.15)), 0.03, leaf_mat)
+        meshes.append(
+            blade.move(x=rim[0] * 0.3).turn(ry=0.25).turn(rz=1.3 * k + 0.6).move(z=top - 0.012)
+        )
+    widest = max(r for r, _ in outer)
+    pieces = [
+        cylinder_piece(outer[0][0] + 0.006, 0, 0.03 * s, 12, widest),
+        cylinder_piece(widest, 0.03 * s, 0.12 * s, 12),
+        cylinder_piece(widest * 0.8, 0.12 * s, top, 12, rim[0]),
+        cylinder_piece(0.04, top, top + 0.13, 8, 0.065),
+    ]
+    return Model("vase of flowers", {"body": Part(meshes, collision=pieces)}, mass=0.9)
+
+
+def vase_random(rng: np.random.Generator) -> dict:
+    return {
+        "shape": "belly",
+        "height": uniform(rng, 0.18, 0.24),
+        "glaze": pick(rng, ["#3a6a9c", "#e9e2d2", "#2f7f78", "#b85a3a"]),
+        "band": "#f2ead6",
+        "flower": pick(rng, ["tulip", "rose", "daisy"]),
+        "petals": ["#d8303a", "#f2c52a"],
+        "stems": 6,
+        "seed": seed_of(rng),
+    }
+
+
+MODELS = {
+    "vase": Maker(
+        vase,
+        vase_random,
+        3,
+        [
+            {
+                "flower": "tulip",
+                "petals": ["#d8303a", "#f2b92c"],
+                "glaze": "#e9e2d2",
+                "band": "#3a6a9c",
+            },
+            {"shape": "cylinder", "flower": "daisy", "petals": ["#f8f6ee"], "glaze": "#2f7f78"},
+            {
+                "shape": "flare",
+                "flower": "rose",
+                "petals": ["#d8486a", "#f3b7c0"],
+                "glaze": "#3a4f78",
+            },
+        ],
+    ),
+}

@@ -1,0 +1,94 @@
+"""``predictions.jsonl``: one line a scene, read strictly.
+
+An error (all of them at once, ``file:line: key path: problem``): text that is no JSON, unknown or
+missing keys, wrong types, a label or notify outside the vocabulary, a scene the data set does not
+have, a scene told twice, an object id the scene's graph does not have, an object told twice in a
+scene. No error: a scene without a line (nothing detected there), any order of lines and reports,
+a wall or a floor among the objects (a false alarm like any other).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from sdgen.dataset import Dataset
+from sdgen.dataset.disk import replace_file
+from sdgen.dataset.records import Prediction, Report
+from sdgen.dataset.text import line_bytes, read_bytes, to_record
+from sdgen.dataset.writer import TOP_FILES
+from sdgen.errors import InputError, SdgenError, did_you_mean
+
+Predictions = Mapping[str, tuple[Report, ...]]
+
+
+def read_predictions(path: str | Path, data: Dataset) -> dict[str, tuple[Report, ...]]:
+    """Reports by scene id. Raises InputError with every problem, located."""
+    path = Path(path)
+    out: dict[str, tuple[Report, ...]] = {}
+    told_at: dict[str, int] = {}
+    problems: list[str] = []
+    for number, line in enumerate(read_bytes(path, str(path)).split(b"\n"), start=1):
+        if not line.strip():
+            continue
+        where = f"{path}:{number}"
+        try:
+            prediction = to_record(Prediction, line, where)
+        except InputError as error:
+            problems.extend(error.problems)
+            continue
+        if prediction.scene in told_at:
+            first = told_at[prediction.scene]
+            problems.append(
+                f"{where}: scene: {prediction.scene!r} was told on line {first} already"
+            )
+            continue
+        told_at[prediction.scene] = number
+        problems.extend(_check(prediction, data, where))
+        out[prediction.scene] = prediction.reports
+    if problems:
+        raise InputError(problems)
+    return out
+
+
+def _check(prediction: Prediction, data: Dataset, where: str) -> Iterable[str]:
+    try:
+        item = data.scene(prediction.scene)
+    except InputError:
+        hint = did_you_mean(prediction.scene, [entry.id for entry in data.entries])
+        yield f"{where}: scene: no scene {prediction.scene!r}{hint}"
+        return
+    if item.entry.twin_of is not None:
+        yield f"{where}: scene: {prediction.scene!r} is a twin; twins are not scored"
+        return
+    ids = {node.id for node in item.scene_graph.nodes}
+    seen: set[int] = set()
+    for k, report in enumerate(prediction.reports):
+        path = f"{where}: reports.{k}.object_id"
+        if report.object_id not in ids:
+            yield f"{path}: scene {prediction.scene} has no object {report.object_id}"
+        if report.object_id in seen:
+            yield f"{path}: object {report.object_id} appears twice"
+        seen.add(report.object_id)
+
+
+def write_predictions(path: str | Path, predictions: Predictions, data: Dataset) -> None:
+    """Write predictions, sorted by scene and object; whole or not at all.
+
+    Raises SdgenError rather than write over a file of the data set.
+    """
+    path = Path(path)
+    own = {(data.path / name).resolve() for name in TOP_FILES}
+    inside = (data.path / "scenes").resolve() in path.resolve().parents
+    if inside or path.resolve() in own:
+        raise SdgenError(f"{path}: belongs to the data set; write predictions elsewhere")
+    lines = [
+        line_bytes(
+            Prediction(
+                scene=scene, reports=tuple(sorted(predictions[scene], key=lambda r: r.object_id))
+            )
+        )
+        for scene in sorted(predictions)
+    ]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    replace_file(path, b"".join(lines))

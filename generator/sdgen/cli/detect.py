@@ -1,0 +1,44 @@
+"""``sdgen detect``: run a detector over a data set."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+METHODS = ("rules", "never", "always")
+
+
+@click.command(short_help="Run a detector over a data set.")
+@click.argument("dataset", type=click.Path(path_type=Path), metavar="DATASET")
+@click.option(
+    "--method",
+    type=click.Choice(METHODS),
+    required=True,
+    help="rules: the catalogue's predicates over the files. never, always: what they say.",
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    required=True,
+    help="Predictions file to write.",
+)
+@click.option("--split", help="Only the scenes of train, val or test.")
+def detect(dataset: Path, method: str, output: Path, split: str | None) -> None:
+    """Run a detector over a data set and write its predictions.
+
+    Example: sdgen detect output/sdgen-n12-s7 --method rules -o predictions.jsonl
+    """
+    from sdgen.benchmark import detect as run
+    from sdgen.benchmark import write_predictions
+    from sdgen.cli.scene_bar import scene_bar
+    from sdgen.dataset import Dataset
+
+    data = Dataset(dataset, split=split)
+    with scene_bar("detecting") as on_scene:
+        found = run(data, method, on_scene)
+    write_predictions(output, found, data)
+    reports = sum(len(said) for said in found.values())
+    click.echo(f"{output}: {reports} reports in {len(found)} scenes", err=True)
+    click.echo(f"score them: sdgen evaluate {dataset} {output}", err=True)

@@ -1,0 +1,96 @@
+"""A data set as one tar file: the same bytes for the same data set, safe to unpack.
+
+Only files that the manifest lists go in, under one folder, sorted, owned by nobody, with time 0
+and mode 0644. A link, device or unsafe name in the data set is an error.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gzip
+import io
+import os
+import tarfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import IO
+
+from sdgen.dataset import Dataset
+from sdgen.dataset.disk import sha256_hex
+from sdgen.dataset.reader import SAFE_NAME
+from sdgen.dataset.text import read_bytes
+from sdgen.dataset.writer import TOP_FILES
+from sdgen.errors import InputError, SdgenError
+
+ENDINGS = (".tar", ".tar.gz", ".tgz")
+
+
+def export_tar(
+    data: Dataset, output: Path, on_scene: Callable[[int, int], None] | None = None
+) -> None:
+    """Write ``output`` (``.tar``, or ``.tar.gz`` compressed); whole or not at all.
+
+    Raises SdgenError for another ending or a place inside the data set, InputError for a file of
+    the data set that is missing, changed or no plain file.
+    """
+    if not output.name.endswith(ENDINGS):
+        raise SdgenError(f"{output}: name it .tar, or .tar.gz to compress it")
+    if data.path.resolve() in output.resolve().parents:
+        raise SdgenError(f"{output}: lies inside the data set; choose another place")
+    if output.is_dir():
+        raise SdgenError(f"{output}: is a folder")
+    output.parent.mkdir(parents=True, exist_ok=True)
+    partial = output.with_name(f".{output.name}.partial")
+    try:
+        with partial.open("wb") as raw:
+            with _compressed(raw, output) as stream:
+                _write(data, stream, on_scene)
+            raw.flush()
+            os.fsync(raw.fileno())
+        os.replace(partial, output)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
+def _compressed(raw: IO[bytes], output: Path) -> Iterator[IO[bytes]]:
+    if output.name.endswith(".tar"):
+        yield raw
+        return
+    # An empty name and time 0 keep gzip's header the same.
+    with gzip.GzipFile(filename="", mode="wb", fileobj=raw, compresslevel=6, mtime=0) as stream:
+        yield stream  # type: ignore[misc]
+
+
+def _write(data: Dataset, stream: IO[bytes], on_scene: Callable[[int, int], None] | None) -> None:
+    # "w|" writes front to back: nothing is kept in memory but one file.
+    root = f"sdgen-n{data.info.n}-s{data.info.seed}"
+    with tarfile.open(fileobj=stream, mode="w|", format=tarfile.USTAR_FORMAT) as archive:
+        for name in sorted(TOP_FILES):
+            _add(archive, root, name, _plain_bytes(data, name))
+        for done, entry in enumerate(data.entries, start=1):
+            for name in sorted(entry.files):
+                where = f"scenes/{entry.id}/{name}"
+                if not SAFE_NAME.fullmatch(name):
+                    raise InputError([f"{where}: unsafe file name"])
+                content = _plain_bytes(data, where)
+                if sha256_hex(content) != entry.files[name]:
+                    raise InputError([f"{where}: changed since it was written (sdgen validate)"])
+                _add(archive, root, where, content)
+            if on_scene is not None:
+                on_scene(done, len(data.entries))
+
+
+def _plain_bytes(data: Dataset, name: str) -> bytes:
+    # A linked folder on the way would lead out of the data set as well as a linked file.
+    if (data.path / name).resolve() != data.path.resolve() / name:
+        raise InputError([f"{name}: not a plain file"])
+    return read_bytes(data.path / name, name)
+
+
+def _add(archive: tarfile.TarFile, root: str, name: str, content: bytes) -> None:
+    member = tarfile.TarInfo(f"{root}/{name}")
+    member.size = len(content)
+    member.mode = 0o644
+    member.mtime = 0
+    archive.addfile(member, io.BytesIO(content))

@@ -1,0 +1,125 @@
+"""The data set as a whole: which files there are, their digests, what the manifest adds up to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+
+from sdgen.catalog.enumeration import catalog_sha256
+from sdgen.dataset import Dataset
+from sdgen.dataset.disk import file_sha256
+from sdgen.dataset.reader import SceneItem
+from sdgen.dataset.records import CONTENT_FILES, VISIBILITY_FILE, ManifestEntry, count
+from sdgen.dataset.scene_folder import content_sha256, view_files, view_folder
+from sdgen.dataset.writer import TOP_FILES
+from sdgen.errors import InputError, did_you_mean
+from sdgen.hazards.splits import split_of_home
+from sdgen.validate.problems import SHOWN, Problem, differences
+
+SCENES = "scenes"
+
+
+def check_whole(data: Dataset) -> Iterator[Problem]:
+    """Top-level files against each other."""
+    yield from _top(data)
+    yield from _manifest(data)
+    stored, derived = data.info.counts, count(data.entries)
+    for text in islice(differences(stored, derived, "counts"), SHOWN):
+        yield Problem("count", f"dataset.json: {text}")
+    for split, homes in data.info.splits.items():
+        found = sorted({e.home for e in data.entries if e.split == split})
+        if list(homes) != found:
+            yield Problem("count", f"dataset.json: splits.{split}: homes are not the manifest's")
+    info = data.info
+    if (info.seed, info.n) != (info.options.seed, info.options.n):
+        yield Problem("count", "dataset.json: seed and n are not those of its options")
+    for entry in data.entries:
+        if entry.index >= info.n:
+            yield Problem("count", f"manifest.jsonl: scene {entry.id}: n is only {info.n}")
+
+
+def _top(data: Dataset) -> Iterator[Problem]:
+    for name in TOP_FILES:
+        if not (data.path / name).is_file():
+            yield Problem("file", f"{name}: missing")
+    known = {entry.id for entry in data.entries}
+    folder = data.path / SCENES
+    for path in sorted(folder.iterdir()) if folder.is_dir() else ():
+        if path.name not in known:
+            yield Problem("file", f"{SCENES}/{path.name}: the manifest does not list it")
+    try:
+        digest = catalog_sha256(data.catalog)
+        if digest != data.info.catalogue_sha256:
+            yield Problem(
+                "hash", "catalogue.json: not the catalogue dataset.json has the digest of"
+            )
+        enabled = tuple(sorted(hazard.id for hazard in data.catalog.hazards))
+        if enabled != data.info.hazards_enabled:
+            yield Problem("count", "dataset.json: hazards_enabled: not the catalogue's hazards")
+    except InputError as error:
+        yield from (Problem("file", text) for text in error.problems)
+    try:
+        if list(data.infos) != sorted(data.infos):
+            yield Problem("file", "assets.jsonl: not sorted by id")
+    except InputError as error:
+        yield from (Problem("file", text) for text in error.problems)
+
+
+def _manifest(data: Dataset) -> Iterator[Problem]:
+    by_id = {entry.id: entry for entry in data.entries}
+    order = [(entry.index, entry.id) for entry in data.entries]
+    if order != sorted(order):
+        yield Problem("file", "manifest.jsonl: not sorted by scene")
+    for entry in data.entries:
+        where = f"manifest.jsonl: scene {entry.id}"
+        name = f"{entry.index:06d}"
+        if entry.id != (f"{name}-twin" if entry.twin_of else name):
+            yield Problem("count", f"{where}: id and index disagree")
+        if entry.split != split_of_home(entry.home):
+            right = split_of_home(entry.home)
+            yield Problem("count", f"{where}: split {entry.split!r}, its home is {right!r}")
+        if entry.twin_of is not None and entry.twin_of not in by_id:
+            hint = did_you_mean(entry.twin_of, list(by_id))
+            yield Problem("count", f"{where}: twin of no scene{hint}")
+
+
+def check_files(data: Dataset, item: SceneItem) -> Iterator[Problem]:
+    """One scene's files: exactly the promised ones, byte for byte those of the manifest."""
+    entry = item.entry
+    if item.folder.is_symlink() or not item.folder.is_dir():
+        yield Problem("file", f"{SCENES}/{entry.id}: missing")
+        return
+    promised = expected_files(data, entry)
+    found = {
+        p.relative_to(item.folder).as_posix() for p in item.folder.rglob("*") if not p.is_dir()
+    }
+    for name in sorted(found - set(entry.files)):
+        yield Problem("file", f"{item.where(name)}: the manifest does not list it")
+    for name in sorted(promised - set(entry.files)):
+        yield Problem("file", f"{item.where(name)}: promised by the options, not in the manifest")
+    for name in sorted(set(entry.files) - promised):
+        yield Problem("file", f"{item.where(name)}: in the manifest, not promised by the options")
+    for name in sorted(entry.files):
+        path = item.folder / name
+        if path.is_symlink() or not path.is_file():
+            yield Problem("file", f"{item.where(name)}: {_state(name in found)}")
+        elif file_sha256(path) != entry.files[name]:
+            yield Problem("hash", f"{item.where(name)}: changed since it was written")
+    if all((item.folder / name).is_file() for name in CONTENT_FILES):
+        content = {name: (item.folder / name).read_bytes() for name in CONTENT_FILES}
+        if content_sha256(content) != entry.content_sha256:
+            yield Problem(
+                "hash", f"manifest.jsonl: scene {entry.id}: content_sha256 is not its files'"
+            )
+
+
+def _state(found: bool) -> str:
+    return "not a plain file" if found else "missing"
+
+
+def expected_files(data: Dataset, entry: ManifestEntry) -> set[str]:
+    """Files a scene of this data set has, by its options."""
+    names = {*CONTENT_FILES, VISIBILITY_FILE}
+    for view in range(entry.views):
+        names.update(f"{view_folder(view)}/{name}" for name in view_files(data.info.options))
+    return names

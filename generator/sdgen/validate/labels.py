@@ -1,0 +1,224 @@
+"""One scene's records against each other: everything that follows is derived again."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from itertools import islice
+
+from sdgen.catalog.predicate import measure
+from sdgen.catalog.records import Catalog
+from sdgen.dataset import Dataset
+from sdgen.dataset.reader import SceneItem
+from sdgen.freespace import free_shape, rounded_rings
+from sdgen.geometry import QUATERNION_STEP, round_position
+from sdgen.hazards.certify import Survey, facts_of, survey
+from sdgen.hazards.labels import anomaly_records
+from sdgen.library.records import AssetInfo
+from sdgen.library.states import derive_states
+from sdgen.relations import Facts
+from sdgen.scene import FORMAT_VERSION, ObjectInstance, Scene
+from sdgen.truth import build_graph
+from sdgen.validate.problems import SHOWN, Problem, differences
+from sdgen.zones import derive_zones, floor_obstacles
+
+
+def check_scene(
+    item: SceneItem, infos: Mapping[str, AssetInfo], catalog: Catalog
+) -> Iterator[Problem]:
+    """``scene.json`` on its own: ids, poses, variants, joints, states; nothing may dangle."""
+    scene, entry, where = item.scene, item.entry, item.where("scene.json")
+
+    def problem(text: str) -> Problem:
+        return Problem("scene", f"{where}: {text}")
+
+    told = (scene.id, scene.index, scene.twin_of, scene.home.id, len(scene.objects))
+    if told != (entry.id, entry.index, entry.twin_of, entry.home, entry.objects):
+        yield problem("id, index, home or number of objects are not the manifest's")
+    if scene.format_version != FORMAT_VERSION:
+        yield problem(f"format_version: {scene.format_version!r}, expected {FORMAT_VERSION!r}")
+    rooms = [room.id for room in scene.home.rooms]
+    objects = [thing.id for thing in scene.objects]
+    ids = [*rooms, *(s.id for s in scene.home.structures), *objects]
+    for node_id, times in sorted(Counter(ids).items()):
+        if times > 1:
+            yield problem(f"id {node_id} is used {times} times")
+        if not 1 <= node_id <= 65535:
+            yield problem(f"id {node_id} is not in 1 to 65535")
+    if objects != sorted(objects):
+        yield problem("objects are not sorted by id")
+    for opening in scene.home.openings:
+        if opening.object_id not in objects or not set(opening.room_ids) <= set(rooms):
+            yield problem(f"home.openings: object {opening.object_id} or its rooms do not exist")
+    for room_id in [
+        *(s.room_id for s in scene.home.structures),
+        *(zone.room_id for zone in scene.zones),
+        scene.agent_start.room_id,
+    ]:
+        if room_id not in rooms:
+            yield problem(f"room {room_id} does not exist")
+    known = {category.name for category in catalog.categories}
+    for thing in scene.objects:
+        yield from (
+            problem(f"object {thing.id} ({thing.category}): {text}")
+            for text in _thing(thing, infos, known, rooms)
+        )
+
+
+def _thing(
+    thing: ObjectInstance, infos: Mapping[str, AssetInfo], known: set[str], rooms: list[int]
+) -> Iterator[str]:
+    if thing.category not in known:
+        yield "category: not in catalogue.json"
+    if thing.room_id not in rooms:
+        yield f"room_id: no room {thing.room_id}"
+    if thing.pose.position_m != round_position(thing.pose.position_m):
+        yield f"pose.position_m: {thing.pose.position_m} is not rounded to 1e-5 m"
+    quat = thing.pose.quat_xyzw
+    if abs(math.hypot(*quat) - 1) > 4 * QUATERNION_STEP:
+        yield f"pose.quat_xyzw: {quat} is no unit quaternion"
+    if quat != tuple(round(v, 6) for v in quat):
+        yield f"pose.quat_xyzw: {quat} is not rounded to 1e-6"
+    info = infos.get(thing.asset)
+    if info is None:
+        yield f"asset: {thing.asset!r} is not in assets.jsonl"
+        return
+    if info.category != thing.category:
+        yield f"category: its asset is a {info.category}"
+    if thing.variant not in info.variants:
+        yield f"variant: {thing.variant!r} is none of the asset's"
+        return
+    if thing.parts != info.variants[thing.variant]:
+        yield f"parts: not those of variant {thing.variant!r}"
+    if sorted(thing.joints) != sorted(joint.name for joint in info.joints):
+        yield "joints: not exactly those of the asset"
+        return
+    for joint in info.joints:
+        if not joint.lower - 1e-6 <= thing.joints[joint.name] <= joint.upper + 1e-6:
+            yield f"joints.{joint.name}: {thing.joints[joint.name]} is beyond its limits"
+    derived = derive_states(info, thing.variant, thing.joints)
+    if thing.states != derived:
+        yield f"states: {list(thing.states)} stored, {list(derived)} derived"
+
+
+def check_zones(
+    item: SceneItem, infos: Mapping[str, AssetInfo], catalog: Catalog
+) -> Iterator[Problem]:
+    """Zones and free space, derived again from the home and its furniture."""
+    scene = item.scene
+    traits = {category.name: category.properties for category in catalog.categories}
+    hazard_only = {c.name for c in catalog.categories if c.kind == "hazard_only"}
+    furniture = [o for o in scene.objects if o.fixed and o.category not in hazard_only]
+    zones = derive_zones(scene.home, furniture, infos, traits)
+    stored = {zone.name: zone for zone in scene.zones}
+    derived = {zone.name: zone for zone in zones}
+    for text in islice(differences(stored, derived, "zones"), SHOWN):
+        yield Problem("scene", f"{item.where('scene.json')}: {text}")
+    free = rounded_rings(free_shape(scene.home, floor_obstacles(furniture, infos)))
+    if free != scene.free_space:
+        text = "free_space: not what the home and its furniture leave free"
+        yield Problem("scene", f"{item.where('scene.json')}: {text}")
+
+
+def check_labels(
+    data: Dataset, item: SceneItem, infos: Mapping[str, AssetInfo], catalog: Catalog
+) -> Iterator[Problem]:
+    """Graph, anomalies, lookalikes, certificate and the household's choices, all derived again."""
+    facts = facts_of(item.scene, infos, catalog)
+    yield from _graph(item, infos, catalog, facts)
+    result = survey(facts, catalog)
+    yield from _anomalies(item, catalog, facts, result)
+    yield from _lookalikes(item, catalog, facts, result)
+    certificate = item.anomalies.certificate
+    derived = certificate.model_copy(
+        update={
+            "hazards_enabled": data.info.hazards_enabled,
+            "catalogue_sha256": data.info.catalogue_sha256,
+            "assets_sha256": data.info.assets_sha256,
+            "pairs_checked": result.pairs,
+            "pairs_positive": len(item.anomalies.anomalies),
+        }
+    )
+    for text in islice(differences(certificate, derived, "certificate"), SHOWN):
+        yield Problem("label", f"{item.where('anomalies.json')}: {text}")
+    yield from _entry(item)
+
+
+def _graph(
+    item: SceneItem, infos: Mapping[str, AssetInfo], catalog: Catalog, facts: Facts
+) -> Iterator[Problem]:
+    stored, derived = item.scene_graph, build_graph(item.scene, infos, catalog, facts)
+    where = item.where("graph.json")
+    ids = [node.id for node in stored.nodes]
+    if ids != sorted(set(ids)):
+        yield Problem("graph", f"{where}: nodes: ids are not unique and sorted")
+    one, other = ({node.id: node for node in graph.nodes} for graph in (stored, derived))
+    for text in islice(differences(one, other, "nodes"), SHOWN):
+        yield Problem("graph", f"{where}: {text}")
+    edges = [[(e.from_id, e.to_id, e.relation_type) for e in g.edges] for g in (stored, derived)]
+    if edges[0] != sorted(set(edges[0])):
+        yield Problem("graph", f"{where}: edges: not unique and sorted")
+    extra, missing = sorted(set(edges[0]) - set(edges[1])), sorted(set(edges[1]) - set(edges[0]))
+    for text, found in (("does not hold", extra), ("is missing", missing)):
+        for a, b, relation in found[:SHOWN]:
+            yield Problem("graph", f"{where}: edges: {a} {relation} {b} {text}")
+
+
+def _anomalies(
+    item: SceneItem, catalog: Catalog, facts: Facts, result: Survey
+) -> Iterator[Problem]:
+    where = item.where("anomalies.json")
+    stored = {(a.object_id, a.hazard): a for a in item.anomalies.anomalies}
+    if len(stored) != len(item.anomalies.anomalies):
+        yield Problem("label", f"{where}: anomalies: a pair of object and hazard appears twice")
+    for found in result.found:
+        pair = f"object {found.object_id}, {found.hazard}"
+        if not found.verdict.sure:
+            yield Problem("label", f"{where}: {pair}: lies within a dead band")
+        elif (found.object_id, found.hazard) not in stored:
+            yield Problem("label", f"{where}: {pair}: holds and is not listed")
+    holding = [f for f in result.found if f.verdict.value and (f.object_id, f.hazard) in stored]
+    pairs = {(f.object_id, f.hazard) for f in holding}
+    for object_id, hazard in sorted(set(stored) - pairs):
+        yield Problem("label", f"{where}: object {object_id}, {hazard}: listed and does not hold")
+    if pairs != set(stored):
+        return
+    derived = anomaly_records(holding, facts, catalog, item.household)
+    for text in islice(differences(item.anomalies.anomalies, derived, "anomalies"), SHOWN):
+        yield Problem("label", f"{where}: {text}")
+
+
+def _lookalikes(
+    item: SceneItem, catalog: Catalog, facts: Facts, result: Survey
+) -> Iterator[Problem]:
+    where = item.where("anomalies.json")
+    positive = {found.object_id for found in result.found}
+    hazards = {hazard.id: hazard for hazard in catalog.hazards}
+    for k, lookalike in enumerate(item.anomalies.lookalikes):
+        path = f"{where}: lookalikes[{k}]"
+        if lookalike.object_id not in facts.bodies:
+            yield Problem("label", f"{path}: no object {lookalike.object_id}")
+        elif lookalike.near_miss_of not in hazards:
+            yield Problem("label", f"{path}: no hazard {lookalike.near_miss_of!r}")
+        elif lookalike.object_id in positive:
+            yield Problem("label", f"{path}: object {lookalike.object_id} is an anomaly")
+        else:
+            hazard = hazards[lookalike.near_miss_of]
+            derived = measure(hazard.predicate, lookalike.object_id, facts)
+            for text in islice(differences(lookalike.evidence, derived, "evidence"), SHOWN):
+                yield Problem("label", f"{path}: {text}")
+
+
+def _entry(item: SceneItem) -> Iterator[Problem]:
+    entry, records = item.entry, item.anomalies
+    told = (entry.anomalies, dict(entry.hazards), entry.lookalikes)
+    counted = Counter(anomaly.hazard for anomaly in records.anomalies)
+    if told != (len(records.anomalies), dict(counted), len(records.lookalikes)):
+        where = f"manifest.jsonl: scene {entry.id}"
+        yield Problem("count", f"{where}: anomalies, hazards or lookalikes are not its files'")
+
+
+def known_ids(scene: Scene) -> set[int]:
+    """Ids that a mask may hold: structures and objects (rooms have no surface)."""
+    return {s.id for s in scene.home.structures} | {item.id for item in scene.objects}

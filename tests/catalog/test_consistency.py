@@ -1,0 +1,84 @@
+"""Recipes and predicates that contradict one another are told before a build."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from sdgen.catalog.consistency import Can, can
+from sdgen.catalog.predicate_yaml import read_predicate
+from sdgen.catalog.records import PlaceRecipe, Predicate, SetRecipe
+from sdgen.catalog.yaml_source import parse_yaml
+
+from .worlds import HAZARD, problems, write
+
+CATEGORIES = {"knife", "floor", "desk", "stove"}
+
+
+def predicate(text: str) -> Predicate:
+    source = parse_yaml(text.encode(), "p.yaml")
+    found = read_predicate(source, (), source.value, CATEGORIES, {"kitchen", "hall"})
+    assert source.problems == []
+    return found
+
+
+def place(target: str = "desk", **fields: object) -> PlaceRecipe:
+    values = {"categories": ("knife",), "relation": "ON", "targets": (target,), **fields}
+    return PlaceRecipe.model_validate(values)
+
+
+YES, NO, EITHER = Can(True, False), Can(False, True), Can(True, True)
+
+
+@pytest.mark.parametrize(
+    ("text", "recipe", "wanted"),
+    [
+        ("category: knife", place(), YES),
+        ("category: stove", place(), NO),
+        ("not: {category: stove}", place(), YES),
+        ("relation: ON", place(), YES),
+        ("{relation: ON, target: floor}", place(), NO),
+        ("{relation: ON, target: floor}", place("floor"), YES),
+        ("{relation: ON, target: desk, target_state: OPEN}", place(), EITHER),
+        ("{relation: INSIDE, target: desk}", place(), EITHER),
+        ("{category: knife, not: {relation: INSIDE}}", place(), EITHER),
+        ("room: hall", place(), EITHER),
+        ("room: hall", place(rooms=("kitchen",)), NO),
+        ("height: {max_m: 1.3}", place(), EITHER),
+        ("height: {max_m: 1.3}", place(min_height_m=1.5), NO),
+        ("height: {min_m: 0.5}", place("floor"), NO),
+        ("zone: doorway", place("floor", zone=("doorway",)), YES),
+        ("zone: doorway", place("floor", zone=("doorway", "walkway")), EITHER),
+        ("zone: doorway", place("floor", avoid_zones=("doorway",)), NO),
+        ("distance: {to: stove, max_m: 1}", place(), EITHER),
+        ("any: [{category: stove}, {relation: ON}]", place(), YES),
+        ("{category: knife, height: {max_m: 1}}", place(), EITHER),
+        ("state: ON", SetRecipe(categories=("knife",), state="ON"), YES),
+        ("state: ON", SetRecipe(categories=("knife",), state="OFF"), NO),
+        ("state: ON", SetRecipe(categories=("knife",), state="OPEN"), EITHER),
+        ("state: BROKEN", place(), EITHER),
+    ],
+)
+def test_what_a_recipe_leaves_open(text: str, recipe: PlaceRecipe | SetRecipe, wanted: Can) -> None:
+    target = recipe.targets[0] if isinstance(recipe, PlaceRecipe) else None
+    assert can(predicate(text), recipe, "knife", target) == wanted
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        (
+            "{place: vase, relation: ON",
+            "{place: [vase, mug], relation: ON",
+            ":13: anomalies[0]: mug ON coffee_table can never satisfy the predicate",
+        ),
+        (
+            "remedy:",
+            "lookalikes:\n  - {place: vase, relation: ON, target: desk}\nremedy:",
+            ":15: lookalikes[0]: vase ON desk satisfies the predicate: it would be an anomaly",
+        ),
+    ],
+)
+def test_a_contradiction_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:
+    (found,) = problems(write(tmp_path, hazards__wobbly_vase=HAZARD.replace(old, new, 1)))
+    assert problem in found

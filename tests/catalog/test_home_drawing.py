@@ -1,0 +1,181 @@
+"""Base homes: what a drawing can get wrong, and that the shipped ones can be lived in."""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import BaseHome, BaseOpening, FurnitureItem
+from shapely import box
+from shapely.affinity import rotate, translate
+from shapely.geometry import Polygon
+from shapely.ops import unary_union
+
+from .worlds import problems, write
+
+HOME = """\
+id: hut
+title: A hut
+rooms:
+  - name: stube
+    type: living_room
+    rectangles_m: [[0, 0, 4, 3]]
+    furniture:
+      - {category: sofa, position_m: [2, 1, 0], yaw_deg: 90}
+      - {category: tv_stand, position_m: [2, 2.8, 0], yaw_deg: 270, against_wall: true}
+      - {category: tv, position_m: [2, 2.6, 0], yaw_deg: 270, on: tv_stand, optional: true}
+  - name: kammer
+    type: bedroom
+    rectangles_m: [[4, 0, 7, 3]]
+openings:
+  - {kind: front_door, center_m: [1, 0], along: x}
+  - {kind: door, center_m: [4, 1.5], along: y, hinge_flip: true}
+  - {kind: window, center_m: [7, 1.5], along: y, sill_m: 0.9, small: true}
+"""
+
+
+def test_a_drawing_is_read(tmp_path: Path) -> None:
+    catalog = load_catalog([write(tmp_path, homes__hut=HOME)])
+    (hut,) = (home for home in catalog.homes if home.id == "hut")
+    assert hut.height_m == 2.6
+    assert hut.rooms[0].furniture[2] == FurnitureItem(
+        category="tv", position_m=(2.0, 2.6, 0.0), yaw_deg=270.0, on="tv_stand", optional=True
+    )
+    assert hut.openings[1].hinge_flip
+    assert hut.openings[2].sill_m == 0.9
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        ("[[4, 0, 7, 3]]", "[[3, 0, 7, 3]]", ":13: rooms[1].rectangles_m: overlaps room 'stube'"),
+        ("[[4, 0, 7, 3]]", "[[7, 0, 4, 3]]", "expected [x_min, y_min, x_max, y_max]"),
+        ("[[4, 0, 7, 3]]", "[4, 0, 7, 3]", "rectangles_m[0]: expected a list of 4 numbers"),
+        ("name: kammer", "name: stube", "a second room named 'stube'"),
+        ("type: bedroom", "type: bedrom", "unknown room type 'bedrom'"),
+        ("[2, 1, 0], yaw", "[5, 1, 0], yaw", "sofa stands outside room 'stube'"),
+        ("category: sofa", "category: soffa", "unknown category 'soffa' (did you mean 'sofa'?)"),
+        ("on: tv_stand", "on: desk", "furniture[2].on: no desk is placed before it"),
+        ("yaw_deg: 90", "yaw_deg: north", "yaw_deg: expected a number, got text 'north'"),
+        ("center_m: [4, 1.5]", "center_m: [3.9, 1.5]", "this door has 0 rooms beside it (none)"),
+        ("center_m: [4, 1.5], along: y", "center_m: [4, 1.5], along: x", "has 0 rooms beside it"),
+        ("center_m: [1, 0], along: x", "center_m: [4, 1], along: y", "this front_door has 2 rooms"),
+        ("kind: front_door", "kind: door", "openings: a home has exactly one front_door"),
+    ],
+)
+def test_a_bad_drawing_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:
+    assert old in HOME
+    found = problems(write(tmp_path, homes__hut=HOME.replace(old, new, 1)))
+    assert any(problem in line for line in found), found
+
+
+CATALOG = load_catalog()
+HOMES = pytest.mark.parametrize("home", CATALOG.homes, ids=lambda home: home.id)
+FACE_M = 0.06
+SWING_M = {"door": 0.9, "front_door": 1.0}
+
+
+def _rooms(home: BaseHome) -> dict[str, Polygon]:
+    return {room.name: unary_union([box(*r) for r in room.rectangles_m]) for room in home.rooms}
+
+
+def _print(item: FurnitureItem, largest: bool) -> Polygon:
+    """Footprint of a piece with the largest (or smallest) size its category allows."""
+    category = CATALOG.category(item.category)
+    depth, width, _ = category.extents_max_m if largest else category.extents_min_m
+    if item.width_m is not None:
+        width = min(max(width, item.width_m[0]), item.width_m[1])
+    shape = box(-depth / 2, -width / 2, depth / 2, width / 2)
+    if item.against_wall:
+        shape = translate(shape, depth / 2, 0)
+    turned = rotate(shape, item.yaw_deg, origin=(0, 0))
+    return translate(turned, item.position_m[0], item.position_m[1])
+
+
+def _swing(home: BaseHome, opening: BaseOpening) -> Polygon:
+    """The square a door's leaf sweeps, in the room listed first (or last, when flipped)."""
+    x, y = opening.center_m
+    reach = SWING_M[opening.kind]
+    half = reach / 2
+    across = box(x - half, y - reach, x + half, y + reach)
+    beside = box(x - reach, y - half, x + reach, y + half)
+    both = across if opening.along == "x" else beside
+    rooms = [room for room in _rooms(home).values() if room.intersection(both).area > 0.1]
+    return both.intersection(rooms[-1] if opening.hinge_flip else rooms[0])
+
+
+@HOMES
+def test_furniture_stays_in_its_room_off_walls_and_apart(home: BaseHome) -> None:
+    outlines = _rooms(home)
+    for room in home.rooms:
+        inner = outlines[room.name].buffer(-FACE_M + 0.001, join_style="mitre")
+        standing = [i for i in room.furniture if i.on is None and i.position_m[2] < 1.0]
+        for item in standing:
+            assert inner.contains(_print(item, largest=False)), f"{room.name}: {item.category}"
+        needed = [i for i in standing if i.category not in ("rug", "bath_mat", "chair")]
+        for a, b in combinations(needed, 2):
+            overlap = _print(a, False).intersection(_print(b, False)).area
+            assert overlap < 1e-6, f"{room.name}: {a.category} and {b.category}"
+
+
+@HOMES
+def test_backs_stand_two_to_four_centimetres_off_the_wall(home: BaseHome) -> None:
+    outlines = _rooms(home)
+    for room in home.rooms:
+        inner = outlines[room.name].buffer(-FACE_M, join_style="mitre")
+        for item in room.furniture:
+            if item.against_wall and item.on is None and item.position_m[2] == 0.0:
+                back = box(*([item.position_m[0], item.position_m[1]] * 2)).centroid
+                gap = inner.exterior.distance(back)
+                assert 0.0 <= gap <= 0.045, f"{room.name}: {item.category} {gap:.3f}"
+
+
+@HOMES
+def test_doors_swing_free_even_beside_the_largest_furniture(home: BaseHome) -> None:
+    pieces = [
+        (item, _print(item, largest=True))
+        for room in home.rooms
+        for item in room.furniture
+        if item.category not in ("rug", "bath_mat") and item.position_m[2] < 1.0
+    ]
+    for opening in home.openings:
+        if opening.kind == "window":
+            continue
+        swing = _swing(home, opening)
+        for item, shape in pieces:
+            assert swing.intersection(shape).area < 1e-6, f"{item.category} at {item.position_m}"
+
+
+@HOMES
+def test_a_person_gets_from_door_to_door(home: BaseHome) -> None:
+    """0.7 m wide ways join all the doorways of a room, past its usual furniture."""
+    outlines = _rooms(home)
+    for room in home.rooms:
+        free = outlines[room.name].buffer(-FACE_M, join_style="mitre")
+        for item in room.furniture:
+            low = item.category in ("rug", "bath_mat")
+            if not low and item.on is None and item.position_m[2] < 1.0:
+                free = free.difference(_print(item, largest=False))
+        ways = free.buffer(-0.35)
+        parts = list(ways.geoms) if hasattr(ways, "geoms") else [ways]
+        doors = [
+            box(x - 0.5, y - 0.5, x + 0.5, y + 0.5)
+            for x, y in (o.center_m for o in home.openings if o.kind != "window")
+            if outlines[room.name].distance(box(x, y, x, y).centroid) < 0.01
+        ]
+        assert doors, room.name
+        assert any(all(part.intersects(door) for door in doors) for part in parts), room.name
+
+
+@HOMES
+def test_the_home_has_its_rooms_and_size(home: BaseHome) -> None:
+    types = {room.type for room in home.rooms}
+    assert types >= {"kitchen", "living_room", "bedroom", "bathroom"}
+    area = sum(outline.area for outline in _rooms(home).values())
+    assert 40 <= area <= 140
+    present = {item.category for room in home.rooms for item in room.furniture if not item.optional}
+    assert present >= {"fridge", "stove", "kitchen_counter", "kitchen_table", "sofa", "bed"}
+    assert all(math.isfinite(v) for room in home.rooms for r in room.rectangles_m for v in r)

@@ -1,0 +1,306 @@
+"""Loading the catalogue, and every way a folder of somebody else's can be bad."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from sdgen.catalog.load import catalog_sha256, load_catalog
+from sdgen.catalog.records import Catalog, PlaceRecipe
+from sdgen.errors import InputError
+from sdgen.resources import data_path
+
+from .worlds import HAZARD, problems, write
+
+CATEGORY = """\
+gizmo:
+  superclass: Props
+  size_m: [[0.1, 0.1, 0.1], [0.2, 0.2, 0.2]]
+  mass_kg: [0.1, 1]
+"""
+
+
+def test_a_folder_adds_to_the_shipped_catalogue(tmp_path: Path) -> None:
+    folder = write(tmp_path, hazards__wobbly_vase=HAZARD, categories__mine=CATEGORY)
+    catalog = load_catalog([folder])
+    hazard = catalog.hazard("wobbly_vase")
+    assert hazard.pack == tmp_path.name
+    assert hazard.label == "unsafe"
+    (recipe,) = hazard.anomalies
+    assert isinstance(recipe, PlaceRecipe)
+    assert recipe.targets == ("coffee_table",)
+    assert catalog.category("gizmo").mass_max_kg == 1.0
+    assert len(catalog.hazards) == len(load_catalog().hazards) + 1
+
+
+def test_a_single_file_stands_in_for_a_folder(tmp_path: Path) -> None:
+    write(tmp_path, hazards__wobbly_vase=HAZARD, categories__mine=CATEGORY)
+    alone = load_catalog([tmp_path / "hazards" / "wobbly_vase.yaml"])
+    assert alone.hazard("wobbly_vase").pack == "wobbly_vase"
+    assert load_catalog([tmp_path / "categories" / "mine.yaml"]).category("gizmo")
+
+
+def test_only_and_the_shipped_folder_itself() -> None:
+    few = load_catalog(only=["stove_on", "spill"])
+    assert [hazard.id for hazard in few.hazards] == ["spill", "stove_on"]
+    assert load_catalog([data_path("hazard_catalog")]) == load_catalog()
+    with pytest.raises(InputError, match=r"unknown hazard 'stove_of' \(did you mean 'stove_on'"):
+        load_catalog(only=["stove_of"])
+    with pytest.raises(InputError, match="unknown extension pack 'none_such'"):
+        load_catalog(extensions=["none_such"])
+
+
+def test_the_digest_follows_the_content_only(tmp_path: Path) -> None:
+    before = catalog_sha256(load_catalog())
+    assert before == catalog_sha256(load_catalog())
+    a, b = tmp_path / "a" / "pack", tmp_path / "b" / "pack"
+    write(a, hazards__wobbly_vase=HAZARD)
+    write(b, hazards__wobbly_vase=f"# moved, with a comment\n{HAZARD}")
+    assert catalog_sha256(load_catalog([a])) == catalog_sha256(load_catalog([b])) != before
+    text = load_catalog([a]).model_dump_json()
+    assert Catalog.model_validate_json(text) == load_catalog([a])
+
+
+def test_replacing_is_asked_for(tmp_path: Path) -> None:
+    shipped = data_path("hazard_catalog", "hazards", "stove_on.yaml").read_text(encoding="utf-8")
+    changed = shipped.replace("urgency: high", "urgency: low")
+    folder = write(tmp_path, hazards__stove_on=changed)
+    (problem,) = problems(folder)
+    assert (
+        "hazard 'stove_on' is already defined at hazard_catalog/hazards/stove_on.yaml:1" in problem
+    )
+    assert "replaces: true" in problem
+    write(tmp_path, hazards__stove_on=changed + "replaces: true\n")
+    assert load_catalog([folder]).hazard("stove_on").urgency == "low"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        ("title:", "titel:", ":2: titel: unknown key (did you mean 'title'?)"),
+        ("urgency: low", "urgency: low\nurgency: high", ":6: urgency: duplicate key"),
+        ("urgency: low", "urgency: soon", "urgency: 'soon' is not one of high, medium, low"),
+        ("urgency: low", "urgency: 3", "expected one of high, medium, low, got the number 3"),
+        ("group: safety", "group: saftey", "group: 'saftey' is not one of safety"),
+        ("group: safety", "group: safety\nlabel: unsanitary", "label: the label of group safety"),
+        ("id: wobbly_vase", "id: wobbly", ":1: id: the id must be the file's name, 'wobbly_vase'"),
+        ("category: vase", "category: vaze", "predicate.category: unknown category 'vaze'"),
+        ("category: vase", "state: on", ":9: predicate.state: 'on' is not a state"),
+        ("place: vase", "place: vaze", "anomalies[0].place: unknown category 'vaze' (did you mean"),
+        ("place: vase", "plaec: vase", "anomalies[0]: expected 'place: [categories]'"),
+        ("place: vase,", "place: vase, state: off,", "anomalies[0].state: 'off' is not a state"),
+        ("place: vase,", "place: vase, state: true,", "anomalies[0].state: expected a state"),
+        ("target: coffee_table", "target: cofee_table", "target: unknown category 'cofee_table'"),
+        (
+            "relation: ON, target: coffee_table",
+            "relation: ON",
+            "anomalies[0]: missing key 'target'",
+        ),
+        ("target: coffee_table", "target: coffee_table, zone: doorway", "needs 'target: floor'"),
+        (
+            "target: coffee_table",
+            "target: coffee_table, rooms: cellar",
+            "unknown room type 'cellar'",
+        ),
+        ("target: coffee_table", "target: coffee_table, weight: -1", "weight: -1 is not between"),
+        ("target: coffee_table", "target: coffee_table, wieght: 1", "wieght: unknown key (did you"),
+        ("who: everyone", "who: anyone", "concerns.who: 'anyone' is not one of everyone, children"),
+        ("who: everyone", "who: children", "concerns: who: children needs max_age"),
+        ("who: everyone", "who: everyone, max_age: 3", "belong to who: children"),
+        (
+            "who: everyone",
+            "who: children, max_age: 3, by_reach: true",
+            "concerns.by_reach: by_reach needs a term 'height:",
+        ),
+        ("{room}", "{place}", "message: unknown placeholder {place}"),
+        ("{room}", "{room", "message: has a brace without its pair"),
+        ("{room}", "{room.__class__}", "message: unknown placeholder {room.__class__}"),
+        ("\nrelation: ON\nanomalies", "\nanomalies", "message: {target} needs 'relation: ON'"),
+        ("action: put_on", "action: putt_on", "remedy[0].action: 'putt_on' is not one of"),
+        (", target: bookshelf", "", "remedy[0]: action put_on needs a target"),
+        ("source: nobody in particular", "source:", "source: is empty: expected text"),
+        ("source: nobody in particular", "source: [a, b]", "source: expected text, got a list"),
+    ],
+)
+def test_a_bad_hazard_is_told_with_its_line(
+    tmp_path: Path, old: str, new: str, problem: str
+) -> None:
+    assert old in HAZARD
+    folder = write(tmp_path, hazards__wobbly_vase=HAZARD.replace(old, new, 1))
+    found = problems(folder)
+    assert any(problem in line for line in found), found
+    assert all(line.startswith(f"{folder}/hazards/wobbly_vase.yaml:") for line in found)
+
+
+def test_all_problems_come_at_once_in_order(tmp_path: Path) -> None:
+    bad = HAZARD.replace("vase", "vaze").replace("low", "soon").replace("bookshelf", "bookself")
+    folder = write(
+        tmp_path,
+        hazards__wobbly_vaze=bad,
+        hazards__empty="",
+        categories__mine=CATEGORY.replace("Props", "Prop"),
+    )
+    lines = [problem.split(str(folder))[1] for problem in problems(folder)]
+    assert [line.split(": ")[0] for line in lines] == [
+        "/categories/mine.yaml:2",
+        "/hazards/empty.yaml:1",
+        "/hazards/wobbly_vaze.yaml:5",
+        "/hazards/wobbly_vaze.yaml:9",
+        "/hazards/wobbly_vaze.yaml:13",
+        "/hazards/wobbly_vaze.yaml:15",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        ("[[0.1, 0.1, 0.1], [0.2, 0.2, 0.2]]", "[0.1, 0.2]", "size_m[0]: expected a list of 3"),
+        ("[[0.1, 0.1, 0.1], [0.2, 0.2, 0.2]]", "0.1", "size_m: expected [[x, y, z] smallest"),
+        ("[0.1, 0.1, 0.1]", "[0.1, 0.1, 0.3]", "size_m: the smallest is larger than the largest"),
+        ("[0.1, 0.1, 0.1]", "[0.1, 0.1, a]", "size_m[0][2]: expected a number, got text 'a'"),
+        ("[0.1, 0.1, 0.1]", "[0.1, 0.1, -1]", "size_m[0][2]: -1 is not between 0 and 50"),
+        ("mass_kg: [0.1, 1]", "mass_kg: [2, 1]", "mass_kg: the first number (2) is above"),
+        ("mass_kg: [0.1, 1]", "mass_kg: [0, 1]", "mass_kg: masses must be above 0"),
+        ("mass_kg: [0.1, 1]", "mass_kg: 1", "mass_kg: expected a list of 2 numbers, got the"),
+        ("superclass: Props", "superclass: props", "(did you mean 'Props'?)"),
+        ("gizmo:", "Gizmo:", "'Gizmo' is not a name"),
+        ("gizmo:", "mug:", "category 'mug' is already defined at hazard_catalog/categories/"),
+        (
+            "  superclass",
+            "  lives: [{relation: ON, target: tabel}]\n  superclass",
+            "unknown category",
+        ),
+        ("  superclass", "  properties: [GRABABLE]\n  superclass", "(did you mean 'GRABBABLE'?)"),
+        ("  superclass", "  kind: big\n  superclass", "kind: 'big' is not one of small"),
+    ],
+)
+def test_a_bad_category_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:
+    assert old in CATEGORY
+    found = problems(write(tmp_path, categories__mine=CATEGORY.replace(old, new, 1)))
+    assert any(problem in line for line in found), found
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "problem"),
+    [
+        ("rooms", "attic: {floor_clutter: [0, 1], clutter: {sofaa: [1, 2]}}", "unknown category"),
+        ("rooms", "attic: {floor_clutter: [0, 1.5], clutter: {}}", "expected whole numbers"),
+        ("rooms", "attic: {floor_clutter: [0, 1], clutter: {sofa: 3}}", "list of 2 numbers"),
+        ("rooms", "- attic", "expected a mapping (key: value), got a list"),
+        ("rooms", "hall: {floor_clutter: [0, 1], clutter: {}}", "room type 'hall' is already"),
+        ("households", "template: {}", "template: unknown key (did you mean 'templates'?)"),
+        ("households", "templates: {us: {members: []}}", "members: expected at least one item"),
+        ("households", "templates: {us: {members: [{role: a, age: 5}]}}", "list of 2 numbers"),
+        (
+            "households",
+            "templates: {us: {members: [{role: a, age: [1, 2]}], notifications: {stoev_on: now}}}",
+            "notifications.stoev_on: unknown key (did you mean 'stove_on'?)",
+        ),
+        (
+            "households",
+            "templates: {us: {members: [{role: a, age: [1, 2]}], notifications: {stove_on: off}}}",
+            "notifications.stove_on: unknown choice 'off'",
+        ),
+        (
+            "households",
+            "reach: {rows: [{max_age: 5, reach_m: 1}, {max_age: 4, reach_m: 2}]}",
+            "rise",
+        ),
+    ],
+)
+def test_bad_rooms_and_households_are_told(
+    tmp_path: Path, name: str, text: str, problem: str
+) -> None:
+    found = problems(write(tmp_path, **{name: text}))
+    assert any(problem in line for line in found), found
+
+
+def test_places_that_hold_no_catalogue(tmp_path: Path) -> None:
+    assert "no such file" in problems(tmp_path / "none")[0]
+    assert "no catalogue file in it" in problems(tmp_path)[0]
+    write(tmp_path, hazards__a="\xff")
+    (tmp_path / "hazards" / "a.yaml").write_bytes(b"\xff\xfe")
+    assert "is not UTF-8 text" in problems(tmp_path)[0]
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root reads all")
+def test_a_file_one_may_not_read(tmp_path: Path) -> None:
+    folder = write(tmp_path, hazards__wobbly_vase=HAZARD)
+    (folder / "hazards" / "wobbly_vase.yaml").chmod(0)
+    assert "cannot be read (Permission denied)" in problems(folder)[0]
+
+
+def _problems_or_none(folder: Path) -> tuple[str, ...] | None:
+    """None when the folder loads. Anything but an InputError flies through."""
+    try:
+        load_catalog([folder])
+    except InputError as error:
+        return error.problems
+    return None
+
+
+def _well_told(found: tuple[str, ...] | None, folder: Path) -> bool:
+    """Problems, if any, are single lines that name a file of the folder."""
+    if found is None:
+        return True
+    return bool(found) and all(line.startswith(str(folder)) and "\n" not in line for line in found)
+
+
+_SLOW_OK = [HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
+_KINDS = st.sampled_from(["hazards__x", "categories__x", "homes__x", "rooms", "households"])
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=_SLOW_OK)
+@given(kind=_KINDS, raw=st.binary(max_size=200) | st.text(max_size=200).map(str.encode))
+def test_random_bytes_never_raise_anything_else(tmp_path: Path, kind: str, raw: bytes) -> None:
+    folder = write(tmp_path / kind, **{kind: ""})
+    folder.joinpath(*f"{kind}.yaml".split("__")).write_bytes(raw)
+    assert _well_told(_problems_or_none(folder), folder)
+
+
+_WORDS = st.sampled_from(
+    ["ON", "on", "knife", "floor", "x", "", "kitchen", "now", "{target}", "safety", "children"]
+)
+_JUNK: st.SearchStrategy[Any] = st.recursive(
+    st.none() | st.booleans() | st.integers(-9, 999) | st.floats(-9, 9) | _WORDS,
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(_WORDS, inner, max_size=3),
+    max_leaves=6,
+)
+
+
+def _shipped(kind: str) -> Any:
+    name = {"hazards__x": "hazards/sharp_object.yaml", "homes__x": "homes/apartment_1.yaml"}
+    name |= {"categories__x": "categories/food.yaml", "rooms": "rooms.yaml"}
+    text = data_path("hazard_catalog", name.get(kind, "households.yaml")).read_text("utf-8")
+    return yaml.safe_load(text)
+
+
+def _paths(value: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    out = [at] if at else []
+    if isinstance(value, dict | list):
+        pairs = value.items() if isinstance(value, dict) else enumerate(value)
+        for key, below in pairs:
+            out += _paths(below, (*at, key))
+    return out
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=_SLOW_OK)
+@given(kind=_KINDS, data=st.data())
+def test_a_shipped_file_with_junk_put_in_never_raises_anything_else(
+    tmp_path: Path, kind: str, data: st.DataObject
+) -> None:
+    """A real file with one value replaced by junk: the deep readers all get their share."""
+    value = _shipped(kind)
+    path = data.draw(st.sampled_from(_paths(value)))
+    spot = value
+    for step in path[:-1]:
+        spot = spot[step]
+    spot[path[-1]] = data.draw(_JUNK)
+    text = yaml.safe_dump(value, sort_keys=False, allow_unicode=True)
+    folder = write(tmp_path / kind, **{kind: text})
+    assert _well_told(_problems_or_none(folder), folder)

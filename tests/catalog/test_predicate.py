@@ -1,0 +1,258 @@
+"""Verdicts: values, sureness, evidence."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from sdgen.catalog.predicate import Related, Verdict, ZoneShare, evaluate, measure
+from sdgen.catalog.records import (
+    AllTerm,
+    AnyTerm,
+    CategoryTerm,
+    DistanceTerm,
+    HeightTerm,
+    NotTerm,
+    Predicate,
+    RelationTerm,
+    RoomTerm,
+    StateTerm,
+    ZoneTerm,
+)
+
+from .worlds import Thing, World, on
+
+
+def verdict(predicate: Predicate, thing: Thing, **others: Thing) -> Verdict:
+    things = {1: thing, **{int(key[1:]): other for key, other in others.items()}}
+    return evaluate(predicate, 1, World(things))
+
+
+def test_category_and_room() -> None:
+    assert verdict(CategoryTerm(any_of=("knife", "fork")), Thing("fork")) == Verdict(True, True)
+    assert verdict(CategoryTerm(any_of=("knife",)), Thing("fork")) == Verdict(False, True)
+    assert verdict(RoomTerm(any_of=("hall",)), Thing(room="hall")).value
+    assert not verdict(RoomTerm(any_of=("hall",)), Thing(room="kitchen")).value
+
+
+def test_states_in_the_dead_band_are_unsure() -> None:
+    term = StateTerm(any_of=("OPEN", "BROKEN"))
+    assert verdict(term, Thing(states=("OPEN",))) == Verdict(True, True, {"state": "OPEN"})
+    assert verdict(term, Thing(states=("CLOSED",))) == Verdict(False, True)
+    assert verdict(term, Thing(undecided=("CLOSED", "OPEN"))) == Verdict(False, False)
+    # One door stands open, the other ajar: open all the same.
+    assert verdict(term, Thing(states=("OPEN",), undecided=("OPEN",))).sure
+
+
+@pytest.mark.parametrize(
+    ("height", "value", "sure"),
+    [
+        (0.0, True, True),
+        (1.27, True, True),
+        (1.28, True, False),
+        (1.3, True, False),
+        (1.31, False, False),
+        (1.33, False, True),
+    ],
+)
+def test_height_has_a_margin(height: float, value: bool, sure: bool) -> None:
+    term = HeightTerm(max_m=1.3, evidence="reach_height_m")
+    found = verdict(term, Thing(height_m=height))
+    assert (found.value, found.sure) == (value, sure)
+    assert found.evidence == ({"reach_height_m": height} if value else {})
+
+
+@pytest.mark.parametrize(
+    ("height", "value", "sure"),
+    [
+        (0.9, False, True),
+        (0.98, False, False),
+        (1.02, True, False),
+        (1.5, True, True),
+        (1.98, True, False),
+        (2.02, False, False),
+        (3.0, False, True),
+    ],
+)
+def test_height_between_two_limits(height: float, value: bool, sure: bool) -> None:
+    found = verdict(HeightTerm(min_m=1.0, max_m=2.0), Thing(height_m=height))
+    assert (found.value, found.sure) == (value, sure)
+
+
+def test_distance_to_the_nearest() -> None:
+    near, far = DistanceTerm(to=("stove",), max_m=0.5), DistanceTerm(to=("stove",), min_m=0.5)
+    close_by = Thing(gaps={("stove",): (0.2, 7)})
+    assert verdict(near, close_by) == Verdict(True, True, {"distance_m": 0.2, "nearest_id": 7})
+    assert verdict(far, close_by) == Verdict(False, True)
+    assert not verdict(near, Thing(gaps={("stove",): (0.48, 7)})).sure
+    assert verdict(near, Thing()) == Verdict(False, True)
+    assert verdict(far, Thing()) == Verdict(True, True)
+
+
+def test_zone_takes_the_largest_share() -> None:
+    term = ZoneTerm(any_of=("doorway", "walkway"))
+    a, b = ZoneShare("d:hall", "doorway", 0.2), ZoneShare("w:hall", "walkway", 0.8)
+    assert verdict(term, Thing(zones=(a, b))).evidence == {
+        "zone": "walkway",
+        "zone_name": "w:hall",
+        "zone_overlap": 0.8,
+    }
+    assert verdict(term, Thing(zones=(a,))) == Verdict(False, True)
+    assert verdict(term, Thing(zones=(ZoneShare("x", "heat", 1.0),))) == Verdict(False, True)
+    assert verdict(term, Thing()) == Verdict(False, True)
+    half = verdict(term, Thing(zones=(ZoneShare("d", "doorway", 0.55),)))
+    assert (half.value, half.sure) == (True, False)
+    less = verdict(term, Thing(zones=(ZoneShare("d", "doorway", 0.45),)))
+    assert (less.value, less.sure) == (False, False)
+
+
+def test_relation_to_a_category() -> None:
+    term = RelationTerm(relation="ON", targets=("floor",))
+    both = Thing(related={"ON": (on(5, "rug"), on(6, "floor"))})
+    assert verdict(term, both).evidence == {
+        "relation": "ON",
+        "target_id": 6,
+        "target_category": "floor",
+        "gap_m": 0.001,
+    }
+    assert verdict(RelationTerm(relation="ON"), both).evidence["target_id"] == 5
+    assert verdict(term, Thing(related={"ON": (on(5, "rug"),)})) == Verdict(False, True)
+    assert verdict(term, Thing(related={"INSIDE": (on(6, "floor"),)})) == Verdict(False, True)
+    unsure = verdict(term, Thing(related={"ON": (on(6, "floor", sure=False),)}))
+    assert (unsure.value, unsure.sure) == (True, False)
+    unsure = verdict(term, Thing(related={"ON": (on(6, "floor", holds=False, sure=False),)}))
+    assert (unsure.value, unsure.sure) == (False, False)
+
+
+def test_relation_to_something_in_a_state() -> None:
+    term = RelationTerm(relation="INSIDE", targets=("fridge",), target_state="OPEN")
+    inside = Thing("cheese", related={"INSIDE": (on(2, "fridge"),)})
+    assert verdict(term, inside, _2=Thing("fridge", states=("OPEN",))).value
+    assert verdict(term, inside, _2=Thing("fridge", states=("CLOSED",))) == Verdict(False, True)
+    ajar = verdict(term, inside, _2=Thing("fridge", undecided=("OPEN", "CLOSED")))
+    assert (ajar.value, ajar.sure) == (False, False)
+
+
+def test_the_leaf_that_shuts_a_container_counts_not_the_furniture() -> None:
+    """A knife in the sink's basin is not shut in because the cupboard below it is."""
+    term = RelationTerm(relation="INSIDE", target_state="CLOSED")
+    sink = Thing("sink_cabinet", states=("CLOSED",))
+
+    def inside(states: tuple[str, ...], undecided: tuple[str, ...] = ()) -> Verdict:
+        related = Related(2, "sink_cabinet", True, True, {}, states, undecided)
+        return verdict(term, Thing(related={"INSIDE": (related,)}), _2=sink)
+
+    assert inside(("CLOSED",)).value
+    assert inside(()) == Verdict(False, True)
+    assert inside((), ("CLOSED", "OPEN")) == Verdict(False, False)
+
+
+YES, NO = Verdict(True, True), Verdict(False, True)
+MAYBE_YES, MAYBE_NO = Verdict(True, False), Verdict(False, False)
+
+
+def term_for(index: int, wanted: Verdict) -> tuple[Predicate, ZoneShare]:
+    """A zone term of its own kind of zone, and the share that gives the wanted verdict."""
+    kind = ("doorway", "walkway", "swing", "heat")[index]
+    share = {(True, True): 0.9, (False, True): 0.1, (True, False): 0.55, (False, False): 0.45}
+    fraction = share[wanted.value, wanted.sure]
+    return ZoneTerm(any_of=(kind,)), ZoneShare(kind, kind, fraction)
+
+
+@pytest.mark.parametrize(
+    ("parts", "both", "either"),
+    [
+        ((YES, YES), YES, YES),
+        ((YES, NO), NO, YES),
+        ((NO, NO), NO, NO),
+        ((YES, MAYBE_YES), MAYBE_YES, YES),
+        ((YES, MAYBE_NO), MAYBE_NO, YES),
+        ((NO, MAYBE_YES), NO, MAYBE_YES),
+        ((NO, MAYBE_NO), NO, MAYBE_NO),
+        ((MAYBE_YES, MAYBE_NO), MAYBE_NO, MAYBE_YES),
+    ],
+)
+def test_all_any_and_not_are_kleene(
+    parts: tuple[Verdict, ...], both: Verdict, either: Verdict
+) -> None:
+    for ordered in (parts, parts[::-1]):
+        made = [term_for(index, wanted) for index, wanted in enumerate(ordered)]
+        terms = tuple(term for term, _ in made)
+        thing = Thing(zones=tuple(share for _, share in made))
+        for predicate, wanted in ((AllTerm(terms=terms), both), (AnyTerm(terms=terms), either)):
+            found = verdict(predicate, thing)
+            assert (found.value, found.sure) == (wanted.value, wanted.sure)
+            turned = verdict(NotTerm(term=predicate), thing)
+            assert (turned.value, turned.sure) == (not wanted.value, wanted.sure)
+            assert turned.evidence == {}
+
+
+def test_evidence_comes_from_the_terms_that_made_it_true() -> None:
+    low, wide = HeightTerm(max_m=1.0), ZoneTerm(any_of=("doorway",))
+    thing = Thing(height_m=0.5, zones=(ZoneShare("d", "doorway", 0.1),))
+    assert verdict(AnyTerm(terms=(wide, low)), thing).evidence == {"height_m": 0.5}
+    assert verdict(AllTerm(terms=(low, wide)), thing).evidence == {}
+    thing = Thing(height_m=0.5, zones=(ZoneShare("d", "doorway", 0.9),))
+    found = verdict(AllTerm(terms=(low, wide)), thing).evidence
+    assert found == {"height_m": 0.5, "zone": "doorway", "zone_name": "d", "zone_overlap": 0.9}
+
+
+def test_a_near_miss_is_measured_all_the_same() -> None:
+    low, wide = HeightTerm(max_m=1.0), ZoneTerm(any_of=("doorway",))
+    far = DistanceTerm(to=("stove",), max_m=1.0)
+    inside = NotTerm(term=HeightTerm(max_m=9.0, evidence="reach_height_m"))
+    world = World({1: Thing(height_m=1.8, zones=(ZoneShare("d", "doorway", 0.1),))})
+    predicate = AllTerm(terms=(CategoryTerm(any_of=("fork",)), low, wide, far, inside))
+    assert measure(predicate, 1, world) == {"height_m": 1.8, "zone_overlap": 0.1}
+
+
+def test_the_category_decides_before_anything_is_measured() -> None:
+    world = World({1: Thing("sofa")})
+    predicate = AllTerm(terms=(HeightTerm(max_m=1.0), CategoryTerm(any_of=("knife",))))
+    assert evaluate(predicate, 1, world) == Verdict(False, True)
+    assert world.dear == 0
+
+
+_MARGIN = 0.02
+
+
+def _predicates() -> st.SearchStrategy[Predicate]:
+    limit = st.sampled_from([0.3, 0.6, 0.9, 1.2])
+    height = limit.map(lambda m: HeightTerm(max_m=m, margin_m=_MARGIN))
+    distance = limit.map(lambda m: DistanceTerm(to=("stove",), min_m=m, margin_m=_MARGIN))
+    zone = limit.filter(lambda m: m < 1).map(
+        lambda m: ZoneTerm(any_of=("heat",), overlap=m, margin=_MARGIN)
+    )
+    leaf: st.SearchStrategy[Predicate] = st.one_of(height, distance, zone)
+    return st.recursive(
+        leaf,
+        lambda inner: st.one_of(
+            st.lists(inner, min_size=1, max_size=3).map(lambda t: AllTerm(terms=tuple(t))),
+            st.lists(inner, min_size=1, max_size=3).map(lambda t: AnyTerm(terms=tuple(t))),
+            inner.map(lambda t: NotTerm(term=t)),
+        ),
+        max_leaves=6,
+    )
+
+
+_METRES = st.floats(0.0, 1.5, allow_nan=False)
+_SHIFT = st.floats(-0.99 * _MARGIN, 0.99 * _MARGIN, allow_nan=False)
+
+
+@given(_predicates(), st.tuples(_METRES, _METRES, _METRES), st.tuples(_SHIFT, _SHIFT, _SHIFT))
+def test_a_sure_verdict_survives_any_change_within_the_margins(
+    predicate: Predicate,
+    at: tuple[float, float, float],
+    shift: tuple[float, float, float],
+) -> None:
+    def world(height: float, gap: float, share: float) -> World:
+        zones = (ZoneShare("h", "heat", share),)
+        return World({1: Thing(height_m=height, gaps={("stove",): (gap, 2)}, zones=zones)})
+
+    found = evaluate(predicate, 1, world(*at))
+    assume(found.sure)
+    moved = [a + b for a, b in zip(at, shift, strict=True)]
+    assert evaluate(predicate, 1, world(*moved)).value == found.value
+    assert all(not isinstance(v, float) or math.isfinite(v) for v in found.evidence.values())

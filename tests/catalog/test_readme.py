@@ -1,0 +1,82 @@
+"""The guide's examples work, and it names every key that a file may hold."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.catalog.predicate import evaluate
+from sdgen.catalog.predicate_yaml import RELATIONS, TERMS, ZONE_KINDS
+from sdgen.catalog.read_hazard import ACTIONS
+from sdgen.catalog.read_world import CATEGORY_KINDS, SUPERCLASSES
+from sdgen.catalog.reader import Reader
+from sdgen.cli.main import run
+from sdgen.resources import data_path
+
+from .worlds import Thing, World, on
+
+README = data_path("hazard_catalog", "README.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"```yaml\n# (\S+)\n(.*?)```", README, re.DOTALL)
+COMMANDS = [
+    line
+    for block in re.findall(r"```sh\n(.*?)```", README, re.DOTALL)
+    for line in block.splitlines()
+    if line.startswith("sdgen catalog")
+]
+
+
+def _write_examples(folder: Path) -> None:
+    for name, text in BLOCKS:
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+def test_the_examples_load_and_mean_what_they_say(tmp_path: Path) -> None:
+    assert len(BLOCKS) == 2
+    _write_examples(tmp_path)
+    catalog = load_catalog([tmp_path / "my_hazards"])
+    assert catalog.category("snow_globe").superclass == "Decor"
+    predicate = catalog.hazard("glass_on_floor").predicate
+    down = World({1: Thing("drinking_glass", related={"ON": (on(2, "floor"),)})})
+    up = World({1: Thing("drinking_glass", related={"ON": (on(2, "coffee_table"),)})})
+    assert evaluate(predicate, 1, down).value
+    assert not evaluate(predicate, 1, up).value
+
+
+def test_the_catalog_commands_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert len(COMMANDS) == 2
+    _write_examples(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    for line in COMMANDS:
+        assert run(shlex.split(line)[1:]) == 0, line
+    assert "Glass on the floor" in capsys.readouterr().out
+
+
+def test_every_key_that_is_read_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: set[str] = set()
+    done = Reader.done
+
+    def listen(reader: Reader) -> None:
+        asked.update(key for key in reader.asked if not key.isspace())
+        done(reader)
+
+    monkeypatch.setattr(Reader, "done", listen)
+    catalog = load_catalog()
+    names = {category.name for category in catalog.categories}
+    names |= {hazard.id for hazard in catalog.hazards}
+    keys = asked - names
+    assert len(keys) > 40
+    missing = sorted(key for key in keys if not re.search(rf"\b{re.escape(key)}\b", README))
+    assert missing == []
+
+
+def test_every_word_with_a_fixed_list_is_explained() -> None:
+    words = (*TERMS, *RELATIONS, *ZONE_KINDS, *ACTIONS, *SUPERCLASSES, *CATEGORY_KINDS)
+    missing = sorted(word for word in words if not re.search(rf"\b{re.escape(word)}\b", README))
+    assert missing == []

@@ -1,0 +1,44 @@
+import json
+
+import pytest
+from click.testing import CliRunner
+from sdgen.cli import doctor as module
+from sdgen.cli.doctor import Finding, doctor, examine
+from sdgen.render import backend
+from sdgen.render.backend import EglProbe
+
+
+def test_this_machine_can_build() -> None:
+    result = CliRunner().invoke(doctor, ["--json"])
+    assert result.exit_code == 0, result.output
+    data = json.loads(result.output)
+    assert list(data) == [
+        "Python", "PyBullet", "EGL renderer", "Model cache", "Assets", "Catalogue",
+    ]  # fmt: skip
+    assert data["PyBullet"]["level"] == "ok"
+
+
+def test_without_egl_it_names_the_packages_and_is_content(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(backend, "probe_egl", lambda: EglProbe(False, reason="no libEGL.so.1"))
+    found = next(f for f in examine() if f.what == "EGL renderer")
+    assert found.level == "note"
+    assert "no libEGL.so.1" in found.text
+    assert "libegl1 libgl1-mesa-dri libgl1" in found.text
+
+
+def test_what_stops_a_build_is_exit_code_1(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "examine", lambda: [Finding("Assets", "bad", "empty")])
+    result = CliRunner().invoke(doctor, [])
+    assert result.exit_code == 1
+    assert "BAD   Assets" in result.output
+
+
+def test_a_cache_that_cannot_be_written(
+    monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    blocked = tmp_path_factory.mktemp("cache") / "file"
+    blocked.write_text("", encoding="utf-8")
+    monkeypatch.setenv("SDGEN_CACHE", str(blocked / "below"))
+    found = next(f for f in examine() if f.what == "Model cache")
+    assert found.level == "bad"
+    assert "SDGEN_CACHE" in found.text

@@ -1,0 +1,361 @@
+"""Building, resuming, extending and refusing: whole scenes or none, nothing good lost."""
+
+import errno
+import json
+import multiprocessing
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sdgen.dataset import Dataset, DatasetWriter
+from sdgen.dataset import scene_folder as scene_folder_module
+from sdgen.dataset.scene_folder import BUILD_FOLDER
+from sdgen.errors import SdgenError
+
+from tests import toy
+
+
+def tree(path: Path) -> dict[str, bytes]:
+    """Every file below a folder by its relative name."""
+    return {
+        str(p.relative_to(path)): p.read_bytes() for p in sorted(path.rglob("*")) if p.is_file()
+    }
+
+
+def test_a_finished_data_set_has_exactly_the_promised_files(tmp_path: Path) -> None:
+    names = set(tree(toy.build(tmp_path / "d", toy.small(n=1))))
+    scene = {
+        f"{n}.json" for n in ["scene", "graph", "anomalies", "household", "visibility", "physics"]
+    }
+    views = {
+        f"views/{k:02d}/{name}"
+        for k in range(2)
+        for name in ("rgb.png", "depth.png", "instance.png", "part.png", "view.json")
+    }
+    top = {"dataset.json", "catalogue.json", "README.md", "manifest.jsonl", "assets.jsonl"}
+    assert names == top | {f"scenes/000000/{name}" for name in scene | views}
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        ({"rgb": "jpg"}, {"rgb.jpg", "depth.png", "instance.png", "part.png", "view.json"}),
+        ({"sensors": ("depth",)}, {"depth.png", "view.json"}),
+        ({"sensors": ()}, {"view.json"}),
+    ],
+)
+def test_views_hold_what_was_asked_for(
+    tmp_path: Path, options: dict[str, Any], expected: set[str]
+) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1, **options))
+    assert {p.name for p in (path / "scenes/000000/views/00").iterdir()} == expected
+
+
+def test_two_builds_give_the_same_bytes(tmp_path: Path) -> None:
+    one, two = toy.build(tmp_path / "a"), toy.build(tmp_path / "b")
+    assert tree(one) == tree(two)
+
+
+def test_bytes_do_not_depend_on_locale_hash_seed_or_folder(tmp_path: Path) -> None:
+    code = (
+        "import sys; from pathlib import Path; from tests import toy; toy.build(Path(sys.argv[1]))"
+    )
+    root = str(Path(__file__).resolve().parents[2])
+    for name, seed, locale in (("a", "1", "C"), ("b", "2", "C.UTF-8")):
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "LC_ALL": locale, "PYTHONUTF8": "0"}
+        environment["PYTHONPATH"] = root + os.pathsep + environment.get("PYTHONPATH", "")
+        subprocess.run(
+            [sys.executable, "-c", code, str(tmp_path / name)],
+            check=True,
+            env=environment,
+            cwd=tmp_path,
+        )
+    assert tree(tmp_path / "a") == tree(tmp_path / "b")
+
+
+def test_content_digest_ignores_views_and_nothing_else(tmp_path: Path) -> None:
+    def digests(name: str, **options: Any) -> list[str]:
+        made = Dataset(toy.build(tmp_path / name, toy.small(n=2, **options)))
+        return [entry.content_sha256 for entry in made.entries]
+
+    assert digests("a") == digests("b", views=1, rgb="jpg", sensors=("rgb",))
+    assert len(set(digests("c"))) == 2
+
+
+def test_a_killed_build_resumes_to_the_same_bytes(tmp_path: Path) -> None:
+    whole = toy.build(tmp_path / "whole")
+    path = tmp_path / "d"
+    with toy.open_writer(path) as writer:
+        toy.add_scene(writer, 2)
+        toy.add_scene(writer, 0)
+        # Killed while scene 1 is half written.
+        half = writer.scene_writer.begin(
+            toy.bundle(1, writer.build.options), toy.graph(toy.bundle(1))
+        )
+        half.__enter__()
+        half.add(toy.frame(toy.bundle(1, writer.build.options), 0))
+    assert not (path / "scenes" / "000001").exists()
+    with toy.open_writer(path) as writer:
+        assert sorted(writer.done) == ["000000", "000002"]
+        assert writer.repaired == ()
+        assert not list((path / BUILD_FOLDER).glob("*.partial"))
+    assert tree(toy.build(path)) == tree(whole)
+
+
+def _damage_truncate(scene: Path) -> None:
+    (scene / "views/00/depth.png").write_bytes(b"short")
+
+
+def _damage_edit(scene: Path) -> None:
+    text = (scene / "household.json").read_text(encoding="utf-8")
+    (scene / "household.json").write_text(text.replace("38", "39"), encoding="utf-8")
+
+
+def _damage_missing(scene: Path) -> None:
+    (scene / "views/01/rgb.png").unlink()
+
+
+def _damage_extra(scene: Path) -> None:
+    (scene / "notes.txt").write_text("mine")
+
+
+def _damage_link(scene: Path) -> None:
+    (scene / "graph.json").rename(scene.parent.parent / "graph.json")
+    (scene / "graph.json").symlink_to(scene.parent.parent / "graph.json")
+
+
+@pytest.mark.parametrize(
+    "damage", [_damage_truncate, _damage_edit, _damage_missing, _damage_extra, _damage_link]
+)
+@pytest.mark.parametrize("finished", [False, True])
+def test_a_damaged_scene_is_made_again(tmp_path: Path, damage: Any, finished: bool) -> None:
+    whole = tree(toy.build(tmp_path / "whole", toy.small(n=2)))
+    path = tmp_path / "d"
+    with toy.open_writer(path, toy.small(n=2)) as writer:
+        toy.add_scene(writer, 0)
+        toy.add_scene(writer, 1)
+        if finished:
+            writer.finish(renderers=("painted",))
+    damage(path / "scenes" / "000001")
+    with toy.open_writer(path, toy.small(n=2)) as writer:
+        assert writer.repaired == ("000001",)
+        assert list(writer.done) == ["000000"]
+        toy.add_scene(writer, 1)
+        writer.finish(renderers=("painted",))
+    (path / "graph.json").unlink(missing_ok=True)
+    assert tree(path) == whole
+
+
+def test_a_larger_n_extends_to_the_bytes_of_a_whole_build(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    assert tree(toy.build(path, toy.small(n=4))) == tree(toy.build(tmp_path / "w", toy.small(n=4)))
+
+
+def test_while_it_is_extended_the_old_data_set_can_be_read(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    with toy.open_writer(path, toy.small(n=4)) as writer:
+        toy.add_scene(writer, 3)
+    assert len(Dataset(path)) == 2
+
+
+def test_a_smaller_n_is_refused(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=3))
+    with pytest.raises(SdgenError, match="--n 3"):
+        toy.open_writer(path, toy.small(n=2))
+
+
+@pytest.mark.parametrize("finished", [False, True])
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"seed": 8}, "seed 7 (now 8)"),
+        ({"views": 3}, "views 2 (now 3)"),
+        ({"sensors": ("rgb",)}, "sensors rgb,depth,instance (now rgb)"),
+    ],
+)
+def test_other_options_are_refused_and_nothing_is_touched(
+    tmp_path: Path, finished: bool, change: dict[str, Any], words: str
+) -> None:
+    path = tmp_path / "d"
+    with toy.open_writer(path, toy.small(n=1)) as writer:
+        toy.add_scene(writer, 0)
+        if finished:
+            writer.finish()
+    before = tree(path)
+    with pytest.raises(SdgenError) as caught:
+        toy.open_writer(path, toy.small(n=1, **change))
+    assert words in str(caught.value)
+    assert "--overwrite" in str(caught.value)
+    after = tree(path)
+    after.pop(f"{BUILD_FOLDER}/lock", None)
+    before.pop(f"{BUILD_FOLDER}/lock", None)
+    assert after == before
+
+
+def test_other_versions_assets_or_catalogue_are_refused(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1))
+    with pytest.raises(SdgenError, match="numpy none"):
+        toy.open_writer(path, toy.small(n=1), versions={**toy.VERSIONS, "numpy": "2"})
+    catalog = toy.catalog()
+    fewer = catalog.model_copy(update={"hazards": catalog.hazards[1:]})
+    with pytest.raises(SdgenError, match="another catalogue; other assets"):
+        DatasetWriter.open(
+            path, toy.small(n=1), fewer, toy.infos(), "b" * 64, versions=toy.VERSIONS
+        )
+
+
+@pytest.mark.parametrize("content", ["file", "folder", "hidden"])
+def test_a_foreign_folder_is_refused_even_with_overwrite(tmp_path: Path, content: str) -> None:
+    path = tmp_path / "d"
+    path.mkdir()
+    if content == "folder":
+        (path / "scenes").mkdir()
+    else:
+        (path / ("thesis.tex" if content == "file" else ".git")).write_text("x")
+    for overwrite in (False, True):
+        with pytest.raises(SdgenError, match="not empty and holds no data set"):
+            toy.open_writer(path, overwrite=overwrite)
+    assert len(list(path.iterdir())) == 1
+
+
+def test_a_file_as_destination_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "d").write_text("x")
+    with pytest.raises(SdgenError, match="is a file"):
+        toy.open_writer(tmp_path / "d")
+
+
+def test_overwrite_starts_anew_and_keeps_what_is_not_ours(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=3))
+    (path / "notes.txt").write_text("mine")
+    with toy.open_writer(path, toy.small(n=1, seed=9), overwrite=True) as writer:
+        assert writer.done == {}
+        toy.add_scene(writer, 0)
+        writer.finish()
+    assert [p.name for p in (path / "scenes").iterdir()] == ["000000"]
+    assert (path / "notes.txt").read_text() == "mine"
+    assert Dataset(path).info.seed == 9
+
+
+def test_a_killed_overwrite_does_not_bring_the_old_scenes_back(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+
+    def killed(folder: Path) -> None:
+        if folder.name == "scenes":
+            raise KeyboardInterrupt
+        shutil.rmtree(folder, ignore_errors=True)
+
+    monkeypatch.setattr("sdgen.dataset.writer.remove_tree", killed)
+    with pytest.raises(KeyboardInterrupt):
+        toy.open_writer(path, toy.small(n=2, seed=9), overwrite=True)
+    monkeypatch.undo()
+    with toy.open_writer(path, toy.small(n=2, seed=9)) as writer:
+        assert writer.done == {}
+        assert writer.repaired == ("000000", "000001")
+
+
+def _try_to_open(path: str, queue: Any) -> None:
+    try:
+        with toy.open_writer(Path(path), toy.small(n=1)):
+            queue.put("opened")
+    except SdgenError as error:
+        queue.put(str(error))
+
+
+def test_a_second_build_on_one_folder_says_so_and_leaves_it_be(tmp_path: Path) -> None:
+    context = multiprocessing.get_context("spawn")
+    queue = context.Queue()
+    with toy.open_writer(tmp_path / "d", toy.small(n=1)) as writer:
+        toy.add_scene(writer, 0)
+        before = tree(tmp_path / "d")
+        process = context.Process(target=_try_to_open, args=(str(tmp_path / "d"), queue))
+        process.start()
+        assert "another build is writing here" in queue.get(timeout=60)
+        process.join()
+        assert tree(tmp_path / "d") == before
+        writer.finish()
+    with toy.open_writer(tmp_path / "d", toy.small(n=1)):
+        pass  # the lock is free again
+
+
+def test_a_full_disk_loses_nothing_and_leaves_no_half_scene(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "d"
+    with toy.open_writer(path, toy.small(n=2)) as writer:
+        toy.add_scene(writer, 0)
+
+        def full(target: Path) -> None:
+            raise OSError(errno.ENOSPC, "No space left on device", str(target))
+
+        monkeypatch.setattr(scene_folder_module, "sync_file", full)
+        with pytest.raises(OSError, match="No space left"):
+            toy.add_scene(writer, 1)
+        monkeypatch.undo()
+        assert [p.name for p in (path / "scenes").iterdir()] == ["000000"]
+        assert not list((path / BUILD_FOLDER).glob("*.partial"))
+    assert len(Dataset(toy.build(path, toy.small(n=2)))) == 2
+
+
+def test_an_interrupted_finish_keeps_every_scene(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "d"
+    with toy.open_writer(path, toy.small(n=1)) as writer:
+        toy.add_scene(writer, 0)
+        monkeypatch.setattr("sdgen.dataset.writer.card", lambda info: 1 / 0)
+        with pytest.raises(ZeroDivisionError):
+            writer.finish()
+        monkeypatch.undo()
+    with toy.open_writer(path, toy.small(n=1)) as writer:
+        assert list(writer.done) == ["000000"]
+
+
+def test_range_pieces_and_failed_scenes_are_recorded(tmp_path: Path) -> None:
+    with toy.open_writer(tmp_path / "d", toy.small(n=4)) as writer:
+        toy.add_scene(writer, 2)
+        info = writer.finish(failed={"000003": {"home: no floor": 5}})
+    assert info.n == 4
+    assert info.counts.scenes == 1
+    assert info.failed == {"000003": {"home: no floor": 5}}
+    assert "000003" in (tmp_path / "d" / "README.md").read_text(encoding="utf-8")
+
+
+def test_dataset_json_counts_what_is_there(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d")
+    info = json.loads((path / "dataset.json").read_text(encoding="utf-8"))
+    assert info["counts"]["anomalies"] == 0 + 1 + 2 + 3
+    assert info["counts"]["anomalies_by_hazard"] == {
+        "refrigerated_food_out": 1,
+        "sharp_object": 2,
+        "stove_on": 3,
+    }
+    assert info["counts"]["scenes_by_anomalies"] == {"0": 1, "1": 1, "2": 1, "3": 1}
+    assert info["renderers"] == ["painted"]
+    assert "RED" not in info["vocabularies"]["states"]
+    assert "ON" in info["vocabularies"]["states"]
+
+
+def test_vocabularies_cover_all_words_of_the_graphs(tmp_path: Path) -> None:
+    made = Dataset(toy.build(tmp_path / "d"))
+    words = made.info.vocabularies
+    for item in made:
+        for node in item.scene_graph.nodes:
+            assert node.class_name in {*words.categories, *words.room_types}
+            assert node.category in words.superclasses
+            assert set(node.states) <= set(words.states)
+            assert set(node.tags) <= set(words.tags)
+            assert set(node.properties) <= set(words.properties)
+        assert {e.relation_type for e in item.scene_graph.edges} <= set(words.relations)
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
+def test_a_read_only_destination_is_an_os_error(tmp_path: Path) -> None:
+    tmp_path.chmod(0o555)
+    with pytest.raises(OSError):
+        toy.open_writer(tmp_path / "d")

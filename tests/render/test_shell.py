@@ -1,0 +1,71 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from sdgen.render.shell import ShellFolder, structure_faces
+from sdgen.scene import Box, Structure
+
+
+def wall() -> Structure:
+    """A wall along y with a doorway: two posts and a lintel."""
+    pieces = (
+        Box(center_m=(1.0, 0.5, 1.25), size_m=(0.06, 1.0, 2.5)),
+        Box(center_m=(1.0, 2.5, 1.25), size_m=(0.06, 1.0, 2.5)),
+        Box(center_m=(1.0, 1.5, 2.3), size_m=(0.06, 1.0, 0.4)),
+    )
+    return Structure(id=4, category="wall", room_id=1, surface="w", pieces=pieces)
+
+
+def triangles(vertices: np.ndarray) -> np.ndarray:
+    quads = vertices.reshape(-1, 4, 3)
+    return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+
+def test_faces_look_outwards_and_cover_the_boxes() -> None:
+    area = 0.0
+    for face in structure_faces(wall(), 1.0):
+        corners = triangles(face.vertices_m)
+        cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        area += np.linalg.norm(cross, axis=1).sum() / 2
+        drawn = np.tile(face.normals.reshape(-1, 4, 3)[:, 0], (2, 1))
+        assert (np.einsum("ij,ij->i", cross, drawn) > 0).all()
+        assert np.linalg.norm(face.normals, axis=1) == pytest.approx(1.0)
+    boxes = [piece.size_m for piece in wall().pieces]
+    assert area == pytest.approx(sum(2 * (x * y + y * z + x * z) for x, y, z in boxes))
+
+
+def test_texture_coordinates_are_metres_and_run_on_across_pieces() -> None:
+    for face in structure_faces(wall(), 0.5):
+        flat = np.ptp(face.vertices_m, axis=0).argmin() if len(face.vertices_m) else 0
+        across = [axis for axis in range(3) if axis != flat]
+        if np.ptp(face.vertices_m, axis=0)[flat] > 1e-9:
+            continue  # jambs of several pieces lie in different planes
+        assert face.uvs == pytest.approx(face.vertices_m[:, across] / 0.5)
+
+
+def test_floors_show_their_top_and_ceilings_their_underside() -> None:
+    box = Box(center_m=(0, 0, 0), size_m=(4, 3, 0.1))
+    floor = Structure(id=1, category="floor", room_id=1, surface="f", pieces=(box,))
+    ceiling = Structure(id=2, category="ceiling", room_id=1, surface="w", pieces=(box,))
+    (top,), (under,) = structure_faces(floor, 1.0), structure_faces(ceiling, 1.0)
+    assert (top.vertices_m[:, 2] == 0.05).all()
+    assert (top.normals == [0, 0, 1]).all()
+    assert (under.vertices_m[:, 2] == -0.05).all()
+    assert under.brightness > top.brightness  # it hangs away from the light
+
+
+def test_files_are_named_by_content_and_share_textures(tmp_path: Path) -> None:
+    texture = tmp_path / "stone.png"
+    Image.new("RGB", (4, 4)).save(texture)
+    folder = tmp_path / "out"
+    folder.mkdir()
+    shell = ShellFolder(folder)
+    faces = structure_faces(wall(), 1.0)
+    paths = [shell.write(face, texture) for face in faces]
+    assert len(set(paths)) == len(faces)
+    assert [shell.write(face, texture) for face in faces] == paths
+    assert len(list(folder.glob("*.png"))) == 1
+    text = paths[0].read_text(encoding="utf-8")
+    assert text.startswith("mtllib stone.mtl\n")
+    assert "map_Kd stone.png" in (folder / "stone.mtl").read_text(encoding="utf-8")

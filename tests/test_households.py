@@ -1,0 +1,168 @@
+"""Who lives there, and what they want to hear of."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import Concern, Hazard, ReachRow
+from sdgen.households import Decision, decide, household_from, reach_at, sample_household
+from sdgen.scene import Household, Member, Notify
+from sdgen.seeding import lane
+
+CATALOG = load_catalog()
+REACH = (ReachRow(max_age=1, reach_m=0.8), ReachRow(max_age=4, reach_m=1.1))
+STOVE, SHARP = CATALOG.hazard("stove_on"), CATALOG.hazard("sharp_object")
+
+
+def living(*ages: int, **notifications: Notify) -> Household:
+    members = tuple(Member(role="member", age=age) for age in ages)
+    return Household(template="test", members=members, notifications=notifications)
+
+
+def test_everyone_hears_of_what_concerns_everyone() -> None:
+    assert decide(STOVE, {}, living(80), REACH) == Decision(
+        True, "now", "it concerns everyone; 'now' by default at high urgency"
+    )
+
+
+@pytest.mark.parametrize(
+    ("urgency", "notify"), [("high", "now"), ("medium", "now"), ("low", "summary")]
+)
+def test_the_default_follows_the_urgency(urgency: str, notify: str) -> None:
+    hazard = STOVE.model_copy(update={"urgency": urgency})
+    assert decide(hazard, {}, living(40), REACH).notify == notify
+
+
+@pytest.mark.parametrize(
+    ("choice", "report"), [("now", True), ("summary", True), ("silent", False)]
+)
+def test_the_households_choice_wins(choice: Notify, report: bool) -> None:
+    found = decide(STOVE, {}, living(40, stove_on=choice), REACH)
+    assert (found.report, found.notify) == (report, choice)
+
+
+@pytest.mark.parametrize(
+    ("ages", "height", "report"),
+    [
+        ((40, 38), 0.0, False),  # no child
+        ((40, 9), 0.0, False),  # too old for the hazard
+        ((40, 3), 0.75, True),
+        ((40, 3), 1.1, True),  # just in reach
+        ((40, 3), 1.11, False),  # just out of reach
+        ((40, 1), 0.9, False),
+        ((40, 1, 4), 0.9, True),  # the older child reaches it
+        ((8,), 1.29, True),  # beyond the table: reaches everything
+    ],
+)
+def test_sharp_things_concern_children_who_can_reach_them(
+    ages: tuple[int, ...], height: float, report: bool
+) -> None:
+    found = decide(SHARP, {"reach_height_m": height}, living(*ages), REACH)
+    assert found.report is report
+    assert found.notify == ("now" if report else "silent")
+
+
+def test_a_choice_cannot_make_it_concern_nobodys_children() -> None:
+    found = decide(SHARP, {"reach_height_m": 0.1}, living(40, sharp_object="now"), REACH)
+    assert found == Decision(False, "silent", "nobody in the household is 8 or younger")
+
+
+def test_without_reach_any_child_will_do() -> None:
+    hazard = SHARP.model_copy(update={"concerns": Concern(who="children", max_age=3)})
+    assert decide(hazard, {}, living(2, 40), REACH).report
+    assert not decide(hazard, {}, living(4, 40), REACH).report
+
+
+def test_a_reach_hazard_without_its_height_is_a_bug() -> None:
+    with pytest.raises(ValueError, match="reach_height_m"):
+        decide(SHARP, {}, living(3), REACH)
+
+
+def test_the_reason_says_why() -> None:
+    reason = decide(SHARP, {"reach_height_m": 0.75}, living(3), REACH).reason
+    assert reason.startswith("a child of 3 reaches 1.10 m and it is at 0.75 m")
+    reason = decide(SHARP, {"reach_height_m": 1.2}, living(3), REACH).reason
+    assert reason == "at 1.20 m it is above the 1.10 m a child of 3 reaches"
+
+
+_HAZARDS = st.sampled_from(CATALOG.hazards)
+_AGES = st.lists(st.integers(0, 99), min_size=1, max_size=5)
+_CHOICES = st.dictionaries(
+    st.sampled_from([h.id for h in CATALOG.hazards]),
+    st.sampled_from(["now", "summary", "silent"]),
+)
+
+
+@given(_HAZARDS, _AGES, _CHOICES, st.floats(0, 2.5))
+def test_silent_means_not_reported_and_nothing_else(
+    hazard: Hazard, ages: list[int], chosen: dict[str, Notify], height: float
+) -> None:
+    found = decide(hazard, {"reach_height_m": height}, living(*ages, **chosen), CATALOG.reach)
+    assert found.report == (found.notify != "silent")
+    assert found.reason
+
+
+@given(_AGES, st.floats(0, 2.5), st.floats(0, 2.5))
+def test_what_is_lower_is_reported_as_well(ages: list[int], a: float, b: float) -> None:
+    low, high = sorted((a, b))
+    if decide(SHARP, {"reach_height_m": high}, living(*ages), CATALOG.reach).report:
+        assert decide(SHARP, {"reach_height_m": low}, living(*ages), CATALOG.reach).report
+
+
+def test_reach_grows_with_age() -> None:
+    reaches = [reach_at(age, CATALOG.reach) for age in range(0, 25)]
+    assert reaches == sorted(reaches)
+    assert 0.6 < reach_at(1, CATALOG.reach) < 1.0
+    assert reach_at(18, CATALOG.reach) == float("inf")
+
+
+def test_sampling_covers_the_templates_and_keeps_their_ages() -> None:
+    templates = {template.name: template for template in CATALOG.households}
+    seen: Counter[str] = Counter()
+    reported = Counter[bool]()
+    for index in range(400):
+        household = sample_household(CATALOG, lane(7, index, "household"))
+        template = templates[household.template]
+        seen[template.name] += 1
+        for member, (role, least, most) in zip(household.members, template.members, strict=True):
+            assert member.role == role
+            assert least <= member.age <= most
+        assert set(household.pets) <= set(template.pets)
+        assert set(household.conditions) <= set(template.conditions)
+        assert set(household.notifications) == set(template.notifications)
+        reported[decide(SHARP, {"reach_height_m": 0.75}, household, CATALOG.reach).report] += 1
+    assert set(seen) == set(templates)
+    assert min(seen.values()) > 20
+    assert min(reported.values()) > 80  # both answers are common, or CAS would measure nothing
+
+
+def test_sampling_depends_on_the_lane_alone() -> None:
+    first = [sample_household(CATALOG, lane(7, k, "household")) for k in range(5)]
+    assert first == [sample_household(CATALOG, lane(7, k, "household")) for k in range(5)]
+    assert len({household.model_dump_json() for household in first}) > 1
+
+
+def test_each_hazard_is_sometimes_wanted_and_sometimes_not() -> None:
+    for hazard in CATALOG.hazards:
+        answers = {
+            decide(
+                hazard,
+                {"reach_height_m": 0.75},
+                sample_household(CATALOG, lane(1, k, "household")),
+                CATALOG.reach,
+            ).notify
+            for k in range(200)
+        }
+        assert "now" in answers, hazard.id
+
+
+def test_a_household_can_be_given_in_full() -> None:
+    template = next(t for t in CATALOG.households if t.name == "single")
+    household = household_from(template, [33], pets=["cat"], notifications={"spill": "summary"})
+    assert household.members == (Member(role="adult", age=33),)
+    with pytest.raises(ValueError):
+        household_from(template, [33, 34])

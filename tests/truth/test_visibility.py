@@ -1,0 +1,80 @@
+"""visibility.json: boxes, pixels and evidence, against masks small enough to count by hand."""
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from sdgen.scene import AnomalyVisibility
+from sdgen.truth import all_visible, evidence_pixels_needed
+from sdgen.truth.visibility import measure_masks
+
+from tests import toy
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "pixels"), [(640, 480, 100), (320, 240, 25), (16, 16, 1), (641, 480, 101)]
+)
+def test_needed_pixels_follow_the_picture_size(width: int, height: int, pixels: int) -> None:
+    assert evidence_pixels_needed(width, height) == pixels
+
+
+def test_box_pixels_and_parts_of_a_mask_counted_by_hand() -> None:
+    instance = np.zeros((4, 5), dtype=np.uint16)
+    part = np.zeros((4, 5), dtype=np.uint8)
+    instance[1:3, 2:5] = 65535
+    part[1:3, 2:5] = 1
+    part[1, 4] = 2
+    instance[3, 0] = 9
+    found = measure_masks(instance, part, {65535: ("body", "door"), 9: ("body",)})
+    assert found == {
+        9: ((0, 3, 1, 1), 1, {}),
+        65535: ((2, 1, 3, 2), 6, {"body": 5, "door": 1}),
+    }
+
+
+@given(
+    hnp.arrays(
+        np.uint16,
+        hnp.array_shapes(min_dims=2, max_dims=2, max_side=7),
+        elements=st.sampled_from([0, 1, 300, 65535]),
+    )
+)
+def test_masks_are_measured_as_slow_code_would(instance: npt.NDArray[np.uint16]) -> None:
+    found = measure_masks(instance, None, {})
+    assert set(found) == set(np.unique(instance).tolist()) - {0}
+    for node_id, ((x, y, w, h), pixels, _) in found.items():
+        mask = instance == node_id
+        assert pixels == mask.sum() == mask[y : y + h, x : x + w].sum()
+        assert mask[y].any()
+        assert mask[y + h - 1].any()
+        assert mask[:, x].any()
+        assert mask[:, x + w - 1].any()
+
+
+def test_structures_are_left_out_and_fraction_is_visible_over_alone() -> None:
+    made = toy.bundle(3)
+    frame = toy.frame(made, 0)
+    view = toy.visibility(made, [frame]).views[0]
+    assert [item.object_id for item in view.objects] == [item.id for item in made.scene.objects]
+    for item in view.objects:
+        assert item.fraction == round(item.pixels / frame.alone_pixels[item.object_id], 4)
+
+
+def test_evidence_counts_the_evidence_parts_only() -> None:
+    made = toy.bundle(1)
+    shown = toy.visibility(made, toy.frames(made))
+    stove = {item.object_id: item for item in shown.views[0].objects}[11]
+    assert made.anomalies.anomalies[0].evidence_parts == ("glow",)
+    assert shown.anomalies[0].evidence_pixels[0] == stove.parts["glow"] < stove.pixels
+
+
+def test_all_visible_needs_one_good_view_of_each() -> None:
+    def seen(*pixels: int) -> AnomalyVisibility:
+        return AnomalyVisibility(anomaly_id="a00", object_id=1, evidence_pixels=pixels)
+
+    assert all_visible([seen(0, 100), seen(100, 0)], 100)
+    assert not all_visible([seen(0, 100), seen(99, 99)], 100)
+    assert all_visible([], 100)
+    assert not all_visible([seen()], 100)

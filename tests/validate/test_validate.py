@@ -1,0 +1,343 @@
+"""validate: silent on a sound data set, and one edit anywhere is found and located."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from sdgen.dataset import Dataset
+from sdgen.dataset.disk import file_sha256
+from sdgen.dataset.images import gray_bytes
+from sdgen.dataset.records import CONTENT_FILES
+from sdgen.dataset.scene_folder import content_sha256
+from sdgen.dataset.text import line_bytes
+from sdgen.validate import validate
+
+from tests import toy
+
+LAST = "scenes/000003"
+Edit = Callable[[Any], None]
+
+
+def test_a_sound_data_set_has_no_problems(tmp_path: Path) -> None:
+    calls: list[tuple[int, int]] = []
+    found = validate(toy.build(tmp_path / "d"), on_scene=lambda a, b: calls.append((a, b)))
+    assert found == []
+    assert calls == [(1, 4), (2, 4), (3, 4), (4, 4)]
+
+
+@pytest.mark.parametrize("sensors", [(), ("rgb",), ("depth",), ("instance",)])
+def test_fewer_sensors_are_sound_too(tmp_path: Path, sensors: tuple[str, ...]) -> None:
+    assert validate(toy.build(tmp_path / "d", toy.small(n=2, sensors=sensors))) == []
+
+
+def reseal(path: Path) -> None:
+    """Make the digests right again, as whoever edits with intent would."""
+    data = Dataset(path)
+    lines = []
+    for entry in data.entries:
+        folder = path / "scenes" / entry.id
+        files = {
+            p.relative_to(folder).as_posix(): file_sha256(p)
+            for p in sorted(folder.rglob("*"))
+            if p.is_file()
+        }
+        content = {name: (folder / name).read_bytes() for name in CONTENT_FILES}
+        update = {"files": files, "content_sha256": content_sha256(content)}
+        lines.append(line_bytes(entry.model_copy(update=update)))
+    (path / "manifest.jsonl").write_bytes(b"".join(lines))
+
+
+def edit_json(path: Path, edit: Edit) -> None:
+    """Change a JSON file in place."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    edit(data)
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+
+def edit_picture(path: Path, edit: Edit) -> None:
+    """Change the pixels of a 16-bit picture in place."""
+    values = np.asarray(Image.open(path)).astype(np.uint16)
+    edit(values)
+    path.write_bytes(gray_bytes(values))
+
+
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return toy.build(tmp_path_factory.mktemp("sound") / "d")
+
+
+@pytest.fixture
+def copy(sound: Path, tmp_path: Path) -> Path:
+    import shutil
+
+    return Path(shutil.copytree(sound, tmp_path / "d"))
+
+
+def _put(path: str, value: Any) -> Edit:
+    """An edit that sets ``a.b.0.c`` (``-`` deletes)."""
+
+    def edit(data: Any) -> None:
+        *steps, last = [int(s) if s.lstrip("-").isdigit() else s for s in path.split(".")]
+        for step in steps:
+            data = data[step]
+        if value == "-":
+            del data[last]
+        else:
+            data[last] = value
+
+    return edit
+
+
+def _object(object_id: int, path: str, value: Any) -> Edit:
+    def edit(data: Any) -> None:
+        index = [o["id"] for o in data["objects"]].index(object_id)
+        _put(f"objects.{index}.{path}", value)(data)
+
+    return edit
+
+
+def _node(node_id: int, path: str, value: Any) -> Edit:
+    def edit(data: Any) -> None:
+        index = [n["id"] for n in data["nodes"]].index(node_id)
+        _put(f"nodes.{index}.{path}", value)(data)
+
+    return edit
+
+
+# (file of scene 3, edit, check that finds it, words of the problem)
+EDITS: list[tuple[str, Edit, str, str]] = [
+    # scene.json on its own
+    ("scene.json", _put("index", 4), "scene", "are not the manifest's"),
+    ("scene.json", _put("format_version", "1.1"), "scene", "format_version"),
+    ("scene.json", _object(600, "pose.position_m.0", 1.7000012), "scene", "not rounded to 1e-5"),
+    ("scene.json", _object(600, "pose.quat_xyzw.3", 0.9), "scene", "no unit quaternion"),
+    ("scene.json", _object(11, "states", ["OFF"]), "scene", "object 11 (stove): states"),
+    ("scene.json", _object(11, "variant", "default"), "scene", "parts: not those of variant"),
+    ("scene.json", _object(11, "variant", "burning"), "scene", "none of the asset's"),
+    ("scene.json", _object(305, "joints.door", 2.5), "scene", "joints.door: 2.5 is beyond"),
+    ("scene.json", _object(305, "joints", {}), "scene", "joints: not exactly"),
+    ("scene.json", _object(600, "asset", "sword_01"), "scene", "'sword_01' is not in assets"),
+    ("scene.json", _object(600, "category", "fork"), "scene", "its asset is a knife"),
+    ("scene.json", _object(600, "room_id", 102), "scene", "no room 102"),
+    ("scene.json", _object(600, "id", 512), "scene", "id 512 is used 2 times"),
+    ("scene.json", _object(600, "id", 70000), "scene", "70000 is not in 1 to 65535"),
+    ("scene.json", _put("home.openings.0.object_id", 43), "scene", "object 43 or its rooms"),
+    ("scene.json", _put("agent_start.room_id", 5), "scene", "room 5 does not exist"),
+    ("scene.json", _put("zones.0.z_max_m", 1.0), "scene", "z_max_m: 1.0 stored"),
+    ("scene.json", _put("zones.0", "-"), "scene", "nothing stored"),
+    ("scene.json", _put("free_space.0.0.0", 0.123), "scene", "free_space: not what"),
+    ("scene.json", _put("extra", 1), "file", "scene.json: extra: unknown key"),
+    ("scene.json", _object(600, "pose.position_m", [1, 2]), "file", "pose.position_m"),
+    # what follows from it
+    ("scene.json", _object(600, "pose.position_m.2", 0.75), "graph", "nodes.600"),
+    ("graph.json", _node(11, "states", ["OFF"]), "graph", "nodes.11.states"),
+    ("graph.json", _node(600, "class_name", "fork"), "graph", 'nodes.600.class_name: "fork"'),
+    ("graph.json", _node(600, "tags", []), "graph", "nodes.600.tags"),
+    ("graph.json", _node(600, "bounding_box.size.0", 9.0), "graph", "bounding_box.size[0]"),
+    ("graph.json", _put("nodes.0", "-"), "graph", "nodes.11: nothing stored"),
+    ("graph.json", _put("edges.0", "-"), "graph", "is missing"),
+    ("graph.json", _put("edges.0.relation_type", "UNDER"), "graph", "UNDER"),
+    # labels
+    ("anomalies.json", _put("anomalies.0", "-"), "label", "stove_on: holds and is not listed"),
+    ("anomalies.json", _put("anomalies.1.object_id", 512), "label", "listed and does not hold"),
+    ("anomalies.json", _put("anomalies.1.report", False), "label", "anomalies[1].report"),
+    ("anomalies.json", _put("anomalies.1.notify", "summary"), "label", "anomalies[1].notify"),
+    ("anomalies.json", _put("anomalies.1.evidence.reach_height_m", 0.7), "label", "reach_height"),
+    ("anomalies.json", _put("anomalies.0.evidence_parts", ["body"]), "label", "evidence_parts"),
+    ("anomalies.json", _put("anomalies.0.message", "All is well."), "label", "message"),
+    ("anomalies.json", _put("anomalies.1.target_id", 30), "label", "anomalies[1].target_id"),
+    ("anomalies.json", _put("lookalikes.0.object_id", 600), "label", "600 is an anomaly"),
+    ("anomalies.json", _put("lookalikes.0.object_id", 9), "label", "no object 9"),
+    ("anomalies.json", _put("lookalikes.0.near_miss_of", "fire"), "label", "no hazard 'fire'"),
+    ("anomalies.json", _put("lookalikes.0.evidence", {}), "label", "lookalikes[0]: evidence"),
+    ("anomalies.json", _put("certificate.pairs_checked", 1), "label", "certificate.pairs_checked"),
+    ("household.json", _put("members.2.age", 15), "label", "anomalies[1].report"),
+    (
+        "household.json",
+        _put("notifications", {"stove_on": "silent"}),
+        "label",
+        "anomalies[0].report: true stored, false derived",
+    ),
+    # views
+    ("visibility.json", _put("views.0.objects.0.bbox.0", 3), "view", "views[0].objects.11.bbox"),
+    ("visibility.json", _put("views.0.objects.0.pixels", 3), "view", "objects.11.pixels"),
+    ("visibility.json", _put("views.1.objects.0.parts.glow", 1), "view", "objects.11.parts.glow"),
+    ("visibility.json", _put("views.0.objects.0", "-"), "view", "objects.11: nothing stored"),
+    ("visibility.json", _put("views.0.objects.0.fraction", 1.5), "view", "fraction 1.5"),
+    ("visibility.json", _put("views.1", "-"), "view", "not one entry a view"),
+    ("visibility.json", _put("anomalies.0.evidence_pixels.0", 9), "view", "evidence_pixels[0]"),
+    ("visibility.json", _put("evidence_pixels_needed", 1), "view", "evidence_pixels_needed"),
+    ("visibility.json", _put("all_visible", False), "view", "all_visible"),
+    ("views/00/view.json", _put("index", 1), "view", "index: 1, expected 0"),
+    ("views/00/view.json", _put("width", 320), "view", "not that of the options"),
+    ("views/00/view.json", _put("K.0.2", 80.0), "view", "K: not a pinhole"),
+    ("views/00/view.json", _put("world_from_camera.0.0", 0.5), "view", "not a rotation"),
+    ("views/00/view.json", _put("world_from_camera.1.3", -9.0), "view", "pixels are off its box"),
+]
+
+
+@pytest.mark.parametrize(("name", "edit", "check", "words"), EDITS)
+def test_one_edit_is_found(copy: Path, name: str, edit: Edit, check: str, words: str) -> None:
+    edit_json(copy / LAST / name, edit)
+    assert any(p.check == "hash" and f"{LAST}/{name}" in p.text for p in validate(copy))
+    reseal(copy)
+    found = validate(copy)
+    assert not [p for p in found if p.check == "hash"]
+    hits = [p for p in found if p.check == check and words in p.text]
+    assert hits, [str(p) for p in found]
+    assert all(("000003" in p.text) for p in found), [str(p) for p in found]
+
+
+def _relabel(mask: Any) -> None:
+    mask[mask == 600] = 512
+
+
+def _stranger(mask: Any) -> None:
+    mask[0, 0] = 999
+
+
+def _flat(depth: Any) -> None:
+    depth[:] = 2000
+
+
+def _hole(depth: Any) -> None:
+    depth[60, 60] = 0
+
+
+@pytest.mark.parametrize(
+    ("name", "edit", "words"),
+    [
+        ("instance.png", _relabel, "views[0].objects.512"),
+        ("instance.png", _stranger, "id 999 is no node"),
+        ("depth.png", _flat, "pixels are off its box"),
+        ("depth.png", _hole, "do not cover the same pixels"),
+    ],
+)
+def test_one_edited_picture_is_found(copy: Path, name: str, edit: Edit, words: str) -> None:
+    edit_picture(copy / LAST / "views/00" / name, edit)
+    reseal(copy)
+    found = validate(copy)
+    assert any(p.check == "view" and words in p.text for p in found), [str(p) for p in found]
+
+
+def test_a_blank_colour_picture_is_found(copy: Path) -> None:
+    Image.new("RGB", (160, 120), (9, 9, 9)).save(copy / LAST / "views/00/rgb.png")
+    reseal(copy)
+    assert any("one colour everywhere" in p.text for p in validate(copy))
+
+
+def _broken_png(path: Path) -> None:
+    (path / LAST / "views/00/rgb.png").write_bytes(b"\x89PNG broken")
+
+
+def _missing_file(path: Path) -> None:
+    (path / LAST / "graph.json").unlink()
+
+
+def _extra_file(path: Path) -> None:
+    (path / LAST / "notes.txt").write_text("x")
+
+
+def _missing_scene(path: Path) -> None:
+    import shutil
+
+    shutil.rmtree(path / LAST)
+
+
+def _extra_scene(path: Path) -> None:
+    (path / "scenes/000009").mkdir()
+
+
+def _link(path: Path) -> None:
+    (path / LAST / "graph.json").unlink()
+    (path / LAST / "graph.json").symlink_to("/etc/hostname")
+
+
+def _catalogue(path: Path) -> None:
+    def edit(data: Any) -> None:
+        hazard = next(h for h in data["hazards"] if h["id"] == "sharp_object")
+        height = next(t for t in hazard["predicate"]["terms"] if t["kind"] == "height")
+        height["max_m"] = 0.5
+
+    edit_json(path / "catalogue.json", edit)
+
+
+def _asset(path: Path) -> None:
+    text = (path / "assets.jsonl").read_text(encoding="utf-8")
+    (path / "assets.jsonl").write_text(text.replace('"z_m": 0.74', '"z_m": 0.6'), "utf-8")
+
+
+def _no_asset(path: Path) -> None:
+    lines = (path / "assets.jsonl").read_bytes().splitlines(keepends=True)
+    (path / "assets.jsonl").write_bytes(b"".join(line for line in lines if b"knife" not in line))
+
+
+def _count(path: Path) -> None:
+    edit_json(path / "dataset.json", _put("counts.anomalies", 7))
+
+
+def _split(path: Path) -> None:
+    text = (path / "manifest.jsonl").read_text(encoding="utf-8")
+    (path / "manifest.jsonl").write_text(text.replace('"train"', '"test"', 1), "utf-8")
+
+
+def _manifest_count(path: Path) -> None:
+    lines = (path / "manifest.jsonl").read_text(encoding="utf-8").splitlines()
+    lines[3] = lines[3].replace('"stove_on": 1', '"stove_on": 2')
+    (path / "manifest.jsonl").write_text("\n".join(lines) + "\n", "utf-8")
+
+
+def _order(path: Path) -> None:
+    lines = (path / "manifest.jsonl").read_bytes().splitlines(keepends=True)
+    (path / "manifest.jsonl").write_bytes(b"".join(reversed(lines)))
+
+
+def _readme(path: Path) -> None:
+    (path / "README.md").unlink()
+
+
+@pytest.mark.parametrize(
+    ("damage", "check", "words"),
+    [
+        (_broken_png, "hash", "rgb.png: changed"),
+        (_broken_png, "view", "rgb.png: not a readable picture"),
+        (_missing_file, "file", "graph.json: missing"),
+        (_extra_file, "file", "notes.txt: the manifest does not list it"),
+        (_missing_scene, "file", "scenes/000003: missing"),
+        (_extra_scene, "file", "scenes/000009: the manifest does not list it"),
+        (_link, "file", "graph.json: not a plain file"),
+        (_catalogue, "hash", "catalogue.json: not the catalogue"),
+        (_catalogue, "label", "object 600, sharp_object: listed and does not hold"),
+        (_asset, "graph", "edges"),
+        (_no_asset, "scene", "'knife_01' is not in assets.jsonl"),
+        (_count, "count", "dataset.json: counts.anomalies: 7 stored, 6 derived"),
+        (_split, "count", "split 'test', its home is 'train'"),
+        (_manifest_count, "count", "scene 000003: anomalies, hazards or lookalikes"),
+        (_order, "file", "not sorted by scene"),
+        (_readme, "file", "README.md: missing"),
+    ],
+)
+def test_damage_to_the_whole_is_found(
+    copy: Path, damage: Callable[[Path], None], check: str, words: str
+) -> None:
+    damage(copy)
+    found = validate(copy)
+    assert any(p.check == check and words in p.text for p in found), [str(p) for p in found]
+
+
+def test_another_catalogue_evaluates_its_own_predicates(sound: Path) -> None:
+    catalog = toy.catalog()
+    fewer = catalog.model_copy(
+        update={"hazards": tuple(h for h in catalog.hazards if h.id != "stove_on")}
+    )
+    found = validate(sound, catalog_override=fewer)
+    assert any("stove_on: listed and does not hold" in p.text for p in found)
+
+
+def test_no_data_set_at_all_is_one_problem(tmp_path: Path) -> None:
+    (found,) = validate(tmp_path / "none")
+    assert "no such folder" in found.text

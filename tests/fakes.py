@@ -22,6 +22,15 @@ MODELS: dict[str, dict[str, Any]] = {
     "cube_01": {"parts": [("body", (-0.1, -0.1, 0.0), (0.1, 0.1, 0.2), None)], "rgb": RED},
     "cube_02": {"parts": [("body", (-0.1, -0.1, 0.0), (0.1, 0.1, 0.2), None)], "rgb": GREEN},
     "plank_01": {"parts": [("body", (-0.3, -0.05, 0.0), (0.3, 0.05, 0.02), None)], "rgb": BLUE},
+    # Two parts whose faces coincide: which one is seen is up to the order of drawing.
+    "flush_01": {
+        "parts": [
+            ("frame", (-0.1, -0.1, 0.0), (0.1, 0.1, 0.2), None),
+            ("pane", (-0.1, -0.05, 0.05), (0.1, 0.05, 0.15), None),
+        ],
+        "variants": {"pane": ["pane"]},
+        "rgb": BLUE,
+    },
     "table_01": {
         "parts": [
             ("top", (-0.5, -0.4, 0.7), (0.5, 0.4, 0.74), None),
@@ -87,7 +96,10 @@ def write_library(folder: Path) -> Path:
                     for p, _, _, j in model["parts"]
                 ],
                 "joints": model.get("joints", []),
-                "variants": {"default": [p[0] for p in model["parts"]]},
+                "variants": {
+                    "default": [p[0] for p in model["parts"]],
+                    **model.get("variants", {}),
+                },
                 "mesh": f"meshes/{name}.glb",
                 "hulls": f"meshes/{name}.hulls.json",
                 "texture": f"textures/{name}.png",

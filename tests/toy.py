@@ -7,6 +7,7 @@ of the fridge. A knife on a high shelf is the lookalike. Pictures are painted re
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from sdgen.geometry import apply, inverse, look_at, quat_from_yaw, round_positio
 from sdgen.hazards.certify import facts_of, survey
 from sdgen.hazards.labels import anomaly_records
 from sdgen.hazards.splits import Split, split_of_home
+from sdgen.hazards.twin import undone
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.library.states import derive_states
 from sdgen.options import BuildOptions
@@ -355,6 +357,34 @@ def build(path: Path, options: BuildOptions | None = None) -> Path:
     with open_writer(path, options) as writer:
         for index in range(options.n):
             if f"{index:06d}" not in writer.done:
+                add_scene(writer, index)
+        writer.finish(renderers=("painted",))
+    return path
+
+
+def twin(made: SceneBundle) -> SceneBundle:
+    """The benign twin of a bundle."""
+    records = made.anomalies
+    benign = undone(made.scene, records.anomalies, catalog(), infos())
+    pairs = len(benign.objects) * len(catalog().hazards)
+    certificate = records.certificate.model_copy(
+        update={"pairs_checked": pairs, "pairs_positive": 0}
+    )
+    return replace(
+        made,
+        scene=benign,
+        anomalies=records.model_copy(update={"anomalies": (), "certificate": certificate}),
+    )
+
+
+def build_with_twins(path: Path, n: int = 4) -> Path:
+    """A finished data set with every scene's twin."""
+    with open_writer(path, small(n=n, twins=True)) as writer:
+        for index in range(n):
+            if f"{index:06d}" not in writer.done:
+                benign = twin(bundle(index, writer.build.options))
+                shown = frames(benign)
+                writer.scene_writer.write(benign, graph(benign), visibility(benign, shown), shown)
                 add_scene(writer, index)
         writer.finish(renderers=("painted",))
     return path

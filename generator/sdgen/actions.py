@@ -8,14 +8,16 @@ from sdgen.library.records import AssetInfo, Joint, StateRule
 from sdgen.library.states import derive_states
 from sdgen.scene import ObjectInstance
 
-#: How far beyond a limit a drawn joint value stays, as a share of the joint's travel.
-JOINT_MARGIN = 0.03
+#: How far beyond a limit a drawn joint value stays, as a share of the travel left: what nobody
+#: meant to leave open by a hand's breadth is neither certain nor to be seen.
+JOINT_MARGIN = 0.25
 
 
 def _joint_range(rule: StateRule, joint: Joint) -> tuple[float, float]:
-    travel = joint.upper - joint.lower
-    low = joint.lower if rule.min is None else max(joint.lower, rule.min + JOINT_MARGIN * travel)
+    low = joint.lower if rule.min is None else max(joint.lower, rule.min)
     high = joint.upper if rule.max is None else min(joint.upper, rule.max)
+    if rule.min is not None:
+        low += JOINT_MARGIN * (high - low)
     return low, max(low, high)
 
 

@@ -326,7 +326,7 @@ class Facts:
                 surface.category,
                 holds,
                 sure,
-                {"gap_m": round(gap, 5), "overlap": round(min(share, 1.0), 4)},
+                {"gap_m": round(gap, 5) + 0.0, "overlap": round(min(share, 1.0), 4)},
             )
             before = best.get(surface.owner)
             if before is None or (found.holds, found.sure) > (before.holds, before.sure):

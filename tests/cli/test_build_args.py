@@ -116,7 +116,8 @@ def test_defaults_are_those_of_the_contract(asked: list[Any]) -> None:
 def test_options_reach_the_engine(asked: list[Any]) -> None:
     command = (
         "build --n 5 --seed 7 --hazards 1-2 --views 3 --size 64x48 --sensors depth,rgb --rgb jpg "
-        "--supersample 2 --renderer cpu --draw iid --workers 3 --range 1:4 --overwrite --out here"
+        "--supersample 2 --renderer cpu --draw iid --workers 3 --range 1:4 --overwrite --twins "
+        "--out here"
     )
     assert run(command.split()) == 0
     options = asked[0].options
@@ -124,6 +125,7 @@ def test_options_reach_the_engine(asked: list[Any]) -> None:
     assert (options.views, options.width, options.height) == (3, 64, 48)
     assert options.sensors == ("rgb", "depth")
     assert (options.rgb, options.supersample, options.renderer) == ("jpg", 2, "cpu")
+    assert options.twins
     assert asked[0].out == Path("here")
     catalogs, assets, workers, index_range, overwrite = asked[0].rest
     assert (catalogs, assets, workers, index_range, overwrite) == ((), (), 3, (1, 4), True)

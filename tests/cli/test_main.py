@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import subprocess
 import sys
 
@@ -80,6 +81,8 @@ def test_scene_rejected_names_scene_and_reasons() -> None:
         (["build", "--sed", "4"], "--seed"),
         (["build", "extra"], "unexpected extra argument"),
         (["assets", "show"], "Missing argument"),
+        (["detect", "x"], "'--method'. Choose from: rules, never, always"),
+        (["export", "."], "'--format'. Choose from: tar"),
         (["assets", "show", "mug_1"], "did you mean 'mug_01'?"),
     ],
 )
@@ -134,3 +137,11 @@ def test_a_reader_that_leaves_early_is_no_error() -> None:
     done = subprocess.run(command, shell=True, capture_output=True, text=True)
     assert done.stdout.count("\n") == 1
     assert done.stderr == ""
+
+
+def test_a_terminal_without_unicode_is_no_error() -> None:
+    code = "from sdgen.cli import main as m; m.run = lambda: print('1 \\u00b1 2') or 0; m.main()"
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
+    assert (done.stdout, done.returncode) == ("1 ? 2\n", 0), done.stderr

@@ -53,6 +53,8 @@ def test_it_is_a_sequence_that_can_be_pickled(path: Path) -> None:
     assert made[-1].id == "000003"
     with pytest.raises(IndexError):
         made[4]
+    with pytest.raises(TypeError):
+        made[0:2]
     assert pickle.loads(pickle.dumps(made[1])).scene.index == 1
 
 

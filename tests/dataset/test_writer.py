@@ -359,3 +359,26 @@ def test_a_read_only_destination_is_an_os_error(tmp_path: Path) -> None:
     tmp_path.chmod(0o555)
     with pytest.raises(OSError):
         toy.open_writer(tmp_path / "d")
+
+
+def test_twins_are_written_beside_their_scenes_and_not_counted(tmp_path: Path) -> None:
+    path = toy.build_with_twins(tmp_path / "d", 4)
+    data = Dataset(path)
+    assert [item.id for item in data] == [f"{k:06d}" for k in range(4)]
+    twins = Dataset(path, twins=True)
+    assert [item.id for item in twins] == [f"{k:06d}-twin" for k in range(4)]
+    assert (data.info.n, data.info.counts.scenes, data.info.counts.twins) == (4, 4, 4)
+    assert data.info.counts.anomalies == 6
+    assert twins[3].anomalies.anomalies == ()
+    assert twins[3].cameras == data[3].cameras
+    kept = {item.id for item in twins[3].scene.objects}
+    assert kept == {item.id for item in data[3].scene.objects} - {600, 4000}
+
+
+def test_a_scene_without_its_twin_is_made_again(tmp_path: Path) -> None:
+    path = toy.build_with_twins(tmp_path / "d", 2)
+    before = tree(path)
+    shutil.rmtree(path / "scenes" / "000001-twin")
+    with toy.open_writer(path, toy.small(n=2, twins=True)) as writer:
+        assert sorted(writer.done) == ["000000", "000000-twin"]
+    assert tree(toy.build_with_twins(path, 2)) == before

@@ -163,6 +163,19 @@ def test_textures_do_not_leak_from_scene_to_scene(renderer: Renderer, library: L
         assert floor / floor.max() == pytest.approx(np.array([160, 120, 80]) / 160, abs=0.06)
 
 
+def test_when_the_vertices_run_out_it_starts_anew(
+    renderer: Renderer, library: Library, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scene = box_room([thing(10 + k, "flush_01", (0.3 * k, 0.1 * k, 0)) for k in range(4)])
+    view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.1))
+    before = one(renderer, library, scene, view)
+    monkeypatch.setattr(frames_module, "_VERTEX_LIMIT", 0)
+    for _ in range(2):
+        after = one(renderer, library, scene, view)
+        assert np.array_equal(before.rgb, after.rgb)
+        assert np.array_equal(before.part, after.part)
+
+
 def test_the_room_is_bright(renderer: Renderer, library: Library) -> None:
     """Neither ceiling nor walls may put the room in shadow, or shine."""
     frame = one(renderer, library, box_room(), camera((-1.7, -1.7, 1.5), (1, 1, 0.9)))
@@ -185,11 +198,15 @@ from tests.render.test_frames import camera
 library = Library([Path(sys.argv[1])])
 things = [thing(10, "table_01", (0.3, 0, 0)), thing(11, "cube_01", (0.2, 0.1, 0.74)),
           thing(12, "cabinet_01", (-1, 1.2, 0), joints={"door": -0.7}),
-          thing(13, "cube_02", (1, 1, 0))]
+          thing(13, "cube_02", (1, 1, 0)), thing(14, "cube_02", (-0.4, 0.2, 0))]
+things += [thing(20 + k, "flush_01", (-1.0 + 0.4 * k, -0.9 + 0.3 * k, 0)) for k in range(5)]
 views = [camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5)), camera((1.6, -1.2, 1.2), (0, 0, 0.5))]
 with Renderer(sys.argv[2]) as renderer:
     for number in range(int(sys.argv[3])):
-        other = box_room([thing(5 + number, "cube_02", (0.1 * number, 0, 0))], (3.0 + number, 4.0))
+        extra = [thing(40 - k, "flush_01", (0.3 * k, 0.5, 0), variant="pane")
+                 for k in range(1 + number)]
+        cube = thing(5 + number, "cube_02", (0.1 * number, 0, 0))
+        other = box_room([cube, *extra], (3.0 + number, 4.0))
         list(renderer.render(library, other, views[:1], supersample=1 + number % 2))
     total = hashlib.sha256()
     for scale in (1, 2):

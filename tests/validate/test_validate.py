@@ -341,3 +341,17 @@ def test_another_catalogue_evaluates_its_own_predicates(sound: Path) -> None:
 def test_no_data_set_at_all_is_one_problem(tmp_path: Path) -> None:
     (found,) = validate(tmp_path / "none")
     assert "no such folder" in found.text
+
+
+def test_twins_are_sound_and_held_to_their_scenes(tmp_path: Path) -> None:
+    path = toy.build_with_twins(tmp_path / "d", 4)
+    assert validate(path) == []
+    edit_json(path / "scenes/000003-twin/household.json", _put("members.2.age", 4))
+    reseal(path)
+    found = validate(path)
+    assert [p.text for p in found] == [
+        "manifest.jsonl: scene 000003-twin: household.json is not that of 000003"
+    ]
+    lines = (path / "manifest.jsonl").read_bytes().splitlines(keepends=True)
+    (path / "manifest.jsonl").write_bytes(b"".join(line for line in lines if b"3-twin" not in line))
+    assert any("000003: has no twin" in p.text for p in validate(path))

@@ -29,14 +29,17 @@ def shirt(colour: str, second: str, style: str) -> Image.Image:
         canvas.ellipse((0.36 * s, 0.3 * s, 0.64 * s, 0.66 * s), fill=second)
         star(canvas, 0.5 * s, 0.49 * s, 0.12 * s, colour)
     elif style == "buttons":
-        canvas.rectangle((0.47 * s, 0, 0.53 * s, s), fill=shade(colour, 1.35), outline=seam, width=3)
+        canvas.rectangle(
+            (0.47 * s, 0, 0.53 * s, s), fill=shade(colour, 1.35), outline=seam, width=3
+        )
         for i in range(7):
             y = (0.16 + 0.125 * i) * s
             canvas.ellipse((0.5 * s - 8, y - 8, 0.5 * s + 8, y + 8), fill=ink_on(colour))
         canvas.rectangle((0.58 * s, 0.3 * s, 0.7 * s, 0.46 * s), outline=seam, width=5)
         canvas.line((0.58 * s, 0.335 * s, 0.7 * s, 0.335 * s), fill=seam, width=4)
     band = second if style in ("stripes", "print") else shade(colour, 1.3)
-    canvas.line([(0.36 * s, 0), (0.43 * s, 0.1 * s), (0.5 * s, 0.125 * s), (0.57 * s, 0.1 * s), (0.64 * s, 0)], fill=band, width=22)  # fmt: skip
+    neck = ((0.36, 0), (0.43, 0.1), (0.5, 0.125), (0.57, 0.1), (0.64, 0))
+    canvas.line([(x * s, y * s) for x, y in neck], fill=band, width=22)
     canvas.rectangle((0, 0.965 * s, s, s), fill=band)
     for q in (0, 1):
         x = [abs(q - u) for u in (0.0, 0.09, 0.205, 0.227)]
@@ -50,8 +53,11 @@ def trousers(colour: str, thread: str) -> Image.Image:
     image, canvas = _blank(colour)
     s, dark = SIZE, shade(colour, 0.65)
     for i in range(5):  # worn pale along the thighs
-        canvas.rectangle(((0.16 + 0.015 * i) * s, (0.2 + 0.03 * i) * s, (0.34 - 0.015 * i) * s, (0.6 - 0.03 * i) * s), fill=shade(colour, 1.06 + 0.05 * i))  # fmt: skip
-        canvas.rectangle(((0.66 + 0.015 * i) * s, (0.2 + 0.03 * i) * s, (0.84 - 0.015 * i) * s, (0.6 - 0.03 * i) * s), fill=shade(colour, 1.06 + 0.05 * i))  # fmt: skip
+        pale = shade(colour, 1.06 + 0.05 * i)
+        for x in (0.16, 0.66):
+            left, right = x + 0.015 * i, x + 0.18 - 0.015 * i
+            top, bottom = 0.2 + 0.03 * i, 0.6 - 0.03 * i
+            canvas.rectangle((left * s, top * s, right * s, bottom * s), fill=pale)
     canvas.rectangle((0, 0, s, 0.05 * s), fill=shade(colour, 0.8))
     _stitch(canvas, [(0, 0.055), (1, 0.055)], thread)
     for x in (0.16, 0.34, 0.66, 0.84):
@@ -60,7 +66,9 @@ def trousers(colour: str, thread: str) -> Image.Image:
     _stitch(canvas, [(0.57, 0.05), (0.57, 0.17), (0.5, 0.24)], thread)
     canvas.ellipse((0.5 * s - 9, 0.02 * s - 5, 0.5 * s + 9, 0.02 * s + 13), fill="#c9a85a")
     for q in (0, 1):
-        _stitch(canvas, [(abs(q - 0.3), 0.055), (abs(q - 0.27), 0.11), (abs(q - 0.09), 0.15)], thread)
+        _stitch(
+            canvas, [(abs(q - 0.3), 0.055), (abs(q - 0.27), 0.11), (abs(q - 0.09), 0.15)], thread
+        )
         _stitch(canvas, [(abs(q - 0.09), 0.0), (abs(q - 0.03), 1.0)], dark)
         _stitch(canvas, [(abs(q - 0.49), 0.3), (abs(q - 0.36), 1.0)], thread)
     canvas.rectangle((0, 0.955 * s, s, 0.965 * s), fill=thread)

@@ -180,7 +180,8 @@ def fridge(
         mass=60.0,
         variants=None,
         joints=joints,
-        states=states,
+        # The door alone seen from behind does not tell: the evidence is the inside.
+        states=[s | {"parts": ["interior"]} if s["state"] == "OPEN" else s for s in states],
         supports=supports,
         containers=containers,
         ground_shadow=True,
@@ -207,7 +208,7 @@ def fridge_random(rng: np.random.Generator) -> dict:
         "colour": pick(rng, ["#f1f2f0", "steel", "#b24a3c", "#9fc3bb"]),
         "freezer": pick(rng, ["top", "bottom", None]),
         "shelves": int(rng.integers(3, 5)),
-        "right_hung": bool(rng.random() < 0.7),
+        "right_hung": bool(rng.random() < 0.3),
         "offset": noise_offset(rng),
     }
 
@@ -327,14 +328,14 @@ MODELS = {
                 "freezer": "top",
                 "height": 1.72,
                 "shelves": 3,
-                "right_hung": True,
+                "right_hung": False,
             },
             {
                 "colour": "steel",
                 "freezer": "bottom",
                 "height": 1.84,
                 "shelves": 4,
-                "right_hung": True,
+                "right_hung": False,
             },
             {
                 "colour": "#9fc3bb",

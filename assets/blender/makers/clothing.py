@@ -80,7 +80,7 @@ def clothes_pile(things: list[dict], spread: float, size: float, seed: int) -> M
         points = points * size
         outside = _outside(g, rng)
         inside = plain(shade(g["colour"], 0.8), 0.06, 60)
-        meshes.append(_thick(points, sheet, outside, inside, 0.004))
+        meshes += _two_sided(points, sheet, outside, inside, 0.004)
     everything = np.concatenate([m.v for m in meshes])
     pieces = _heap_pieces(everything)
     names = {"shirt": "shirts", "trousers": "trousers"}
@@ -101,49 +101,43 @@ def clothes_pile_random(rng: np.random.Generator) -> dict:
     }
 
 
-def _thick(
+def _two_sided(
     points: np.ndarray, sheet: cloth.Sheet, outside: Material, inside: Material, half: float
-) -> Mesh:
-    """Cloth with two sides; the faces nobody sees are pruned later."""
+) -> list[Mesh]:
+    """The drawn side of a cloth, and its inner side with the rim (unseen faces go later)."""
     triangles = sheet.triangles
     normal = np.zeros_like(points)
-    flat = np.cross(
-        points[triangles[:, 1]] - points[triangles[:, 0]],
-        points[triangles[:, 2]] - points[triangles[:, 0]],
-    )
-    for corner in range(3):
-        np.add.at(normal, triangles[:, corner], flat)
+    corner = points[triangles]
+    flat = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    for k in range(3):
+        np.add.at(normal, triangles[:, k], flat)
     normal /= np.linalg.norm(normal, axis=1)[:, None] + 1e-9
+    edges = {edge for a, b, c in triangles.tolist() for edge in ((a, b), (b, c), (c, a))}
+    rim = sorted(edge for edge in edges if edge[::-1] not in edges)
     n = len(points)
-    count: dict[tuple[int, int], int] = {}
-    for a, b, c in triangles.tolist():
-        for edge in ((a, b), (b, c), (c, a)):
-            count[edge] = 1
-    rim = [edge for edge in count if edge[::-1] not in count]
-    faces = [
-        *triangles.tolist(),
-        *(triangles[:, ::-1] + n).tolist(),
-        *[(b, a, a + n, b + n) for a, b in rim],
-    ]
     vertices = np.r_[points + normal * half, points - normal * half]
     low, high = sheet.rest.min(0), sheet.rest.max(0)
-    flat_uv = (sheet.rest - low) / (high - low)
-    both = np.r_[flat_uv, flat_uv]
-    label_uv = [[tuple(both[i]) for i in face] for face in faces]
-    shift = [0.0] * len(triangles) + [2.0] * len(triangles) + [4.0] * len(rim)
-    twice = np.r_[sheet.rest, sheet.rest]
-    bake_uv = [
-        [
-            (
-                twice[i][0] * (1 if q != 2.0 else -1) + q,
-                twice[i][1] + (0.008 if q == 4.0 and i >= n else 0),
-            )
-            for i in face
-        ]
-        for face, q in zip(faces, shift, strict=True)
-    ]
-    sides = [0] * len(triangles) + [1] * (len(triangles) + len(rim))
-    return Mesh(vertices, faces, sides, [outside, inside], label_uv, bake_uv)
+    drawn = (sheet.rest - low) / (high - low)
+    front = triangles.tolist()
+    upper = Mesh(
+        vertices,
+        front,
+        materials=[outside],
+        label_uv=[[tuple(drawn[i]) for i in face] for face in front],
+        bake_uv=[[tuple(sheet.rest[i]) for i in face] for face in front],
+    )
+    back = [[i + n for i in face[::-1]] for face in front]
+    band = [(b, a, a + n, b + n) for a, b in rim]
+    mirrored = np.r_[sheet.rest, sheet.rest] * [-1, 1]
+    lower = Mesh(
+        vertices,
+        back + band,
+        materials=[inside],
+        bake_uv=[[tuple(mirrored[i]) for i in face] for face in back]
+        + [[(3 + mirrored[i][0], mirrored[i][1] + 0.01 * (i >= n)) for i in face] for face in band],
+        weight=0.35,
+    )
+    return [upper, lower]
 
 
 def _heap_pieces(points: np.ndarray) -> list[np.ndarray]:

@@ -350,7 +350,11 @@ def watering_can(height: float, colour: str, zinc: bool) -> Model:
     ]
     pieces = [p * s for p in pieces]
     return Model(
-        "watering can", {"body": Part(meshes, collision=pieces)}, mass=0.7, texture_size=128
+        "watering can",
+        {"body": Part(meshes, collision=pieces)},
+        mass=0.7,
+        texture_size=128,
+        front="-y",  # its spout to the right
     )
 
 

@@ -196,7 +196,7 @@ def yogurt_cup_random(rng: np.random.Generator) -> dict:
 
 
 def raw_meat(length=0.2, width=0.14, tray="#1f2124", kind="steak", seed=0) -> Model:
-    """A butcher's foam tray of raw meat under film."""
+    """A butcher's foam tray of raw meat."""
     rng = np.random.default_rng(seed)
     foam = plain(tray, 0.05, 200)
     h, t = 0.024, 0.007
@@ -284,19 +284,10 @@ def raw_meat(length=0.2, width=0.14, tray="#1f2124", kind="steak", seed=0) -> Mo
         labels={"+z": label(image)},
         weight=1.5,
     )
-    film_look = Material(occlusion=0)
-    streak = film_look.noise(16, 2, offset=o, stretch=(2.2, 0.5, 1), distortion=0.6)
-    film_look.colour(film_look.ramp(streak, [(0.52, "cfd6da"), (0.6, "ffffff")]))
-    film = extrude(
-        rounded_rectangle(width - 0.006, length - 0.006, 0.018, 4), 0.002, film_look
-    ).move(z=t + 0.0225)
     solid = box_piece((0, 0, (t + 0.024) / 2), (width - 0.006, length - 0.006, t + 0.024))
     return Model(
         title="raw beef steaks in a tray" if kind == "steak" else "minced beef in a tray",
-        parts={
-            "body": Part([*meshes, sticker], collision=[solid]),
-            "film": Part([film], rgba=(1, 1, 1, 0.2), collision="none", occlusion="film"),
-        },
+        parts={"body": Part([*meshes, sticker], collision=[solid])},
         mass=0.45,
         friction=0.5,
     )

@@ -217,7 +217,8 @@ def cushion(
         r = min(max(radius - 0.5 * inset, 0.35 * inset + 0.015), (short - inset) * 0.95)
         outline = rounded_rectangle(sx - 2 * inset, sy - 2 * inset, r, 3)
         rings.append(np.c_[outline, np.full(len(outline), z)])
-    return cube_project(loft(rings, mat)).move(*at)
+    # the loft's own strip of texture: projected, its hidden rest would fall apart into slivers
+    return loft(rings, mat).move(*at)
 
 
 # ---- materials

@@ -29,7 +29,7 @@ def tv(
     z0, thick = 0.07, 0.045
     z1 = z0 + screen_height + 0.04
     black, dark = plain("#17181a", 0.05, 20), finish("#232528", 2, offset)
-    asm.board("body", (-0.02, -half, z0), (0.015, half, z1), black, 0.005)
+    asm.board("body", (-0.02, -half, z0), (0.012, half, z1), black, 0.005)
     asm.board(
         "body", (-thick, -half * 0.6, z0 + 0.06), (-0.015, half * 0.6, z1 - 0.12), dark, 0.008
     )

@@ -61,7 +61,7 @@ def _panels(
     for face in (-1, 1):
         x = face * LEAF / 2
         for ya, za, yb, zb in layout:
-            for grow, rise, m, bevel in ((0.0, 0.0012, groove, 0.0), (-0.014, 0.008, mat, 0.006)):
+            for grow, rise, m, bevel in ((0.0, 0.003, groove, 0.0), (-0.014, 0.01, mat, 0.006)):
                 a, b = sorted((x - face * 0.004, x + face * rise))
                 low, high = (a, ya - grow, z0 + za - grow), (b, yb + grow, z0 + zb + grow)
                 asm.board("door", low, high, m, bevel, solid=False)

@@ -114,6 +114,7 @@ def towel(
         mass=0.45,
         friction=0.9,
         supports=[support],
+        texture_size=128,
         occlusion_strength=1.2,
     )
 
@@ -188,6 +189,7 @@ def blanket(
         mass=1.4,
         friction=0.9,
         supports=[support],
+        texture_size=128,
         occlusion_strength=1.2,
     )
 
@@ -301,7 +303,7 @@ MODELS = {
         3,
         [
             {"colours": ["#a8323a", "#26303c", "#e9dcc0"]},
-            {"pattern": "stripes", "colours": ["#efe8d8", "#3f6a94", "#c8503a"]},
+            {"pattern": "stripes", "fringe": False, "colours": ["#efe8d8", "#3f6a94", "#c8503a"]},
             {"colours": ["#3a5a4a", "#1f2c28", "#e0cf9a"]},
         ],
     ),

@@ -68,7 +68,7 @@ def _body(
         0.004,
         0.09,
         0.034,
-        (DOOR_FRONT + 0.002, 0, 0.8),
+        (DOOR_FRONT + 0.003, 0, 0.8),
         dark,
         labels={"+x": label(picture, occlusion=0.0)},
         weight=2.0,
@@ -116,10 +116,10 @@ def _coils(asm: Assembly) -> float:
         bowl = [
             (0, HOB + 0.001),
             (r * 1.18, HOB + 0.001),
-            (r * 1.2, HOB + 0.005),
-            (r * 1.1, HOB + 0.007),
+            (r * 1.2, HOB + 0.007),
+            (r * 1.1, HOB + 0.009),
         ]
-        bowl += [(r * 0.95, HOB + 0.003), (0, HOB + 0.003)]
+        bowl += [(r * 0.95, HOB + 0.005), (0, HOB + 0.005)]
         asm.add("body", lathe(bowl, 14, mat=chrome).move(x, y, 0))
         turns, per_turn = (2.7, 9) if r > 0.09 else (2.3, 9)
         t = np.linspace(0, 1, int(turns * per_turn) + 1)
@@ -139,8 +139,8 @@ def _coils(asm: Assembly) -> float:
         disc = [
             (0, HOB + 0.004),
             (r * 1.1, HOB + 0.004),
-            (r * 1.1, HOB + 0.0085),
-            (0, HOB + 0.0085),
+            (r * 1.1, HOB + 0.0105),
+            (0, HOB + 0.0105),
         ]
         asm.add(f"burner_{k}", lathe(disc, 16, mat=halo).move(x, y, 0).weigh(0.6))
     asm.solid("body", (-0.24, -0.26, HOB), (0.24, 0.26, top))
@@ -170,7 +170,7 @@ def _ceramic(asm: Assembly) -> float:
     asm.board("body", (BACK + 0.045, -0.285, HOB - 0.002), (0.265, 0.285, top), glass, 0.002)
     cold, hot = label(_zone_picture(False)), label(_zone_picture(True), occlusion=0.0)
     for k, (x, y, r) in enumerate(BURNERS, 1):
-        for part, material, rise in (("body", cold, 0.001), (f"burner_{k}", hot, 0.003)):
+        for part, material, rise in (("body", cold, 0.003), (f"burner_{k}", hot, 0.007)):
             radius = r * (1.12 if part == "body" else 1.18)
             asm.add(
                 part, _round_plate(x, y, radius, top - 0.004 + rise, top + rise, glass, material)
@@ -200,7 +200,7 @@ def _gas(asm: Assembly) -> float:
     """Burner caps under cast-iron grates; lit: a crown of blue flames with warm tips."""
     iron, cap = plain("#1d1e20", 0.12, 60), metal("6b6f73", "33363a")
     ring, tray = metal("b9bdc0", "7d8286"), plain("#2a2c2f", 0.05, 20)
-    base, top = HOB + 0.002, HOB + 0.042
+    base, top = HOB + 0.005, HOB + 0.045
     asm.board("body", (BACK + 0.05, -0.28, HOB - 0.002), (0.262, 0.28, base), tray, 0.001)
     for k, (x, y, r) in enumerate(BURNERS, 1):
         q = r * 0.5

@@ -130,7 +130,7 @@ def bath_mat(
         ax, bx = x0 * (depth / 2 - 0.05) - w / 2, x1 * (depth / 2 - 0.05) + w / 2
         ay, by = y0 * (length / 2 - 0.05) - w / 2, y1 * (length / 2 - 0.05) + w / 2
         asm.board(
-            "body", (ax, ay, thickness - 0.004), (bx, by, thickness + 0.002), frame, solid=False
+            "body", (ax, ay, thickness - 0.004), (bx, by, thickness + 0.005), frame, solid=False
         )
     return Model(title="bath mat", parts=asm.parts(), mass=0.9, friction=0.8, texture_size=128)
 

@@ -301,7 +301,7 @@ def toy_train(first: str, second: str, third: str) -> Model:
     for q in (-1, 1):
         meshes.append(box(0.12, 0.006, 0.014, (-0.085, q * 0.028, 0.034), beech, 0.001))
         for x in (0.13, 0.085, 0.04, -0.05, -0.12):
-            wheel = _wheel(0.018, 0.012, dark if x > 0 else red, yellow, q, 10)
+            wheel = _wheel(0.018, 0.012, dark if x > 0 else red, yellow, q, 8)
             meshes.append(wheel.move(x, q * 0.034, 0.018))
     pieces = [
         box_piece((0, 0, 0.03), (0.3, 0.08, 0.06)),

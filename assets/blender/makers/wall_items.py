@@ -36,11 +36,11 @@ def picture_frame(
     for z0, z1 in ((0, t), (height - t, height)):
         asm.board("body", (0, -width / 2 + t, z0), (0.02, width / 2 - t, z1), cross, 0.004)
     mount = plain("#f2efe8", 0.01, 20)
-    asm.board("body", (0, -width / 2 + t, t), (0.012, width / 2 - t, height - t), mount)
+    asm.board("body", (0, -width / 2 + t, t), (0.009, width / 2 - t, height - t), mount)
     m = t + 0.045
     art = label(painting(kind, seed, 256, int(256 * (height - 2 * m) / (width - 2 * m))))
     # as thick as the frame allows: thin boards facing +X throw a blotchy shadow on themselves
-    low, high = (0, -width / 2 + m, m), (0.0145, width / 2 - m, height - m)
+    low, high = (0, -width / 2 + m, m), (0.015, width / 2 - m, height - m)
     asm.board("body", low, high, mount, 0, {"+x": art}, 3.0, solid=False)
     return Model(title=f"framed painting, {kind}", parts=asm.parts(), mass=1.8)
 

@@ -62,7 +62,7 @@ def check(model: Model, asset_id: str) -> None:
         if part.joint and part.joint not in model.joints:
             raise ValueError(f"{asset_id}: part {name} hangs on an unknown joint {part.joint}")
         for mesh in part.meshes:
-            if mesh.signed_volume() < -1e-9:
+            if mesh.signed_volume() < -1e-9 and mesh.is_closed():
                 print(f"WARNING {asset_id}: a mesh of {name} is inside out")
     for item in (*model.supports, *model.containers):
         if item.part not in known:

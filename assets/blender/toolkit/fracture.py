@@ -229,7 +229,7 @@ def _lighten(bm) -> None:
     """Merge what the Boolean cut into slivers."""
     bmesh.ops.remove_doubles(bm, verts=bm.verts, dist=0.0012)
     bmesh.ops.dissolve_limit(
-        bm, angle_limit=0.2, verts=bm.verts, edges=bm.edges, delimit={"MATERIAL"}
+        bm, angle_limit=0.2, verts=bm.verts, edges=bm.edges, delimit={"MATERIAL", "UV"}
     )
     bmesh.ops.triangulate(bm, faces=bm.faces)
     bmesh.ops.dissolve_degenerate(bm, edges=bm.edges, dist=1e-5)
@@ -309,7 +309,12 @@ def resting_turns(points: np.ndarray) -> list[tuple[float, np.ndarray]]:
 
 def scatter(shards: list[Mesh], rng: np.random.Generator, gap: float = 0.006) -> list[np.ndarray]:
     """Lay shards on z = 0 around the one with the foot, which stays up; returns the pieces."""
-    base = min(shards, key=lambda q: float(np.hypot(q.v[:, 0], q.v[:, 1]).min() + q.v[:, 2].min()))
+
+    def footprint(shard: Mesh) -> float:
+        low = shard.v[shard.v[:, 2] < 0.012]
+        return float(np.prod(np.ptp(low[:, :2], axis=0))) if len(low) else 0.0
+
+    base = max(shards, key=footprint)
     shards.sort(key=lambda q: q is not base)
     placed: list[tuple[np.ndarray, float]] = []
     for k, shard in enumerate(shards):
@@ -342,6 +347,5 @@ def scatter(shards: list[Mesh], rng: np.random.Generator, gap: float = 0.006) ->
             away += abs(rng.normal(0, 0.006))
             middle = np.array([math.cos(angle), math.sin(angle)]) * away
             shard.move(middle[0], middle[1], 0)
-        print('DEBUG',k,shard is base,np.ptp(shard.v,axis=0).round(3),[round(t[0],4) for t in (resting_turns(shard.v) or [])[:3]])
         placed.append((middle, radius))
     return [s.v.copy() for s in shards]

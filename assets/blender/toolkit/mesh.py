@@ -112,6 +112,11 @@ class Mesh:
                 total += float(np.dot(a, np.cross(self.v[face[i]], self.v[face[i + 1]])))
         return total / 6
 
+    def is_closed(self) -> bool:
+        """Whether every edge is shared by two faces running opposite ways."""
+        edges = {(a, b) for f in self.f for a, b in zip(f, f[1:] + f[:1], strict=True)}
+        return all((b, a) in edges for a, b in edges)
+
     def outward(self) -> Mesh:
         """Flip a closed mesh that is inside out (it would bake black and be culled)."""
         return self.flip() if self.signed_volume() < 0 else self

@@ -1,4 +1,4 @@
-"""How well predictions match: the paper's anomaly score and context-aware score, and usual ones.
+"""How well predictions match: the paper's Anomaly Success scores, and usual ones.
 
 For a scene, *A* are the objects that are anomalies, *A+* those of them this household wants
 reported, *D* the objects a prediction names, *D+* those it reports (not ``silent``). Objects, not
@@ -116,7 +116,7 @@ def evaluate(data: Dataset | str | Path, predictions: Predictions | str | Path) 
         unwanted_per_scene=score(s.unwanted for s in scenes),
         false_alarms_per_scene=score(s.false_alarms for s in scenes),
         precision=score(s.precision for s in scenes),
-        # By a scene's objects, recall is what the paper calls the anomaly score.
+        # By a scene's objects, recall is what the paper calls Anomaly Success.
         recall=anomaly_score,
         f1=score(s.f1 for s in scenes),
         label_accuracy=score(s.label_accuracy for s in scenes),

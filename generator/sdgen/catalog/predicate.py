@@ -207,7 +207,7 @@ def _relation(term: RelationTerm, object_id: int, facts: FactSource) -> Verdict:
     def one(item: Related) -> Verdict:
         evidence: Evidence = {"relation": term.relation, "target_id": item.target_id}
         evidence["target_category"] = item.target_category
-        evidence.update({key: round(value, 4) for key, value in item.evidence.items()})
+        evidence.update({key: round(value, 4) + 0.0 for key, value in item.evidence.items()})
         if term.target_state is None:
             return Verdict(item.holds, item.sure, evidence if item.holds else {})
         wanted = (term.target_state,)

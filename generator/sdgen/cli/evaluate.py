@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
 #: Row of the table -> field of the evaluation.
 ROWS = {
-    "AS (anomaly score)": "AS",
-    "CAS (context-aware score)": "CAS",
+    "AS (Anomaly Success)": "AS",
+    "CAS (Conditioned Anomaly Success)": "CAS",
     "unwanted a scene": "unwanted_per_scene",
     "false alarms a scene": "false_alarms_per_scene",
     "precision": "precision",

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.build import usable_cores
+
 #: Problems printed; more of them rarely say more.
 SHOWN = 100
 
@@ -33,14 +35,14 @@ SHOWN = 100
     help="Extra asset folder the build used (for --rebuild); repeatable.",
 )
 @click.option(
-    "--workers", type=click.IntRange(min=1), metavar="N", default=1, help="Processes [default: 1]."
+    "--workers", type=click.IntRange(min=1), metavar="N", help="Processes [default: cores]."
 )
 def validate(
     dataset: Path,
     rebuild: int,
     catalogs: tuple[Path, ...],
     assets: tuple[Path, ...],
-    workers: int,
+    workers: int | None,
 ) -> None:
     """Check a data set from its files alone.
 
@@ -62,7 +64,7 @@ def validate(
         extensions = Dataset(dataset).info.options.extensions
         catalog = load_catalog(catalogs, extensions=extensions)
     with scene_bar("checking") as on_scene:
-        problems = check(dataset, catalog, on_scene, workers)
+        problems = check(dataset, catalog, on_scene, workers or usable_cores())
     if rebuild and not problems:
         from sdgen.library import load_library
         from sdgen.validate.rebuild import rebuild as make_again

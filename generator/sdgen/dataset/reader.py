@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -47,6 +48,7 @@ class SceneItem:
 
     root: Path
     entry: ManifestEntry
+    graph_view: GraphView = "full"
 
     @property
     def id(self) -> str:
@@ -75,6 +77,13 @@ class SceneItem:
     def scene_graph(self) -> Graph:
         """``graph.json``."""
         return self.read(Graph, "graph.json")
+
+    @property
+    def graph(self) -> nx.MultiDiGraph:
+        """The scene graph as ``networkx.MultiDiGraph``, in the data set's ``graph_view``."""
+        from sdgen.dataset.graph_views import to_networkx
+
+        return to_networkx(self.scene_graph, self.visibility, self.graph_view)
 
     @cached_property
     def anomalies(self) -> Anomalies:
@@ -151,12 +160,19 @@ class Dataset(Sequence[SceneItem]):
     """A data set as a sequence of scenes, in the order of their index (twins left out).
 
     ``split`` keeps one of ``train``, ``val``, ``test``; ``twins`` gives each scene's benign twin
-    instead. Works as a map-style data set of PyTorch; picklable. Raises InputError for a folder
+    instead; ``graph_view`` says what the scenes' ``.graph`` shows. Works as a map-style data set of PyTorch; picklable. Raises InputError for a folder
     that is no complete data set.
     """
 
-    def __init__(self, path: str | Path, split: str | None = None, twins: bool = False) -> None:
+    def __init__(
+        self,
+        path: str | Path,
+        split: str | None = None,
+        twins: bool = False,
+        graph_view: GraphView = "full",
+    ) -> None:
         self.path = Path(path)
+        self.graph_view = graph_view
         self.info = _open(self.path)
         if split is not None and split not in self.info.splits:
             known = list(self.info.splits)
@@ -172,25 +188,22 @@ class Dataset(Sequence[SceneItem]):
         return len(self._shown)
 
     def __getitem__(self, index: int) -> SceneItem:  # type: ignore[override]
-        return SceneItem(self.path, self._shown[index])
+        return SceneItem(self.path, self._shown[operator.index(index)], self.graph_view)
 
     def __iter__(self) -> Iterator[SceneItem]:
-        return (SceneItem(self.path, entry) for entry in self._shown)
+        return (SceneItem(self.path, entry, self.graph_view) for entry in self._shown)
 
     def scene(self, scene_id: str) -> SceneItem:
         """The scene of this id, twins too. Raises InputError when there is none."""
         for entry in self.entries:
             if entry.id == scene_id:
-                return SceneItem(self.path, entry)
+                return SceneItem(self.path, entry, self.graph_view)
         known = [entry.id for entry in self.entries]
         raise InputError([f"{self.path}: no scene {scene_id!r}{did_you_mean(scene_id, known)}"])
 
     def graph(self, index: int, graph_view: GraphView = "full") -> nx.MultiDiGraph:
         """The graph of a scene as ``networkx.MultiDiGraph``; see ``graph_views``."""
-        from sdgen.dataset.graph_views import to_networkx
-
-        item = self[index]
-        return to_networkx(item.scene_graph, item.visibility, graph_view)
+        return replace(self[index], graph_view=graph_view).graph
 
     @cached_property
     def catalog(self) -> Catalog:

@@ -23,6 +23,7 @@ from sdgen.errors import SceneRejected
 from sdgen.hazards.draw import check_range
 from sdgen.library import Library
 from sdgen.options import BuildOptions
+from sdgen.pipeline.scene import HOME_ATTEMPTS
 from sdgen.render.backend import Choice, choose_renderer
 
 
@@ -86,6 +87,7 @@ def build(
                     failure = SceneFailed(event.job, f"{event.job:06d}", event.error.reasons)
                     failed.append(failure)
                     rejections.update(event.error.reasons)
+                    homes += HOME_ATTEMPTS
                     on_event(failure)
                     continue
                 result = event.result

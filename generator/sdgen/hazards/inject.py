@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from sdgen.catalog.records import SetRecipe
@@ -34,7 +34,8 @@ def inject(
         found = ways(hazard_id, hazard.anomalies, layout, site)
         if training:
             found = [way for way in found if not withheld_anomaly(way.unique)] or found
-        one = _first(shuffled(found, rng)[:WAYS_TRIED], layout, site, made, rng)
+        taken = {m.object_id for m in made}
+        one = _first(shuffled(found, rng)[:WAYS_TRIED], layout, site, taken, rng)
         if one is None:
             return Injection(tuple(made), hazard_id)
         made.append(one)
@@ -51,18 +52,23 @@ def add_lookalikes(
         order = shuffled(ways(hazard.id, hazard.lookalikes, layout, site), rng)
         if not wanted:
             continue
-        one = _first(order[:LOOKALIKE_WAYS_TRIED], layout, site, [*anomalies, *made], rng)
+        taken = {m.object_id for m in (*anomalies, *made)}
+        one = _first(order[:LOOKALIKE_WAYS_TRIED], layout, site, taken, rng, keep_off=taken)
         if one is not None:
             made.append(one)
     return tuple(made)
 
 
 def _first(
-    order: Sequence[Way], layout: Layout, site: Site, made: Sequence[Made], rng: Rng
+    order: Sequence[Way],
+    layout: Layout,
+    site: Site,
+    taken: Collection[int],
+    rng: Rng,
+    keep_off: Collection[int] = (),
 ) -> Made | None:
-    taken = {m.object_id for m in made}
     for way in order:
-        one = bring_about(way, layout, site, taken, rng)
+        one = bring_about(way, layout, site, taken, rng, keep_off)
         if one is not None:
             return one
     return None

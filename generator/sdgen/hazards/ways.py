@@ -102,15 +102,21 @@ def shuffled(found: Sequence[Way], rng: Rng) -> list[Way]:
 
 
 def bring_about(
-    way: Way, layout: Layout, site: Site, taken: Collection[int], rng: Rng
+    way: Way,
+    layout: Layout,
+    site: Site,
+    taken: Collection[int],
+    rng: Rng,
+    keep_off: Collection[int] = (),
 ) -> Made | None:
     """Change ``layout`` so that the way holds; None (and no change) when it does not fit.
 
-    ``taken`` are objects other anomalies or lookalikes already use.
+    ``taken`` are objects other anomalies or lookalikes already use; nothing is put on or into
+    those of ``keep_off`` (a pot on a burning stove is no benign near miss of one).
     """
     if isinstance(way.recipe, SetRecipe):
         return _set(way, way.recipe, layout, site, taken, rng)
-    return _place(way, way.recipe, layout, site, taken, rng)
+    return _place(way, way.recipe, layout, site, keep_off, rng)
 
 
 def _room_types(site: Site) -> dict[int, str]:
@@ -134,7 +140,8 @@ def _set(
         after = in_state(before, layout.info(before.id), recipe.state, rng)
         if after is None or recipe.state not in after.states:
             continue
-        opened = layout.blocks_of(after)
+        stood = layout.blocks_of(before)
+        opened = [block for block in layout.blocks_of(after) if block not in stood]
         if layout.clashes(opened, ignore=(before.id,), gap_m=0.0) is not None:
             continue
         layout.put(after)
@@ -143,7 +150,7 @@ def _set(
 
 
 def _place(
-    way: Way, recipe: PlaceRecipe, layout: Layout, site: Site, taken: Collection[int], rng: Rng
+    way: Way, recipe: PlaceRecipe, layout: Layout, site: Site, keep_off: Collection[int], rng: Rng
 ) -> Made | None:
     models = [
         m
@@ -161,7 +168,7 @@ def _place(
         item
         for item in layout.items.values()
         if item.category == way.unique.target
-        and item.id not in taken  # a pot on a burning stove would be no benign near miss of one
+        and item.id not in keep_off
         and (not recipe.rooms or types[item.room_id] in recipe.rooms)
     ]
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:

@@ -28,6 +28,7 @@ from sdgen.geometry import (
     quat_from_yaw,
     round_position,
     round_quat,
+    yaw_of,
 )
 from sdgen.library import Library
 from sdgen.library.records import AssetInfo, Support
@@ -181,7 +182,7 @@ class Layout:
         world: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
         rng: Rng,
     ) -> Vec3Yaw | None:
-        yaw = random_yaw(rng)
+        yaw = random_yaw(rng, yaw_of(self.items[target_id].pose.quat_xyzw))
         if support.headroom_m is not None and asset.extents_m[2] > support.headroom_m - 0.015:
             return None
         local = object_from_part(info, support.part, self.items[target_id].joints)
@@ -271,10 +272,10 @@ class Layout:
 Vec3Yaw = tuple[Vec3, float]
 
 
-def random_yaw(rng: Rng) -> float:
-    """A heading: people put things roughly square as often as any way round."""
-    if rng.random() < 0.5:
-        return float(rng.integers(4) * math.pi / 2 + rng.normal(0.0, 0.12))
+def random_yaw(rng: Rng, square_to: float = 0.0) -> float:
+    """A heading: people put things roughly square to what is under them, or any way round."""
+    if rng.random() < 0.6:
+        return float(square_to + rng.integers(4) * math.pi / 2 + rng.normal(0.0, 0.08))
     return float(rng.uniform(-math.pi, math.pi))
 
 

@@ -8,23 +8,29 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from sdgen.catalog.records import Catalog
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.rays import RayWorld
 from sdgen.render.cameras import (
     EYE_HEIGHT_M,
+    PIXELS_NEEDED,
     Target,
     View,
     best_near_pose,
     room_views,
     to_cameras,
 )
+from sdgen.render.sight import part_points
 from sdgen.scene import Anomaly, Camera, Lookalike, Scene
 from sdgen.seeding import Rng, lane
 
 NEAR_SHARE = 2 / 3
 LOOKALIKE_SHARE = 0.5
+SMALL_M = 0.2
+GLANCE_MOST = 6000.0
 #: Ordinary things looked at before the fixed number of near views is given up.
 ORDINARY_TRIED = 30
 
@@ -33,6 +39,14 @@ def near_count(options: BuildOptions) -> int:
     """Near views of every scene: two thirds, enough for the most anomalies, one overview left."""
     wanted = max(round(options.views * NEAR_SHARE), options.hazards_max)
     return max(0, min(options.views - 1, wanted))
+
+
+def glance_pixels(diagonal_m: float) -> float:
+    """Pixels at 640x480 that tell a thing of this size at a glance.
+
+    Twice the promised 100 for small things; large ones must show more than a sliver.
+    """
+    return min(max(PIXELS_NEEDED, PIXELS_NEEDED * (diagonal_m / SMALL_M) ** 2), GLANCE_MOST)
 
 
 class Sight:
@@ -49,6 +63,8 @@ class Sight:
 
     def near(self, object_id: int, parts: tuple[str, ...] = ()) -> View | None:
         """The best near view of an object's parts, or None when none shows enough."""
+        points = part_points(self._library, self._scene.object(object_id), parts)
+        diagonal_m = float(np.linalg.norm(np.ptp(points, axis=0)))
         return best_near_pose(
             self._library,
             self._scene,
@@ -56,6 +72,7 @@ class Sight:
             Target(object_id, parts),
             lane(self._seed, self._scene.index, f"near:{object_id}"),
             self._eye_height_m,
+            glance_pixels(diagonal_m),
         )
 
     def rooms(self, count: int, rng: Rng) -> tuple[View, ...]:

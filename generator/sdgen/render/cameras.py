@@ -44,7 +44,7 @@ _ROUGH_GRID = 8
 _FINALISTS = 8
 _NEAR_DRAWS = 40 * _NEAR_CANDIDATES
 # Beyond this many pixels, or half of the most, more is not better, so that near views differ.
-_ENOUGH_PIXELS = 4000.0
+_ENOUGH_PIXELS = 12000.0
 _ROOM_CANDIDATES = 14
 _CLEARANCE_M = 0.3
 _HEIGHT_JITTER_M = 0.1

@@ -38,6 +38,11 @@ _FLOOR_Z_M = 0.4
 # them without writing depth: only ceilings, which nothing stands behind, may be like that.
 _CEILING_ALPHA = 0.999
 
+# The plugin holds 3.7 million vertices and draws nothing, silently, of what comes after.
+_VERTEX_LIMIT = 2_500_000
+
+_APART_M = np.array((0.0007, 0.0011, 0.0013))
+
 Rgba = tuple[float, float, float, float]
 Pixels = npt.NDArray[np.int64]
 
@@ -58,6 +63,7 @@ class Renderer:
         self.client: int = pb.connect(pb.DIRECT)
         self._shapes: dict[tuple[Path, Rgba], int] = {}
         self._bodies: list[int] = []
+        self._vertices = 0
         self._egl = self.choice.kind == "egl"
         if self._egl:
             found = start_egl(self.client)
@@ -163,46 +169,64 @@ class Renderer:
         Returns (bodies + 1, 2) of node id and part number. The last row, zeros, is what the
         mask's background (−1) reads.
         """
-        # Not resetSimulation: that would upload every texture again, which EGL never frees.
-        for body in self._bodies:
-            pb.removeBody(body, physicsClientId=self.client)
-        self._bodies = []
+        self._clear()
         shift = drawing_shift(scene)
         owner: dict[int, tuple[int, int]] = {}
         for structure in sorted(scene.home.structures, key=lambda s: s.id):
             surface = library.surfaces[structure.surface]
             texture = library.surface_texture(structure.surface)
             alpha = _CEILING_ALPHA if structure.category == "ceiling" else 1.0
-            for face in structure_faces(structure, surface.size_m):
+            for index, face in enumerate(structure_faces(structure, surface.size_m)):
                 path = self._shell.write(face, texture)
                 level = face.brightness if self._egl else 1.0
                 rgba = (level, level, level, alpha)
-                owner[self._body(path, rgba, face.vertices_m, shift)] = (structure.id, 0)
+                owner[self._body(path, rgba, face.vertices_m, index, shift)] = (structure.id, 0)
         for item in sorted(scene.objects, key=lambda o: o.id):
             info = library.info(item.asset)
             objs, meshes = library.objs(item.asset), library.mesh(item.asset)
             pose = shift @ matrix(item.pose.position_m, item.pose.quat_xyzw)
+            apart = {part.name: index for index, part in enumerate(info.parts)}
             for number, name in enumerate(info.variants[item.variant], start=1):
                 red, green, blue, _ = info.part(name).rgba
                 # Opaque always: the plugin gives see-through bodies no depth.
                 rgba = (red, green, blue, 1.0)
                 placed = pose @ object_from_part(info, name, item.joints)
-                body = self._body(objs[name], rgba, meshes[name].vertices, placed)
+                body = self._body(objs[name], rgba, meshes[name].vertices, apart[name], placed)
                 owner[body] = (item.id, number)
         table = np.zeros((max(owner, default=-1) + 2, 2), dtype=np.int64)
         for body, pair in owner.items():
             table[body] = pair
         return table
 
-    def _body(self, path: Path, rgba: Rgba, vertices_m: Array, pose: Array) -> int:
+    def _clear(self) -> None:
+        """Take all bodies away; shapes and textures stay for the next scene.
+
+        ``resetSimulation`` would upload every texture again, which EGL never frees: it is for
+        the day when the vertices run out.
+        """
+        # Last in, first out, so that handles, and with them the order of drawing, come out the
+        # same whatever was drawn before: where faces coincide the first one drawn wins.
+        for body in reversed(self._bodies):
+            pb.removeBody(body, physicsClientId=self.client)
+        self._bodies = []
+        if self._vertices > _VERTEX_LIMIT:
+            pb.resetSimulation(physicsClientId=self.client)
+            self._shapes = {}
+            self._vertices = 0
+
+    def _body(self, path: Path, rgba: Rgba, vertices_m: Array, apart: int, pose: Array) -> int:
         """A body that shows an OBJ file at ``pose``.
 
-        Its origin is the middle of the mesh: the plugin draws bodies in the order of their
-        origins' depth, and where faces coincide the first one drawn wins. Parts with one common
-        origin would be drawn in an order that depends on what the process has drawn before.
+        Its origin is the middle of the mesh, plus a little for each step ``apart``: the plugin
+        draws bodies in the order of their origins' depth, and where faces coincide the first one
+        drawn wins. Parts with one common origin would be drawn in an order that depends on what the
+        process has drawn before.
         """
         middle = np.round((vertices_m.min(axis=0) + vertices_m.max(axis=0)) / 2, 3)
+        middle += apart * _APART_M
         if (path, rgba) not in self._shapes:
+            # Triangles share few vertices once normals and texture coordinates count.
+            self._vertices += 3 * len(vertices_m)
             self._shapes[path, rgba] = pb.createVisualShape(
                 pb.GEOM_MESH,
                 fileName=str(path),

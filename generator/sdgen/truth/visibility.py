@@ -46,33 +46,32 @@ def measure_masks(
     count for the object only.
     """
     height, width = instance.shape
-    flat = instance.reshape(-1)
-    totals = np.bincount(flat, minlength=65536)
-    ids = np.flatnonzero(totals)
-    count, pixels = len(ids), totals[ids]
-    rank = np.zeros(65536, dtype=np.int64)
-    rank[ids] = np.arange(count)
-    dense = rank[flat]
-    ys, xs = np.divmod(np.arange(height * width), width)
-    rows = np.bincount(dense * height + ys, minlength=count * height).reshape(count, height)
-    columns = np.bincount(dense * width + xs, minlength=count * width).reshape(count, width)
-    by_part = None
+    key = instance.astype(np.uint32) << 8
     if part is not None:
-        by_part = np.bincount(dense * 256 + part.reshape(-1), minlength=count * 256)
-        by_part = by_part.reshape(count, 256)
+        key |= part
+    flat = key.reshape(-1)
+    # A mask is a few thousand runs of equal pixels (cut at row ends): count those, not pixels.
+    breaks = np.flatnonzero(flat[1:] != flat[:-1]) + 1
+    starts = np.union1d(breaks, np.arange(0, height * width, width))
+    lengths = np.diff(starts, append=height * width)
+    owners, parts = flat[starts] >> 8, flat[starts] & 0xFF
+    y, x = np.divmod(starts, width)
+    ids, rank = np.unique(owners, return_inverse=True)
+    pixels = np.bincount(rank, weights=lengths).astype(np.int64)
+    by_part = np.zeros((len(ids), 256), dtype=np.int64)
+    np.add.at(by_part, (rank, parts), lengths)
+    low = np.full((len(ids), 2), max(height, width), dtype=np.int64)
+    high = np.zeros((len(ids), 2), dtype=np.int64)
+    np.minimum.at(low, rank, np.stack([x, y], axis=1))
+    np.maximum.at(high, rank, np.stack([x + lengths, y + 1], axis=1))
     out: dict[int, tuple[Box, int, dict[str, int]]] = {}
     for k, node_id in enumerate(ids.tolist()):
         if node_id == 0:
             continue
-        seen_y, seen_x = np.flatnonzero(rows[k]), np.flatnonzero(columns[k])
-        x, y = int(seen_x[0]), int(seen_y[0])
-        box = (x, y, int(seen_x[-1]) + 1 - x, int(seen_y[-1]) + 1 - y)
-        shown: dict[str, int] = {}
-        if by_part is not None:
-            for value, name in enumerate(parts_of.get(node_id, ()), start=1):
-                if by_part[k, value]:
-                    shown[name] = int(by_part[k, value])
-        out[node_id] = (box, int(pixels[k]), shown)
+        (x0, y0), (x1, y1) = low[k].tolist(), high[k].tolist()
+        names = enumerate(parts_of.get(node_id, ()), start=1)
+        shown = {name: int(by_part[k, value]) for value, name in names if by_part[k, value]}
+        out[node_id] = ((x0, y0, x1 - x0, y1 - y0), int(pixels[k]), shown)
     return out
 
 

@@ -81,6 +81,21 @@ def _manifest(data: Dataset) -> Iterator[Problem]:
         if entry.twin_of is not None and entry.twin_of not in by_id:
             hint = did_you_mean(entry.twin_of, list(by_id))
             yield Problem("count", f"{where}: twin of no scene{hint}")
+        elif entry.twin_of is not None:
+            yield from _twin(entry, by_id[entry.twin_of], where)
+        elif data.info.options.twins and f"{entry.id}-twin" not in by_id:
+            yield Problem("count", f"{where}: has no twin, the options promise one")
+
+
+def _twin(twin: ManifestEntry, scene: ManifestEntry, where: str) -> Iterator[Problem]:
+    """A twin has the household, cameras and split of its scene, and nothing wrong with it."""
+    if (twin.home, twin.split, twin.views) != (scene.home, scene.split, scene.views):
+        yield Problem("count", f"{where}: home, split or views are not those of {scene.id}")
+    if twin.anomalies:
+        yield Problem("count", f"{where}: a twin with {twin.anomalies} anomalies")
+    for name in ("household.json", *(n for n in scene.files if n.endswith("view.json"))):
+        if twin.files.get(name) != scene.files.get(name):
+            yield Problem("count", f"{where}: {name} is not that of {scene.id}")
 
 
 def check_files(data: Dataset, item: SceneItem) -> Iterator[Problem]:

@@ -17,6 +17,9 @@ from sdgen.validate.views import check_views
 
 OnScene = Callable[[int, int], None]
 
+#: With fewer scenes than this, starting processes takes longer than it saves.
+WORTH_WORKERS = 8
+
 
 def validate(
     path: str | Path,
@@ -47,7 +50,7 @@ def validate(
 
 def _scenes(data: Dataset, catalog: Catalog, workers: int) -> Iterator[list[Problem]]:
     """Problems of every scene, in the manifest's order."""
-    if workers <= 1:
+    if workers <= 1 or len(data.entries) < WORTH_WORKERS:
         yield from (_scene(data, SceneItem(data.path, entry), catalog) for entry in data.entries)
         return
     spawn = multiprocessing.get_context("spawn")

@@ -1,0 +1,61 @@
+"""``sdgen view``: a page that shows a data set."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+LIMIT = 200
+
+
+@click.command(short_help="Make a page that shows a data set.")
+@click.argument("dataset", type=click.Path(path_type=Path), metavar="DATASET")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Folder of the page [default: DATASET/view].",
+)
+@click.option(
+    "--limit",
+    type=click.IntRange(min=0),
+    default=LIMIT,
+    show_default=True,
+    metavar="N",
+    help="Show only the first N scenes; 0 shows all.",
+)
+@click.option("--split", help="Show only the scenes of train, val or test.")
+@click.option("--serve", "serving", is_flag=True, help="Serve it on 127.0.0.1 until interrupted.")
+@click.option(
+    "--port",
+    type=click.IntRange(min=0, max=65535),
+    default=8000,
+    show_default=True,
+    help="Port of --serve; 0 takes a free one.",
+)
+def view(
+    dataset: Path, output: Path | None, limit: int, split: str | None, serving: bool, port: int
+) -> None:
+    """Make a static page: every scene with its views, boxes, labels, household and floor plan.
+
+    \b
+    Example: sdgen view output/sdgen-n12-s7
+    Example: sdgen view output/sdgen-n12-s7 --serve
+    """
+    from sdgen.cli.scene_bar import scene_bar
+    from sdgen.dataset import Dataset
+    from sdgen.errors import UsageError
+    from sdgen.gallery import serve, write_gallery
+
+    if serving and output is not None:
+        raise UsageError("--serve shows the data set's own page: leave -o out")
+    data = Dataset(dataset, split=split)
+    with scene_bar("drawing") as on_scene:
+        shown = write_gallery(data, output or dataset / "view", limit or None, on_scene)
+    if shown.scenes < shown.total:
+        click.echo(f"shows the first {shown.scenes} of {shown.total} scenes (--limit)", err=True)
+    if serving:
+        serve(dataset, shown.index, port, lambda url: click.echo(f"{url} (stop with Ctrl-C)"))
+        return
+    click.echo(str(shown.index.resolve()))

@@ -1,0 +1,188 @@
+"""Writes the page: an index of scenes, and one page a scene. Plain files, no network."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from urllib.parse import quote
+
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+
+from sdgen.dataset import Dataset, SceneItem
+from sdgen.dataset.disk import replace_file
+from sdgen.dataset.records import count
+from sdgen.dataset.scene_folder import view_folder
+from sdgen.errors import SdgenError
+from sdgen.gallery.pictures import depth_colours, mask_colours, small_png, thumbnail
+from sdgen.gallery.plan import plan
+from sdgen.scene import Anomaly, EvidenceValue, Lookalike
+
+#: The file that shows that a folder is a page of ours, and may be written over.
+INDEX = "index.html"
+STYLE = "style.css"
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A finished page: where it is, and how many of the scenes it shows."""
+
+    index: Path
+    scenes: int
+    total: int
+
+
+@dataclass(frozen=True)
+class BoxOnView:
+    """A rectangle over a picture, in its pixels. ``kind``: anomaly, lookalike or object."""
+
+    kind: str
+    x: int
+    y: int
+    width: int
+    height: int
+    text: str
+
+
+@dataclass(frozen=True)
+class ViewOnPage:
+    """One view: its pictures as links relative to the page, None where there is none."""
+
+    index: int
+    kind: str
+    width: int
+    height: int
+    rgb: str | None
+    mask: str | None
+    depth: str | None
+    boxes: tuple[BoxOnView, ...]
+
+
+def write_gallery(
+    data: Dataset,
+    out: Path,
+    limit: int | None = None,
+    on_scene: Callable[[int, int], None] | None = None,
+) -> Shown:
+    """Write the page of a data set into the folder ``out``.
+
+    Colour pictures are linked, not copied: keep the page beside the data set. ``limit`` shows
+    only the first scenes. Raises SdgenError when ``out`` holds something else.
+    """
+    _refuse_foreign(out)
+    environment = Environment(
+        loader=PackageLoader("sdgen.gallery", "templates"),
+        autoescape=select_autoescape(default=True, default_for_string=True),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["words"] = lambda text: str(text).replace("_", " ")
+    environment.filters["evidence"] = _evidence
+    out.mkdir(parents=True, exist_ok=True)
+    items = list(data)[:limit]
+    replace_file(out / STYLE, environment.get_template("style.css.j2").render().encode("utf-8"))
+    page = environment.get_template("scene.html.j2")
+    cards = []
+    for k, item in enumerate(items):
+        folder = out / item.id
+        folder.mkdir(exist_ok=True)
+        text = page.render(
+            item=item,
+            index=k,
+            before=items[k - 1].id if k else None,
+            after=items[k + 1].id if k + 1 < len(items) else None,
+            views=[_view(data, item, folder, view) for view in range(item.entry.views)],
+            plan=plan(
+                item.scene,
+                data.infos,
+                item.cameras,
+                {a.object_id for a in item.anomalies.anomalies},
+                {a.object_id for a in item.anomalies.lookalikes},
+            ),
+            category={thing.id: thing.category for thing in item.scene.objects},
+            best=_best_views(item),
+        )
+        replace_file(folder / INDEX, text.encode("utf-8"))
+        rgb = item.rgb_path(0) if item.entry.views else None
+        if rgb is not None:
+            replace_file(folder / "thumb.jpg", thumbnail(rgb))
+        cards.append({"item": item, "thumb": rgb is not None})
+        if on_scene is not None:
+            on_scene(k + 1, len(items))
+    text = environment.get_template("index.html.j2").render(
+        data=data,
+        info=data.info,
+        counts=count(data.entries),
+        cards=cards,
+        hazards=sorted({h for item in items for h in item.entry.hazards}),
+    )
+    replace_file(out / INDEX, text.encode("utf-8"))
+    return Shown(out / INDEX, len(items), len(data))
+
+
+def _refuse_foreign(out: Path) -> None:
+    if out.exists() and not out.is_dir():
+        raise SdgenError(f"{out}: is a file; choose another place for the page")
+    ours = (out / INDEX).is_file() and (out / STYLE).is_file()
+    if out.is_dir() and any(out.iterdir()) and not ours:
+        raise SdgenError(f"{out}: is not empty; choose another place for the page")
+
+
+def _view(data: Dataset, item: SceneItem, folder: Path, view: int) -> ViewOnPage:
+    camera = item.cameras[view]
+    sensors = data.info.options.sensors
+    mask = depth = rgb = None
+    if "instance" in sensors:
+        mask = f"{view:02d}-mask.png"
+        replace_file(folder / mask, small_png(mask_colours(item.instance(view))))
+    if "depth" in sensors:
+        depth = f"{view:02d}-depth.png"
+        replace_file(folder / depth, small_png(depth_colours(item.depth_mm(view))))
+    path = item.rgb_path(view)
+    if path is not None:
+        rgb = _link(folder, item.folder / view_folder(view) / path.name)
+    return ViewOnPage(
+        view, camera.kind, camera.width, camera.height, rgb, mask, depth, _boxes(item, view)
+    )
+
+
+def _link(folder: Path, target: Path) -> str:
+    relative = os.path.relpath(target.resolve(), folder.resolve())
+    return quote(PurePosixPath(Path(relative).as_posix()).as_posix())
+
+
+def _boxes(item: SceneItem, view: int) -> tuple[BoxOnView, ...]:
+    """Boxes of what a view shows, the marked ones last (on top)."""
+    wrong = {a.object_id: a for a in item.anomalies.anomalies}
+    near = {a.object_id: a for a in item.anomalies.lookalikes}
+    category = {thing.id: thing.category for thing in item.scene.objects}
+    out = []
+    for shown in (v for v in item.visibility.views if v.view == view):
+        for thing in shown.objects:
+            kind, text = "object", category.get(thing.object_id, "?")
+            if thing.object_id in near:
+                kind, text = "lookalike", f"{text}: {near[thing.object_id].near_miss_of}?"
+            if thing.object_id in wrong:
+                kind, text = "anomaly", f"{text}: {wrong[thing.object_id].hazard}"
+            out.append(BoxOnView(kind, *thing.bbox, text.replace("_", " ")))
+    order = ("object", "lookalike", "anomaly")
+    return tuple(sorted(out, key=lambda box: (order.index(box.kind), -box.width * box.height)))
+
+
+def _best_views(item: SceneItem) -> dict[str, tuple[int, int]]:
+    """Per anomaly the view that shows most of its evidence, and how many pixels."""
+    best = {}
+    for shown in item.visibility.anomalies:
+        if shown.evidence_pixels:
+            pixels = max(shown.evidence_pixels)
+            best[shown.anomaly_id] = (shown.evidence_pixels.index(pixels), pixels)
+    return best
+
+
+def _evidence(record: Anomaly | Lookalike) -> str:
+    def shown(value: EvidenceValue) -> str:
+        return f"{value:g}" if isinstance(value, float) else str(value)
+
+    return ", ".join(f"{k} {shown(v)}".replace("_", " ") for k, v in record.evidence.items())

@@ -1,0 +1,112 @@
+"""A home seen from above, as shapes for an SVG."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+
+from sdgen.geometry import apply, box_corners, matrix
+from sdgen.library.records import AssetInfo
+from sdgen.scene import Camera, Scene
+
+#: SVG units a metre.
+SCALE = 60.0
+MARGIN_M = 0.3
+OPENINGS = ("door", "front_door", "window")
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A polygon of the plan: what it is, its points as SVG text, and a tooltip."""
+
+    kind: str
+    points: str
+    title: str
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A camera: where it stands and where it looks, in SVG units."""
+
+    x: float
+    y: float
+    to_x: float
+    to_y: float
+    title: str
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A floor plan: size in SVG units, shapes from the floor up, room names, cameras."""
+
+    width: float
+    height: float
+    shapes: tuple[Shape, ...]
+    names: tuple[tuple[float, float, str], ...]
+    cameras: tuple[Mark, ...]
+
+
+def plan(
+    scene: Scene,
+    infos: Mapping[str, AssetInfo],
+    cameras: tuple[Camera, ...],
+    anomalies: Collection[int],
+    lookalikes: Collection[int],
+) -> Plan:
+    """The plan of a scene, north up."""
+    corners = [point for room in scene.home.rooms for point in room.polygon_m]
+    x0 = min(x for x, _ in corners) - MARGIN_M
+    y1 = max(y for _, y in corners) + MARGIN_M
+    x1 = max(x for x, _ in corners) + MARGIN_M
+    y0 = min(y for _, y in corners) - MARGIN_M
+
+    def at(x: float, y: float) -> tuple[float, float]:
+        return round((x - x0) * SCALE, 1), round((y1 - y) * SCALE, 1)
+
+    def text(points: list[tuple[float, float]]) -> str:
+        return " ".join("{},{}".format(*at(x, y)) for x, y in points)
+
+    shapes = [Shape("room", text(list(room.polygon_m)), room.type) for room in scene.home.rooms]
+    shapes += [
+        Shape("walkway", text(list(z.polygon_m)), z.kind)
+        for z in scene.zones
+        if z.kind == "walkway"
+    ]
+    late = []
+    for item in sorted(scene.objects, key=lambda o: (o.pose.position_m[2], o.id)):
+        x, y, _ = infos[item.asset].extents_m
+        box = box_corners((-x / 2, -y / 2, 0.0), (x / 2, y / 2, 0.0))[[0, 2, 6, 4]]
+        world = matrix(item.pose.position_m, item.pose.quat_xyzw)
+        outline = [(float(p[0]), float(p[1])) for p in apply(world, box)]
+        kind = "opening" if item.category in OPENINGS else "fixed" if item.fixed else "loose"
+        shape = Shape(kind, text(outline), f"{item.category} {item.id}")
+        if item.id in anomalies or item.id in lookalikes:
+            marked = "anomaly" if item.id in anomalies else "lookalike"
+            late.append(Shape(marked, shape.points, shape.title))
+        else:
+            shapes.append(shape)
+    return Plan(
+        width=round((x1 - x0) * SCALE, 1),
+        height=round((y1 - y0) * SCALE, 1),
+        shapes=tuple(shapes + late),
+        names=tuple(_name(room.polygon_m, room.type, at) for room in scene.home.rooms),
+        cameras=tuple(_mark(camera, at) for camera in cameras),
+    )
+
+
+def _name(
+    outline: tuple[tuple[float, float], ...],
+    name: str,
+    at: Callable[[float, float], tuple[float, float]],
+) -> tuple[float, float, str]:
+    x = min(p[0] for p in outline)
+    y = max(p[1] for p in outline)
+    left, top = at(x, y)
+    return left + 6, top + 16, name.replace("_", " ")
+
+
+def _mark(camera: Camera, at: Callable[[float, float], tuple[float, float]]) -> Mark:
+    pose = camera.world_from_camera
+    x, y = pose[0][3], pose[1][3]
+    here, there = at(x, y), at(x + 0.45 * pose[0][2], y + 0.45 * pose[1][2])
+    return Mark(*here, *there, f"view {camera.index} ({camera.kind})")

@@ -1,0 +1,47 @@
+"""Serves a data set and its page to this machine's browser, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import IO
+
+from sdgen.errors import SdgenError
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    """Files below one folder: no listings, no links that lead out of it, no log."""
+
+    def log_message(self, format: str, *args: object) -> None:
+        """Say nothing."""
+
+    def list_directory(self, path: str) -> None:  # type: ignore[override]
+        """A folder without an index is not found."""
+        self.send_error(404)
+
+    def send_head(self) -> IO[bytes] | None:  # type: ignore[override]
+        """The file asked for, unless it lies elsewhere."""
+        root = Path(self.directory).resolve()
+        target = Path(self.translate_path(self.path)).resolve()
+        if target != root and root not in target.parents:
+            self.send_error(404)
+            return None
+        return super().send_head()
+
+
+def serve(root: Path, page: Path, port: int, ready: Callable[[str], None]) -> None:
+    """Serve ``root`` on 127.0.0.1 until interrupted; ``ready`` is told the page's address.
+
+    ``port`` 0 takes any free one. Raises SdgenError when it is taken.
+    """
+    handler = partial(_Quiet, directory=str(root.resolve()))
+    try:
+        server = ThreadingHTTPServer(("127.0.0.1", port), handler)
+    except OSError as error:
+        raise SdgenError(f"port {port}: {error.strerror}; choose another --port") from None
+    with server:
+        path = page.resolve().relative_to(root.resolve()).as_posix()
+        ready(f"http://127.0.0.1:{server.server_address[1]}/{path}")
+        server.serve_forever()

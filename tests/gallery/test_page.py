@@ -1,0 +1,163 @@
+"""The page: every scene on it, every link alive, nothing from outside, nothing executed."""
+
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote
+
+import numpy as np
+import pytest
+from sdgen.dataset import Dataset
+from sdgen.errors import SdgenError
+from sdgen.gallery import write_gallery
+from sdgen.gallery.pictures import depth_colours, mask_colours
+from sdgen.gallery.plan import plan
+from sdgen.validate import validate
+
+from tests import toy
+
+VOID = {"meta", "link", "img", "br", "input"}
+
+
+class Page(HTMLParser):
+    """Links and tags of a page; fails on tags that do not nest."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self.links: list[str] = []
+        self.open: list[str] = []
+        self.scripts = 0
+        self.feed(path.read_text(encoding="utf-8"))
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        for name, value in attrs:
+            assert not name.startswith("on"), name
+            if name in ("src", "href", "data-rgb", "data-mask", "data-depth") and value:
+                self.links.append(value)
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Self-closing: nothing stays open."""
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = toy.build(tmp_path_factory.mktemp("a set & <more>") / "d")
+    shown = write_gallery(Dataset(path), path / "view")
+    assert (shown.scenes, shown.total) == (4, 4)
+    return shown.index
+
+
+def test_every_link_leads_to_a_file_and_none_leads_out(page: Path) -> None:
+    files = [page, *sorted(page.parent.glob("*/index.html"))]
+    assert len(files) == 5
+    for file in files:
+        for link in Page(file).links:
+            assert not re.match(r"[a-z]+:|//", link), link
+            if not link.startswith("#"):
+                assert (file.parent / unquote(link)).is_file(), (file, link)
+
+
+def test_no_page_names_another_host(page: Path) -> None:
+    for file in page.parent.rglob("*.*"):
+        if file.suffix in (".html", ".css"):
+            assert "http" not in file.read_text(encoding="utf-8")
+
+
+def test_a_scene_shows_anomalies_lookalikes_household_and_boxes(page: Path) -> None:
+    text = (page.parent / "000003/index.html").read_text(encoding="utf-8")
+    item = Dataset(page.parent.parent)[3]
+    for anomaly in item.anomalies.anomalies:
+        assert anomaly.message in text
+        assert f"{anomaly.category} {anomaly.object_id}".replace("_", " ") in text
+    assert "knife 512" in text
+    assert "child, 5" in text
+    assert text.count('<g class="anomaly">') == 3 * 2
+    assert text.count('<g class="lookalike">') == 1 * 2
+    box = {o.object_id: o for o in item.visibility.views[0].objects}[600].bbox
+    x, y, w, h = box
+    assert f'<rect x="{x}" y="{y}" width="{w}" height="{h}"/>' in text
+
+
+def test_the_index_lists_hazards(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    assert text.count('class="card"') == 4
+    assert text.count("no hazard</span>") == 1
+    assert 'data-hazards="refrigerated_food_out sharp_object stove_on"' in text
+
+
+def test_the_page_leaves_the_data_set_sound(page: Path) -> None:
+    assert validate(page.parent.parent) == []
+
+
+def test_strangers_text_is_escaped(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    file = path / "scenes/000001/anomalies.json"
+    data = json.loads(file.read_text(encoding="utf-8"))
+    data["anomalies"][0]["message"] = '<script>alert(1)</script>"><img src=x onerror=alert(1)>'
+    file.write_text(json.dumps(data), encoding="utf-8")
+    index = write_gallery(Dataset(path), path / "view").index
+    shown = (index.parent / "000001/index.html").read_text(encoding="utf-8")
+    assert "&lt;script&gt;alert" in shown
+    assert "<script>alert" not in shown
+    Page(index.parent / "000001/index.html")
+
+
+@pytest.mark.parametrize("sensors", [(), ("depth",), ("rgb",)])
+def test_missing_sensors_leave_no_dead_link(tmp_path: Path, sensors: tuple[str, ...]) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1, sensors=sensors))
+    page = write_gallery(Dataset(path), tmp_path / "elsewhere" / "page").index
+    for file in (page, page.parent / "000000/index.html"):
+        for link in Page(file).links:
+            assert link.startswith("#") or (file.parent / unquote(link)).is_file(), link
+
+
+def test_a_limit_shows_the_first_scenes(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d")
+    shown = write_gallery(Dataset(path), path / "view", limit=2)
+    assert (shown.scenes, shown.total) == (2, 4)
+    assert len(list((path / "view").glob("*/index.html"))) == 2
+
+
+def test_a_page_is_written_again_but_nothing_else_is_written_over(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1))
+    first = write_gallery(Dataset(path), path / "view").index.read_bytes()
+    assert write_gallery(Dataset(path), path / "view").index.read_bytes() == first
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "index.html").write_text("mine")
+    for place in (tmp_path / "mine", path, path / "dataset.json"):
+        with pytest.raises(SdgenError):
+            write_gallery(Dataset(path), place)
+    assert (tmp_path / "mine" / "index.html").read_text() == "mine"
+
+
+def test_mask_colours_tell_ids_apart() -> None:
+    ids = np.random.default_rng(0).permutation(65535)[:200].astype(np.uint16) + 1
+    colours = mask_colours(ids[None, :])
+    assert len({tuple(c) for c in colours[0].tolist()}) >= 198
+    assert mask_colours(np.zeros((1, 1), dtype=np.uint16)).max() == 0
+
+
+def test_depth_colours_go_from_light_to_dark() -> None:
+    shades = depth_colours(np.array([[0, 300, 2000, 5000, 60000]], dtype=np.uint16)).sum(axis=2)[0]
+    assert shades[0] == 0
+    assert shades[1] > shades[2] > shades[3] > shades[4] > 0
+
+
+def test_the_plan_keeps_everything_inside_its_frame() -> None:
+    made = toy.bundle(3)
+    found = plan(made.scene, toy.infos(), (), {600}, {512})
+    kinds = [shape.kind for shape in found.shapes]
+    assert kinds[-2:] == ["anomaly", "lookalike"] or kinds[-2:] == ["lookalike", "anomaly"]
+    assert kinds.count("room") == 2
+    for shape in found.shapes:
+        for point in shape.points.split():
+            x, y = map(float, point.split(","))
+            assert 0 <= x <= found.width
+            assert 0 <= y <= found.height

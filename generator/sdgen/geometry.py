@@ -16,7 +16,6 @@ Vec2 = tuple[float, float]
 Vec3 = tuple[float, float, float]
 Quat = tuple[float, float, float, float]
 
-POSITION_STEP_M = 1e-5
 QUATERNION_STEP = 1e-6
 
 

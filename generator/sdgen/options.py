@@ -10,9 +10,6 @@ from sdgen.scene import Record
 
 Sensor = Literal["rgb", "depth", "instance"]
 
-#: Fields that decide content; everything else may change without changing ``content_sha256``.
-CONTENT_FIELDS = ("seed", "homes", "hazards_min", "hazards_max", "draw", "extensions")
-
 
 class BuildOptions(Record):
     """Options of ``sdgen build`` that a data set remembers."""

@@ -8,6 +8,7 @@ Clearances follow common accessibility practice (0.9 m routes; ADA 2010, section
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping, Sequence
 from itertools import combinations
 
@@ -15,9 +16,10 @@ import numpy as np
 import shapely
 from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
+from shapely.ops import unary_union
 
 from sdgen.freespace import free_shape, opening_rectangle, polygons, route
-from sdgen.geometry import Vec2
+from sdgen.geometry import Vec2, apply, matrix
 from sdgen.library.records import AssetInfo
 from sdgen.relations import CHILD_REACH_M, Body
 from sdgen.scene import Home, ObjectInstance, Opening, Room, Zone
@@ -29,6 +31,12 @@ HEAT_ABOVE_M = 0.5
 CHILD_ARM_M = 0.5
 #: Furniture lower than this is walked over (rugs, mats).
 FLAT_M = 0.03
+#: What fills holes in walls.
+OPENINGS = ("door", "front_door", "window")
+#: Width of a door's frame beside its leaf.
+FRAME_M = 0.05
+#: Overlap with a door's sweep that counts as standing in it, square metres.
+SWING_TOUCH_M2 = 1e-3
 #: Furniture hung higher than this is walked under.
 OVERHEAD_M = 1.3
 
@@ -39,12 +47,51 @@ def floor_obstacles(
     """Footprints of what stands in a walker's way; doors and windows sit in walls and do not."""
     out: list[BaseGeometry] = []
     for item in objects:
-        if item.category in ("door", "front_door", "window"):
+        if item.category in OPENINGS:
             continue
         body = Body(item, infos[item.asset])
         if body.low[2] < OVERHEAD_M and body.high[2] > FLAT_M:
             out.append(body.footprint)
     return out
+
+
+def swing_sectors(
+    objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
+) -> list[BaseGeometry]:
+    """The floor each hinged door of the home sweeps, from shut to a right angle."""
+    out: list[BaseGeometry] = []
+    for item in objects:
+        info = infos[item.asset]
+        if item.category not in ("door", "front_door"):
+            continue
+        for joint in info.joints:
+            hinge_y = joint.origin_m[1]
+            leaf_m = abs(hinge_y) + info.extents_m[1] / 2 - FRAME_M
+            shut = math.copysign(math.pi / 2, -hinge_y)
+            turn = math.copysign(math.pi / 2, joint.axis[2])
+            angles = shut + turn * np.linspace(0.0, 1.0, 13)
+            x, y = joint.origin_m[0], hinge_y
+            points = [(x, y, 0.0)]
+            points += [(x + leaf_m * math.cos(a), y + leaf_m * math.sin(a), 0.0) for a in angles]
+            world = apply(matrix(item.pose.position_m, item.pose.quat_xyzw), points)
+            out.append(Polygon(world[:, :2]).buffer(0))
+    return out
+
+
+def swing_blocked(
+    objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
+) -> tuple[int, ...]:
+    """Ids of things that stand where a door of the home must swing, sorted."""
+    swept = unary_union(swing_sectors(objects, infos))
+    out = []
+    for item in objects:
+        if item.category in OPENINGS:
+            continue
+        body = Body(item, infos[item.asset])
+        low = body.low[2] < OVERHEAD_M and body.high[2] > FLAT_M
+        if low and swept.intersection(body.footprint).area > SWING_TOUCH_M2:
+            out.append(item.id)
+    return tuple(sorted(out))
 
 
 def derive_zones(

@@ -8,7 +8,7 @@ import pytest
 from sdgen.catalog.consistency import Can, can
 from sdgen.catalog.predicate_yaml import read_predicate
 from sdgen.catalog.records import PlaceRecipe, Predicate, SetRecipe
-from sdgen.catalog.yaml_source import parse_yaml
+from sdgen.yaml_source import parse_yaml
 
 from .worlds import HAZARD, problems, write
 

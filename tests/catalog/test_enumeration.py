@@ -99,3 +99,8 @@ def test_a_state_no_model_knows_and_a_target_without_model_are_told(tmp_path: Pa
     del states["coffee_table"]
     with pytest.raises(InputError, match=r"no model of any target \(coffee_table\)"):
         check_against_library(catalog, states)
+
+
+def test_a_model_nobody_could_use_is_told() -> None:
+    with pytest.raises(InputError, match=r"'frigde', which no catalogue .*did you mean 'fridge'"):
+        check_against_library(load_catalog(), {**_states(), "frigde": set()})

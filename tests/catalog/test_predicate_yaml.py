@@ -22,7 +22,7 @@ from sdgen.catalog.records import (
     StateTerm,
     ZoneTerm,
 )
-from sdgen.catalog.yaml_source import Source, parse_yaml
+from sdgen.yaml_source import Source, parse_yaml
 
 CATEGORIES = {"knife", "fridge", "floor", "stove", "coffee_table"}
 ROOMS = {"kitchen", "hall"}

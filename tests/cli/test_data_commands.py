@@ -2,7 +2,9 @@
 
 import json
 import tarfile
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from sdgen.cli.main import run
@@ -129,6 +131,62 @@ def test_evaluate_tells_all_bad_lines(sound: Path, tmp_path: Path, capsys: Captu
 )
 def test_usage_errors_exit_2(sound: Path, command: list[str]) -> None:
     assert run([command[0], str(sound), *command[1:]]) == 2
+
+
+def _no_models(path: Path) -> None:
+    (path / "assets.jsonl").write_bytes(b"")
+
+
+def _no_rooms(path: Path) -> None:
+    _edit(path / "scenes/000001/scene.json", lambda data: data["home"].update(rooms=[]))
+
+
+def _flat_room(path: Path) -> None:
+    def flatten(data: dict[str, Any]) -> None:
+        data["home"]["rooms"][0]["polygon_m"] = [[0, 0]]
+
+    _edit(path / "scenes/000001/scene.json", flatten)
+
+
+def _no_such_hazard(path: Path) -> None:
+    _edit(
+        path / "scenes/000001/anomalies.json",
+        lambda data: data["anomalies"][0].update(hazard="stove_off"),
+    )
+
+
+def _edit(path: Path, change: Callable[[dict[str, Any]], None]) -> None:
+    data = json.loads(path.read_text(encoding="utf-8"))
+    change(data)
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("damage", "command", "words"),
+    [
+        (_no_models, "detect", "scenes/000000/scene.json: cannot be evaluated (KeyError"),
+        (_no_rooms, "detect", "scenes/000001/scene.json: cannot be evaluated"),
+        (_flat_room, "detect", "scenes/000001/scene.json: cannot be evaluated"),
+        (_no_such_hazard, "evaluate", "no hazard 'stove_off'"),
+    ],
+)
+def test_files_that_disagree_are_located(
+    tmp_path: Path, capsys: Captured, damage: Callable[[Path], None], command: str, words: str
+) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    damage(path)
+    (tmp_path / "p.jsonl").write_text("")
+    out = tmp_path / "out.jsonl"
+    more = (
+        ["--method", "rules", "-o", str(out)]
+        if command == "detect"
+        else [str(tmp_path / "p.jsonl")]
+    )
+    assert run([command, str(path), *more]) == 1
+    told = capsys.readouterr().err
+    assert words in told
+    assert "bug in sdgen" not in told
+    assert not out.exists()
 
 
 def test_export_writes_a_tar(sound: Path, tmp_path: Path, capsys: Captured) -> None:

@@ -222,6 +222,28 @@ def test_a_foreign_folder_is_refused_even_with_overwrite(tmp_path: Path, content
     assert len(list(path.iterdir())) == 1
 
 
+@pytest.mark.parametrize("overwrite", [False, True])
+@pytest.mark.parametrize("name", ["dataset.json", ".build/state", ".build/README"])
+def test_other_tools_folders_are_refused_whatever_their_names(
+    tmp_path: Path, name: str, overwrite: bool
+) -> None:
+    (tmp_path / "d" / ".build").mkdir(parents=True)
+    (tmp_path / "d" / "scenes").mkdir()
+    (tmp_path / "d" / "README.md").write_text("mine")
+    (tmp_path / "d" / name).write_text('{"name": "another tool"}')
+    before = tree(tmp_path / "d")
+    with pytest.raises(SdgenError, match="holds no data set of sdgen"):
+        toy.open_writer(tmp_path / "d", overwrite=overwrite)
+    assert tree(tmp_path / "d") == before
+
+
+def test_a_build_killed_at_its_very_start_can_be_begun_again(tmp_path: Path) -> None:
+    (tmp_path / "d" / BUILD_FOLDER).mkdir(parents=True)
+    (tmp_path / "d" / BUILD_FOLDER / "lock").touch()
+    with toy.open_writer(tmp_path / "d") as writer:
+        assert writer.done == {}
+
+
 def test_a_file_as_destination_is_refused(tmp_path: Path) -> None:
     (tmp_path / "d").write_text("x")
     with pytest.raises(SdgenError, match="is a file"):
@@ -324,6 +346,12 @@ def test_range_pieces_and_failed_scenes_are_recorded(tmp_path: Path) -> None:
     assert info.counts.scenes == 1
     assert info.failed == {"000003": {"home: no floor": 5}}
     assert "000003" in (tmp_path / "d" / "README.md").read_text(encoding="utf-8")
+    with toy.open_writer(tmp_path / "d", toy.small(n=4)) as writer:
+        toy.add_scene(writer, 1)  # another range: what failed before is still missing
+        assert writer.finish().failed == {"000003": {"home: no floor": 5}}
+    with toy.open_writer(tmp_path / "d", toy.small(n=4)) as writer:
+        toy.add_scene(writer, 3)
+        assert writer.finish().failed == {}
 
 
 def test_dataset_json_counts_what_is_there(tmp_path: Path) -> None:

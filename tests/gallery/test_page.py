@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Callable
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
@@ -9,7 +10,7 @@ from urllib.parse import unquote
 import numpy as np
 import pytest
 from sdgen.dataset import Dataset
-from sdgen.errors import SdgenError
+from sdgen.errors import InputError, SdgenError
 from sdgen.gallery import write_gallery
 from sdgen.gallery.pictures import depth_colours, mask_colours
 from sdgen.gallery.plan import plan
@@ -135,6 +136,45 @@ def test_a_page_is_written_again_but_nothing_else_is_written_over(tmp_path: Path
         with pytest.raises(SdgenError):
             write_gallery(Dataset(path), place)
     assert (tmp_path / "mine" / "index.html").read_text() == "mine"
+
+
+def _no_model(path: Path) -> None:
+    (path / "assets.jsonl").write_bytes(b"")
+
+
+def _no_picture(path: Path) -> None:
+    (path / "scenes/000001/views/00/rgb.png").write_bytes(b"\x89PNG")
+
+
+@pytest.mark.parametrize(
+    ("damage", "words"),
+    [(_no_model, "scene.json: cannot be evaluated"), (_no_picture, "not a readable picture")],
+)
+def test_a_broken_scene_is_located_and_leaves_no_half_page(
+    tmp_path: Path, damage: Callable[[Path], None], words: str
+) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    damage(path)
+    with pytest.raises(InputError, match=words):
+        write_gallery(Dataset(path), path / "view")
+    assert not (path / "view").exists()
+
+
+def test_a_page_killed_half_way_is_written_again(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1))
+    page = write_gallery(Dataset(path), path / "view").index
+    page.unlink()  # the index comes last
+    assert write_gallery(Dataset(path), path / "view").index.is_file()
+
+
+def test_another_folder_with_a_style_is_not_written_over(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1))
+    (tmp_path / "mine").mkdir()
+    for name in ("index.html", "style.css"):
+        (tmp_path / "mine" / name).write_text("mine")
+    with pytest.raises(SdgenError, match="is not empty"):
+        write_gallery(Dataset(path), tmp_path / "mine")
+    assert (tmp_path / "mine" / "style.css").read_text() == "mine"
 
 
 def test_mask_colours_tell_ids_apart() -> None:

@@ -134,6 +134,7 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("scene.json", _object(600, "pose.position_m", [1, 2]), "file", "pose.position_m"),
     # what follows from it
     ("scene.json", _object(600, "pose.position_m.2", 0.75), "graph", "nodes.600"),
+    ("scene.json", _object(600, "pose.position_m.2", 1.5), "scene", "600 (knife): rests on"),
     ("graph.json", _node(11, "states", ["OFF"]), "graph", "nodes.11.states"),
     ("graph.json", _node(600, "class_name", "fork"), "graph", 'nodes.600.class_name: "fork"'),
     ("graph.json", _node(600, "tags", []), "graph", "nodes.600.tags"),

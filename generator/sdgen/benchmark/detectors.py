@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from sdgen.benchmark.predictions import Predictions
 from sdgen.catalog.records import Label
 from sdgen.dataset import Dataset, SceneItem
+from sdgen.dataset.reader import derived_from
 from sdgen.dataset.records import Report
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.hazards.certify import certify
@@ -54,13 +55,17 @@ DETECTORS: Mapping[str, Detector] = {"rules": rules, "never": never, "always": a
 def detect(
     data: Dataset, method: str, on_scene: Callable[[int, int], None] | None = None
 ) -> Predictions:
-    """Reports of a detector for every scene. UsageError for a method nobody knows."""
+    """Reports of a detector for every scene.
+
+    UsageError for a method nobody knows, InputError for a scene whose files disagree.
+    """
     if method not in DETECTORS:
         raise UsageError(f"no method {method!r}{did_you_mean(method, list(DETECTORS))}")
     detector = DETECTORS[method]
     out: dict[str, tuple[Report, ...]] = {}
     for done, item in enumerate(data, start=1):
-        out[item.id] = detector(data, item)
+        with derived_from(item):
+            out[item.id] = detector(data, item)
         if on_scene is not None:
             on_scene(done, len(data))
     return out

@@ -17,8 +17,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sdgen.benchmark.predictions import Predictions, read_predictions
-from sdgen.dataset import Dataset
+from sdgen.dataset import Dataset, SceneItem
 from sdgen.dataset.records import Report
+from sdgen.errors import InputError, did_you_mean
 from sdgen.scene import Anomaly, Record
 
 
@@ -95,6 +96,16 @@ def score_scene(anomalies: Sequence[Anomaly], reports: Sequence[Report]) -> Scen
     )
 
 
+def _anomalies(data: Dataset, item: SceneItem) -> tuple[Anomaly, ...]:
+    for anomaly in item.anomalies.anomalies:
+        if anomaly.hazard not in data.info.hazards_enabled:
+            known = list(data.info.hazards_enabled)
+            hint = did_you_mean(anomaly.hazard, known)
+            where = item.where("anomalies.json")
+            raise InputError([f"{where}: {anomaly.id}: no hazard {anomaly.hazard!r}{hint}"])
+    return item.anomalies.anomalies
+
+
 def evaluate(data: Dataset | str | Path, predictions: Predictions | str | Path) -> Evaluation:
     """Score predictions (or their file) against a data set (or its folder).
 
@@ -104,7 +115,7 @@ def evaluate(data: Dataset | str | Path, predictions: Predictions | str | Path) 
         data = Dataset(data)
     if isinstance(predictions, str | Path):
         predictions = read_predictions(predictions, data)
-    scenes = [score_scene(item.anomalies.anomalies, predictions.get(item.id, ())) for item in data]
+    scenes = [score_scene(_anomalies(data, item), predictions.get(item.id, ())) for item in data]
     by_hazard: dict[str, list[float]] = {hazard: [] for hazard in data.info.hazards_enabled}
     for scene in scenes:
         for hazard, found in scene.found_by_hazard:

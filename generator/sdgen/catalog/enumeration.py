@@ -52,9 +52,16 @@ def check_against_library(catalog: Catalog, library_states: Mapping[str, Collect
 
     ``library_states`` maps each category that has a model to the states its models can be in.
     A recipe may name categories without a model (they are skipped) as long as one has one; a
-    state that none of its models knows is a problem. Raises InputError with all problems.
+    state that none of its models knows is a problem, and so is a model of a category that nobody
+    defines: it would never be used. Raises InputError with all problems.
     """
-    problems: list[str] = []
+    known_categories = [category.name for category in catalog.categories]
+    problems = [
+        f"models of category {name!r}, which no catalogue defines"
+        f"{did_you_mean(name, known_categories)}"
+        for name in sorted(library_states)
+        if name not in known_categories
+    ]
     for hazard in catalog.hazards:
         made = 0
         for index, recipe in enumerate(hazard.anomalies):

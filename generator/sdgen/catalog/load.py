@@ -23,9 +23,9 @@ from sdgen.catalog.read_world import (
 )
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.records import Catalog, ReachRow
-from sdgen.catalog.yaml_source import Source, read_yaml
 from sdgen.errors import InputError, did_you_mean
 from sdgen.resources import data_path
+from sdgen.yaml_source import Source, read_yaml
 
 __all__ = ["catalog_sha256", "check_against_library", "enumerate_anomalies", "load_catalog"]
 

@@ -23,7 +23,7 @@ from sdgen.catalog.records import (
     StateTerm,
     ZoneTerm,
 )
-from sdgen.catalog.yaml_source import Path_, Source
+from sdgen.yaml_source import Path_, Source
 
 RELATIONS = (
     "ON",

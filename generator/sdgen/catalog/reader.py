@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from sdgen.catalog.yaml_source import Path_, Source
 from sdgen.errors import did_you_mean
+from sdgen.yaml_source import Path_, Source
 
 WORD = re.compile(r"[a-z][a-z0-9_]*")
 STATE = re.compile(r"[A-Z][A-Z_]*")

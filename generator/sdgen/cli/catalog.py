@@ -13,6 +13,7 @@ from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.predicate_text import in_words
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
+from sdgen.cli.params import split_names
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.library import load_library
 
@@ -37,9 +38,8 @@ def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
     return _CATALOG(_EXTENSIONS(command))
 
 
-def _load(catalogs: Sequence[Path], extensions: Sequence[str]) -> Catalog:
-    names = [name.strip() for item in extensions for name in item.split(",") if name.strip()]
-    return load_catalog(catalogs, extensions=names)
+def _load(catalogs: Sequence[Path], extensions: tuple[str, ...]) -> Catalog:
+    return load_catalog(catalogs, extensions=split_names(extensions))
 
 
 @click.group()
@@ -140,10 +140,7 @@ def validate_paths(
     Example: sdgen catalog validate my_hazards/
     """
     found = _load(paths, extensions)
-    states: dict[str, set[str]] = {}
-    for asset in load_library(assets).assets.values():
-        states.setdefault(asset.category, set()).update(asset.state_names)
-    check_against_library(found, states)
+    check_against_library(found, load_library(assets).states_by_category())
     unique = len(enumerate_anomalies(found))
     click.echo(
         f"good: {len(found.hazards)} hazards, {unique} unique anomalies, "

@@ -70,8 +70,8 @@ def replace_file(path: Path, data: bytes) -> None:
 
 
 def remove_tree(path: Path) -> None:
-    """Remove a folder and what is in it; nothing happens when it is not there."""
-    if path.is_symlink():
+    """Remove a folder and what is in it, or a file; nothing happens when it is not there."""
+    if path.is_symlink() or path.is_file():
         path.unlink()
     elif path.exists():
         shutil.rmtree(path)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import operator
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -12,6 +13,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 import numpy.typing as npt
+from shapely.errors import ShapelyError
 
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.images import read_gray, read_rgb
@@ -156,12 +158,26 @@ class SceneItem:
         return camera.width, camera.height
 
 
+@contextmanager
+def derived_from(item: SceneItem) -> Iterator[None]:
+    """What is derived from a scene inside fails with InputError when its files disagree.
+
+    Records that read well one by one may still name objects, rooms or models that are not there.
+    """
+    try:
+        yield
+    except (LookupError, ValueError, ArithmeticError, ShapelyError) as error:
+        reason = f"{type(error).__name__}: {error}"
+        text = f"{item.where('scene.json')}: cannot be evaluated ({reason})"
+        raise InputError([text]) from None
+
+
 class Dataset(Sequence[SceneItem]):
     """A data set as a sequence of scenes, in the order of their index (twins left out).
 
     ``split`` keeps one of ``train``, ``val``, ``test``; ``twins`` gives each scene's benign twin
-    instead; ``graph_view`` says what the scenes' ``.graph`` shows. Works as a map-style data set of PyTorch; picklable. Raises InputError for a folder
-    that is no complete data set.
+    instead; ``graph_view`` says what the scenes' ``.graph`` shows. Works as a map-style data set
+    of PyTorch; picklable. Raises InputError for a folder that is no complete data set.
     """
 
     def __init__(

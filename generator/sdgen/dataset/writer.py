@@ -18,7 +18,14 @@ from sdgen.dataset.card import card
 from sdgen.dataset.disk import FolderLock, remove_tree, replace_file
 from sdgen.dataset.records import SCENE_ID, Build, DatasetInfo, ManifestEntry, count
 from sdgen.dataset.scene_folder import BUILD_FOLDER, FinishedScene, SceneWriter, whole
-from sdgen.dataset.text import line_bytes, read_lines, read_record, record_bytes
+from sdgen.dataset.text import (
+    line_bytes,
+    parse,
+    read_bytes,
+    read_lines,
+    read_record,
+    record_bytes,
+)
 from sdgen.dataset.versions import package_versions
 from sdgen.dataset.vocabularies import vocabularies
 from sdgen.errors import InputError, SdgenError
@@ -46,6 +53,7 @@ class DatasetWriter:
         self.done: dict[str, ManifestEntry] = {}
         self.repaired: tuple[str, ...] = ()
         self._assets: set[str] = set()
+        self._failed: dict[str, dict[str, int]] = {}
         self._renderers: set[str] = set()
         self._lock: FolderLock | None = None
 
@@ -64,8 +72,9 @@ class DatasetWriter:
         """Take the folder: a new one, an unfinished or finished one to go on with.
 
         ``infos`` are the records of the library, ``assets_sha256`` its digest. Raises SdgenError
-        when another build has the folder, when it holds something else, or a data set that other
-        options, catalogue, assets or package versions made; ``overwrite`` takes away the latter.
+        when another build has the folder, when it holds something else (whatever ``overwrite``
+        says), or a data set that other options, catalogue, assets or package versions made;
+        ``overwrite`` takes away the latter.
         Every finished scene is checked against its digests.
         """
         build = Build(
@@ -105,7 +114,7 @@ class DatasetWriter:
         """Take in the finished scenes and write the files of the whole, ``dataset.json`` last.
 
         ``renderers`` drew this run's pictures; ``failed`` maps scenes that could not be made to
-        their counted reasons.
+        their counted reasons. Those of earlier runs (other ranges) stay, until they are made.
         """
         for path in sorted((self.root / BUILD_FOLDER).glob("entries/*.json")):
             scene = read_record(FinishedScene, path, str(path))
@@ -113,7 +122,10 @@ class DatasetWriter:
                 self.done[scene.entry.id] = scene.entry
                 self._assets.update(scene.assets)
         entries = tuple(self.done[key] for key in sorted(self.done, key=_order))
-        info = self._info(entries, renderers, failed or {})
+        never_made = {**self._failed, **(failed or {})}
+        info = self._info(
+            entries, renderers, {k: v for k, v in never_made.items() if k not in self.done}
+        )
         used = [self.infos[name] for name in sorted(self._assets) if name in self.infos]
         files = {
             "catalogue.json": record_bytes(self.catalog),
@@ -178,6 +190,7 @@ class DatasetWriter:
         if (self.root / "dataset.json").is_file():
             info = read_record(DatasetInfo, self.root / "dataset.json", "dataset.json")
             self._renderers.update(info.renderers)
+            self._failed.update(info.failed)
             manifest = read_lines(ManifestEntry, self.root / "manifest.jsonl", "manifest.jsonl")
             known.update({entry.id: entry for entry in manifest})
             assets = read_lines(AssetInfo, self.root / "assets.jsonl", "assets.jsonl")
@@ -244,9 +257,23 @@ def _refuse_foreign(root: Path) -> None:
         return
     if not root.is_dir():
         raise SdgenError(f"{root} is a file; choose another --out")
-    ours = (root / "dataset.json").is_file() or (root / BUILD_FOLDER).is_dir()
-    if not ours and any(root.iterdir()):
-        raise SdgenError(f"{root} is not empty and holds no data set; choose another --out")
+    # The names alone prove nothing: other tools have a dataset.json or a .build folder too.
+    unfinished = root / BUILD_FOLDER / "build.json"
+    if unfinished.is_file() or _is_ours(root / "dataset.json"):
+        return
+    if any(path.name != BUILD_FOLDER for path in root.iterdir()):
+        raise SdgenError(
+            f"{root} is not empty and holds no data set of sdgen; choose another --out"
+        )
+
+
+def _is_ours(path: Path) -> bool:
+    """True for a ``dataset.json`` that sdgen wrote, be it of another version."""
+    try:
+        data = parse(read_bytes(path, str(path)), str(path))
+    except InputError:
+        return False
+    return isinstance(data, dict) and {"format_version", "catalogue_sha256"} <= data.keys()
 
 
 def _build_of(root: Path) -> Build | None:

@@ -24,7 +24,7 @@ from sdgen.hazards.draw import check_range
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline.scene import HOME_ATTEMPTS
-from sdgen.render.backend import Choice, choose_renderer
+from sdgen.render.backend import Choice, choose_renderer, install_hint
 
 
 def build(
@@ -137,5 +137,8 @@ def _renderer(options: BuildOptions, on_event: OnEvent) -> Choice | None:
         return None
     choice = choose_renderer(options.renderer)
     if choice.reason:
-        on_event(Note(f"EGL does not start ({choice.reason}); going on with the CPU renderer"))
+        why = choice.reason.rstrip(".")
+        on_event(
+            Note(f"EGL does not start ({why}); going on with the CPU renderer. {install_hint()}")
+        )
     return choice

@@ -10,6 +10,7 @@ import ctypes
 import multiprocessing
 import os
 import signal
+import sys
 import time
 import traceback
 from collections import deque
@@ -109,8 +110,9 @@ def _last_line() -> str:
     text = traceback.format_exc()
     if os.environ.get("SDGEN_DEBUG"):
         return text
-    frames = [line.strip() for line in text.splitlines() if line.strip().startswith("File ")]
-    return f"{text.strip().splitlines()[-1]} ({frames[-1] if frames else 'no frame'})"
+    # The innermost place, without the machine's folders: this ends up in the data set's records.
+    frame = traceback.extract_tb(sys.exc_info()[2])[-1]
+    return f"{text.strip().splitlines()[-1]} ({os.path.basename(frame.filename)}:{frame.lineno})"
 
 
 @dataclass

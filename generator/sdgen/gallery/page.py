@@ -11,7 +11,8 @@ from urllib.parse import quote
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from sdgen.dataset import Dataset, SceneItem
-from sdgen.dataset.disk import replace_file
+from sdgen.dataset.disk import remove_tree, replace_file
+from sdgen.dataset.reader import derived_from
 from sdgen.dataset.records import count
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import SdgenError
@@ -19,9 +20,11 @@ from sdgen.gallery.pictures import depth_colours, mask_colours, small_png, thumb
 from sdgen.gallery.plan import plan
 from sdgen.scene import Anomaly, EvidenceValue, Lookalike
 
-#: The file that shows that a folder is a page of ours, and may be written over.
 INDEX = "index.html"
 STYLE = "style.css"
+#: How the style begins: it is written first and shows that a folder is a page of ours, which may
+#: be written over, finished or not.
+MARK = b"/* sdgen view */"
 
 
 @dataclass(frozen=True)
@@ -68,9 +71,22 @@ def write_gallery(
     """Write the page of a data set into the folder ``out``.
 
     Colour pictures are linked, not copied: keep the page beside the data set. ``limit`` shows
-    only the first scenes. Raises SdgenError when ``out`` holds something else.
+    only the first scenes. Raises SdgenError when ``out`` holds something else, InputError for a
+    broken scene; a new page that cannot be finished is taken away again.
     """
     _refuse_foreign(out)
+    fresh = not out.exists()
+    try:
+        return _write(data, out, limit, on_scene)
+    except BaseException:
+        if fresh:
+            remove_tree(out)
+        raise
+
+
+def _write(
+    data: Dataset, out: Path, limit: int | None, on_scene: Callable[[int, int], None] | None
+) -> Shown:
     environment = Environment(
         loader=PackageLoader("sdgen.gallery", "templates"),
         autoescape=select_autoescape(default=True, default_for_string=True),
@@ -82,33 +98,35 @@ def write_gallery(
     environment.filters["evidence"] = _evidence
     out.mkdir(parents=True, exist_ok=True)
     items = list(data)[:limit]
-    replace_file(out / STYLE, environment.get_template("style.css.j2").render().encode("utf-8"))
+    style = environment.get_template("style.css.j2").render()
+    replace_file(out / STYLE, MARK + b"\n" + style.encode("utf-8"))
     page = environment.get_template("scene.html.j2")
     cards = []
     for k, item in enumerate(items):
         folder = out / item.id
         folder.mkdir(exist_ok=True)
-        text = page.render(
-            item=item,
-            index=k,
-            before=items[k - 1].id if k else None,
-            after=items[k + 1].id if k + 1 < len(items) else None,
-            views=[_view(data, item, folder, view) for view in range(item.entry.views)],
-            plan=plan(
-                item.scene,
-                data.infos,
-                item.cameras,
-                {a.object_id for a in item.anomalies.anomalies},
-                {a.object_id for a in item.anomalies.lookalikes},
-            ),
-            category={thing.id: thing.category for thing in item.scene.objects},
-            best=_best_views(item),
-        )
+        with derived_from(item):
+            text = page.render(
+                item=item,
+                index=k,
+                before=items[k - 1].id if k else None,
+                after=items[k + 1].id if k + 1 < len(items) else None,
+                views=[_view(data, item, folder, view) for view in range(item.entry.views)],
+                plan=plan(
+                    item.scene,
+                    data.infos,
+                    item.cameras,
+                    {a.object_id for a in item.anomalies.anomalies},
+                    {a.object_id for a in item.anomalies.lookalikes},
+                ),
+                category={thing.id: thing.category for thing in item.scene.objects},
+                best=_best_views(item),
+            )
         replace_file(folder / INDEX, text.encode("utf-8"))
-        rgb = item.rgb_path(0) if item.entry.views else None
-        if rgb is not None:
-            replace_file(folder / "thumb.jpg", thumbnail(rgb))
-        cards.append({"item": item, "thumb": rgb is not None})
+        thumb = item.entry.views > 0 and item.rgb_path(0) is not None
+        if thumb:
+            replace_file(folder / "thumb.jpg", thumbnail(item.rgb(0)))
+        cards.append({"item": item, "thumb": thumb})
         if on_scene is not None:
             on_scene(k + 1, len(items))
     text = environment.get_template("index.html.j2").render(
@@ -125,7 +143,8 @@ def write_gallery(
 def _refuse_foreign(out: Path) -> None:
     if out.exists() and not out.is_dir():
         raise SdgenError(f"{out}: is a file; choose another place for the page")
-    ours = (out / INDEX).is_file() and (out / STYLE).is_file()
+    style = out / STYLE
+    ours = style.is_file() and style.read_bytes().startswith(MARK)
     if out.is_dir() and any(out.iterdir()) and not ours:
         raise SdgenError(f"{out}: is not empty; choose another place for the page")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
@@ -46,10 +45,10 @@ def small_png(rgb: Rgb) -> bytes:
     return buffer.getvalue()
 
 
-def thumbnail(rgb_path: Path) -> bytes:
+def thumbnail(rgb: Rgb) -> bytes:
     """A small JPEG of a colour picture."""
+    image = Image.fromarray(rgb)
+    height = max(1, round(image.height * THUMB_WIDTH / image.width))
     buffer = io.BytesIO()
-    with Image.open(rgb_path) as image:
-        height = max(1, round(image.height * THUMB_WIDTH / image.width))
-        image.convert("RGB").resize((THUMB_WIDTH, height)).save(buffer, "JPEG", quality=80)
+    image.resize((THUMB_WIDTH, height)).save(buffer, "JPEG", quality=80)
     return buffer.getvalue()

@@ -33,7 +33,7 @@ def inject(
         hazard = site.catalog.hazard(hazard_id)
         found = ways(hazard_id, hazard.anomalies, layout, site)
         if training:
-            found = [way for way in found if not withheld_anomaly(way.unique)] or found
+            found = [way for way in found if not withheld_anomaly(way.unique)]
         taken = {m.object_id for m in made}
         one = _first(shuffled(found, rng)[:WAYS_TRIED], layout, site, taken, rng)
         if one is None:

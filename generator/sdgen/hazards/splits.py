@@ -31,13 +31,13 @@ def split_of_home(home_id: str) -> Split:
 
 
 def withheld_asset(asset_id: str, library: Library) -> bool:
-    """True for an asset that train never shows."""
-    peers = library.by_category(library.info(asset_id).category)
+    """True for an asset that train never shows: at most a third of a category."""
+    peers = [peer.id for peer in library.by_category(library.assets[asset_id].category)]
     if len(peers) < FEWEST_MODELS:
         return False
-    # The peer with the smallest hash always stays, so that no category empties.
-    kept = min(peers, key=lambda peer: unit_hash("asset", peer.id)).id
-    return asset_id != kept and unit_hash("asset", asset_id) > 1.0 - WITHHELD_ASSETS
+    drawn = [p for p in peers if unit_hash("asset", p) > 1.0 - WITHHELD_ASSETS]
+    drawn.sort(key=lambda p: (-unit_hash("asset", p), p))
+    return asset_id in drawn[: len(peers) // 3]
 
 
 def withheld_anomaly(anomaly: UniqueAnomaly) -> bool:

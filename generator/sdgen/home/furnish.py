@@ -98,7 +98,7 @@ def _furnish_room(
             done = _try_piece(piece, candidates[k], room, layout, placed, rng)
             if done:
                 break
-        if not done and not piece.optional and candidates:
+        if not done and not piece.optional:
             return piece.category
     return None
 
@@ -107,13 +107,6 @@ def _wide_enough(piece: FurnitureItem, model: AssetInfo) -> bool:
     if piece.width_m is None:
         return True
     return piece.width_m[0] <= model.extents_m[1] <= piece.width_m[1]
-
-
-def _fits_width(piece: FurnitureItem, asset: AssetInfo) -> bool:
-    if piece.width_m is None:
-        return True
-    low, high = piece.width_m
-    return low <= asset.extents_m[1] <= high
 
 
 def _try_piece(

@@ -20,7 +20,6 @@ from shapely.prepared import prep
 from sdgen.actions import at_rest
 from sdgen.freespace import random_point
 from sdgen.geometry import (
-    Quat,
     Vec3,
     apply,
     box_corners,
@@ -284,11 +283,6 @@ def footprint(asset: AssetInfo, x: float, y: float, yaw: float) -> Polygon:
     w, d = asset.extents_m[0] / 2, asset.extents_m[1] / 2
     shape = rotate(shapely_box(-w, -d, w, d), yaw, origin=(0, 0), use_radians=True)
     return translate(shape, x, y)
-
-
-def quat_of(yaw: float) -> Quat:
-    """Quaternion of a heading."""
-    return quat_from_yaw(yaw)
 
 
 def _block(owner: int, corners: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> Block:

@@ -8,16 +8,20 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import io
 import os
 import shutil
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from PIL import Image
+
 from sdgen.errors import AssetError
 from sdgen.library.meshes import MeshData
 
-_VERSION = b"1"
+_VERSION = b"2"
+MAX_SIDE = 8192
 
 
 def cache_root() -> Path:
@@ -39,17 +43,38 @@ def digest(*chunks: bytes) -> str:
 
 def cached_texture(source: Path) -> Path:
     """The texture's copy in the cache, named by content so that equal files are loaded once."""
+    data = _texture_bytes(source)
+    suffix = ".png" if data.startswith(b"\x89PNG") else ".jpg"
+    target = cache_root() / "textures" / f"{digest(data)}{suffix}"
+    if not target.exists():
+        check_texture(source)
+        _write_file(target, data)
+    return target
+
+
+def check_texture(source: Path) -> None:
+    """Raise AssetError unless this is a whole PNG or JPEG of a sensible size.
+
+    The renderer would show a broken one as plain white, without a word.
+    """
+    try:
+        with Image.open(io.BytesIO(_texture_bytes(source)), formats=("PNG", "JPEG")) as image:
+            if max(image.size) > MAX_SIDE:
+                text = f"texture of {image.size} pixels, at most {MAX_SIDE} a side"
+                raise AssetError([f"{source}: {text}"])
+            image.load()
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError):
+        raise AssetError([f"{source}: texture is no whole PNG or JPEG"]) from None
+
+
+def _texture_bytes(source: Path) -> bytes:
     try:
         data = source.read_bytes()
     except OSError as error:
         raise AssetError([f"{source}: texture cannot be read: {error.strerror}"]) from None
     if not data.startswith((b"\x89PNG", b"\xff\xd8")):
         raise AssetError([f"{source}: texture is neither PNG nor JPEG"])
-    suffix = ".png" if data.startswith(b"\x89PNG") else ".jpg"
-    target = cache_root() / "textures" / f"{digest(data)}{suffix}"
-    if not target.exists():
-        _write_file(target, data)
-    return target
+    return data
 
 
 def _write_file(target: Path, data: bytes) -> None:

@@ -6,8 +6,10 @@ import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from sdgen.errors import AssetError
-from sdgen.library.cache import cached_texture, digest, unpack
+from sdgen.library.cache import cached_texture, check_texture, digest, unpack
 from sdgen.library.manifest import read_manifest
 from sdgen.library.meshes import Hull, MeshData, outline, read_glb, read_hulls
 from sdgen.library.records import Asset, AssetInfo, Surface
@@ -33,6 +35,8 @@ class Library:
                 assets[asset.id] = asset
                 self._folder_of[asset.id] = folder
             for surface in found_surfaces:
+                if surface.id in surfaces:
+                    raise AssetError([f"{folder}: {surface.id}: a folder before has this surface"])
                 surfaces[surface.id] = surface
                 self._folder_of["surface:" + surface.id] = folder
         self.assets: Mapping[str, Asset] = dict(sorted(assets.items()))
@@ -114,9 +118,40 @@ class Library:
                 for part in asset.parts
             }
             names = "\n".join(f"{k}={v.name}" for k, v in sorted(textures.items()))
-            key = digest(_bytes(folder / asset.mesh, asset_id), names.encode())
-            self._objs[asset_id] = unpack(key, self.mesh(asset_id), textures)
+            # By what was read, not by what lies on disk now: the file may have changed since.
+            meshes = self.mesh(asset_id)
+            arrays = [
+                np.ascontiguousarray(array).tobytes()
+                for mesh in meshes.values()
+                for array in (mesh.vertices, mesh.normals, mesh.uvs, mesh.faces)
+            ]
+            self._objs[asset_id] = unpack(digest(names.encode(), *arrays), meshes, textures)
         return self._objs[asset_id]
+
+    def check_files(self, folder: Path) -> None:
+        """Read every mesh, hull and texture of one folder. Raises AssetError with all problems."""
+        problems: list[str] = []
+        textures: set[Path] = set()
+        for asset in self.assets.values():
+            if self._folder_of[asset.id] != folder:
+                continue
+            names = [asset.texture, *(part.texture for part in asset.parts if part.texture)]
+            textures.update(folder / name for name in names)
+            for read, name in ((read_glb, asset.mesh), (read_hulls, asset.hulls)):
+                try:
+                    read(folder / name, asset)
+                except AssetError as error:
+                    problems += error.problems
+        for surface in self.surfaces.values():
+            if self._folder_of["surface:" + surface.id] == folder:
+                textures.add(folder / surface.texture)
+        for path in sorted(textures):
+            try:
+                check_texture(path)
+            except AssetError as error:
+                problems += error.problems
+        if problems:
+            raise AssetError(problems)
 
     def surface_texture(self, surface_id: str) -> Path:
         """Texture file of a room surface, in the cache."""
@@ -153,5 +188,11 @@ def _bytes(path: Path, owner: str) -> bytes:
 
 
 def load_library(extra: Sequence[Path] = ()) -> Library:
-    """The shipped library, and further asset folders after it (``--assets PATH``)."""
-    return Library([data_path("assets"), *extra])
+    """The shipped library, and further asset folders after it (``--assets PATH``).
+
+    Every file of the further ones is read once. Raises AssetError with all problems of a folder.
+    """
+    library = Library([data_path("assets"), *extra])
+    for folder in extra:
+        library.check_files(folder)
+    return library

@@ -2,83 +2,103 @@
 
 from __future__ import annotations
 
+import json
+import math
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
-import yaml
 from pydantic import ValidationError
+from shapely.geometry import Polygon
 
-from sdgen.errors import AssetError
+from sdgen.errors import AssetError, InputError, did_you_mean
 from sdgen.library.records import Asset, Surface
+from sdgen.scene import Record
+from sdgen.yaml_source import Path_, Source, read_yaml
 
+R = TypeVar("R", bound=Record)
 
-class _Loader(yaml.SafeLoader):
-    """The safe loader in its C form where PyYAML has one; manifests are big."""
-
-
-_BASE: type = getattr(yaml, "CSafeLoader", _Loader)
-
-
-def _entries(path: Path, data: dict[str, Any], key: str) -> list[Any]:
-    value = data.get(key) or []
-    if not isinstance(value, list):
-        raise AssetError([f"{path}: {key}: expected a list, found {type(value).__name__}"])
-    return value
-
-
-def _name(entry: Any, index: int) -> str:
-    return str(entry.get("id", index)) if isinstance(entry, dict) else str(index)
+#: Room for a few ten thousand models.
+MAX_BYTES = 50_000_000
+MAX_VALUES = 5_000_000
+_KEYS = ("assets", "surfaces", "licence")
 
 
 def read_manifest(folder: Path) -> tuple[list[Asset], list[Surface]]:
-    """Records of ``folder/manifest.yaml``.
+    """Records of ``folder/manifest.yaml``; every file they name is there.
 
-    Raises AssetError naming the file, the asset and the key of every problem at once.
+    Raises AssetError with all problems, each ``file:line: model: key path: problem``.
     """
-    path = folder / "manifest.yaml"
     try:
-        data = yaml.load(path.read_text(encoding="utf-8"), Loader=_BASE)  # noqa: S506 (safe loader)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError, RecursionError) as error:
-        reason = " ".join(str(error).split()) or type(error).__name__
-        raise AssetError([f"{path}: cannot be read: {reason}"]) from None
-    if not isinstance(data, dict):
-        raise AssetError([f"{path}: expected a mapping with the key 'assets'"])
-    problems: list[str] = []
-    assets: list[Asset] = []
-    surfaces: list[Surface] = []
-    for unknown in sorted(set(map(str, data)) - {"assets", "surfaces", "licence"}):
-        problems.append(f"{path}: {unknown}: unknown key")
-    for index, entry in enumerate(_entries(path, data, "assets")):
-        try:
-            asset = Asset.model_validate(entry)
-            problems += [f"{path}: {asset.id}: {text}" for text in _inconsistencies(asset)]
-            assets.append(asset)
-        except ValidationError as error:
-            problems += _located(path, _name(entry, index), error)
-    for index, entry in enumerate(_entries(path, data, "surfaces")):
-        try:
-            surfaces.append(Surface.model_validate(entry))
-        except ValidationError as error:
-            problems += _located(path, _name(entry, index), error)
+        source = read_yaml(folder / "manifest.yaml", None, MAX_BYTES, MAX_VALUES)
+    except InputError as error:
+        raise AssetError(error.problems) from None
+    data = source.value
+    if isinstance(data, dict):
+        for key in data:
+            if key not in _KEYS:
+                source.problem((key,), f"unknown key{did_you_mean(key, _KEYS)}")
+    elif not source.found:
+        source.problem((), "expected a mapping with the key 'assets'")
+    assets = _records(source, "assets", Asset)
+    surfaces = _records(source, "surfaces", Surface)
+    for asset, path in assets:
+        for text in _inconsistencies(asset):
+            _note(source, path, asset.id, text)
+        textures = [part.texture for part in asset.parts if part.texture]
+        _check_files(source, path, asset.id, folder, [asset.mesh, asset.hulls, asset.texture])
+        _check_files(source, path, asset.id, folder, textures)
+    for surface, path in surfaces:
+        _check_files(source, path, surface.id, folder, [surface.texture])
+    if source.found:
+        raise AssetError(source.problems)
+    return [asset for asset, _ in assets], [surface for surface, _ in surfaces]
+
+
+def _records(source: Source, key: str, model: type[R]) -> list[tuple[R, Path_]]:
+    """The good entries of one list with where they stand; the bad ones are noted."""
+    entries = source.value.get(key) if isinstance(source.value, dict) else None
+    if entries is None:
+        return []
+    if not isinstance(entries, list):
+        source.problem((key,), f"expected a list, found {type(entries).__name__}")
+        return []
+    out: list[tuple[R, Path_]] = []
     seen: set[str] = set()
-    for asset in assets:
-        if asset.id in seen:
-            problems.append(f"{path}: {asset.id}: id appears twice")
-        seen.add(asset.id)
-    if problems:
-        raise AssetError(problems)
-    return assets, surfaces
+    for index, entry in enumerate(entries):
+        path: Path_ = (key, index)
+        name = str(entry.get("id", index)) if isinstance(entry, dict) else str(index)
+        if name in seen:
+            _note(source, path, name, "id: appears twice")
+        seen.add(name)
+        try:
+            # Strict, in JSON mode: a list may become a tuple, but "1" stays no number.
+            out.append((model.model_validate_json(json.dumps(entry), strict=True), path))
+        except ValidationError as error:
+            for item in error.errors(include_url=False):
+                text = item["msg"]
+                if item["type"] == "extra_forbidden":
+                    hint = did_you_mean(str(item["loc"][-1]), list(model.model_fields))
+                    text = f"unknown key{hint if len(item['loc']) == 1 else ''}"
+                where = ".".join(str(step) for step in item["loc"])
+                place = (*path, *item["loc"])
+                _note(source, place, name, f"{where}: {text}" if where else text)
+    return out
 
 
-def _located(path: Path, name: str, error: ValidationError) -> list[str]:
-    return [
-        f"{path}: {name}: {'.'.join(str(p) for p in item['loc'])}: {item['msg']}"
-        for item in error.errors()
-    ]
+def _note(source: Source, path: Path_, name: str, text: str) -> None:
+    source.problem((), f"{name}: {text}", line=source.line(path))
+
+
+def _check_files(source: Source, path: Path_, name: str, folder: Path, files: list[str]) -> None:
+    for file in files:
+        if file.startswith(("/", "\\")) or ".." in Path(file).parts or ":" in file:
+            _note(source, path, name, f"{file}: leaves the asset folder")
+        elif not (folder / file).is_file():
+            _note(source, path, name, f"{file}: no such file")
 
 
 def _inconsistencies(asset: Asset) -> list[str]:
-    """What pydantic cannot see: names that point nowhere, files that would leave the folder."""
+    """What a schema cannot see: names that point nowhere, numbers that make no sense."""
     out: list[str] = []
     parts = {part.name for part in asset.parts}
     joints = {joint.name for joint in asset.joints}
@@ -97,6 +117,8 @@ def _inconsistencies(asset: Asset) -> list[str]:
     for joint in asset.joints:
         if joint.lower > joint.upper:
             out.append(f"joints.{joint.name}: lower > upper")
+        if math.hypot(*joint.axis) < 1e-6:
+            out.append(f"joints.{joint.name}: axis has no direction")
     for rule in asset.states:
         if rule.joint is not None and rule.joint not in joints:
             out.append(f"states.{rule.state}: no joint {rule.joint!r}")
@@ -109,8 +131,8 @@ def _inconsistencies(asset: Asset) -> list[str]:
     for support in asset.supports:
         if support.part not in parts:
             out.append(f"supports.{support.name}: no part {support.part!r}")
-        if len(support.polygon_m) < 3:
-            out.append(f"supports.{support.name}: polygon needs three points or more")
+        if len(support.polygon_m) < 3 or not Polygon(support.polygon_m).is_valid:
+            out.append(f"supports.{support.name}: polygon_m is no simple polygon")
         if support.container is not None and support.container not in containers:
             out.append(f"supports.{support.name}: no container {support.container!r}")
     for container in asset.containers:
@@ -120,8 +142,4 @@ def _inconsistencies(asset: Asset) -> list[str]:
             out.append(f"containers.{container.name}: no joint {container.closed_by!r}")
     if not all(0 < size < 10 for size in asset.extents_m):
         out.append(f"extents_m: {asset.extents_m} is not a size in metres")
-    textures = [part.texture for part in asset.parts if part.texture]
-    for file in (asset.mesh, asset.hulls, asset.texture, *textures):
-        if file.startswith(("/", "\\")) or ".." in Path(file).parts:
-            out.append(f"{file}: leaves the asset folder")
     return out

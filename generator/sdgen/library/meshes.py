@@ -17,6 +17,10 @@ from sdgen.library.records import Asset
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
+#: A model beyond this many vertices would crowd all others out of the renderer's one buffer
+#: (3.7 million a scene), which then drops shapes without a word.
+MAX_VERTICES = 300_000
+
 #: glTF is Y up; our objects are Z up: (x, y, z)_ours = (x, -z, y)_gltf.
 _OURS_FROM_GLTF = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
@@ -69,8 +73,18 @@ def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
         data = found.get(part.name)
         if data is None:
             problems.append(f"{path}: {asset.id}: the mesh has no node {part.name!r}")
-        elif len(data.faces) == 0 or not np.isfinite(data.vertices).all():
+            continue
+        numbers = (data.vertices, data.normals, data.uvs)
+        if len(data.faces) == 0 or not all(np.isfinite(array).all() for array in numbers):
             problems.append(f"{path}: {asset.id}: part {part.name!r} is empty or not finite")
+        elif len(data.faces) != part.faces:
+            problems.append(
+                f"{path}: {asset.id}: part {part.name!r} has {len(data.faces)} faces, "
+                f"the manifest says {part.faces}"
+            )
+    vertices = sum(len(data.vertices) for data in found.values())
+    if vertices > MAX_VERTICES:
+        problems.append(f"{path}: {asset.id}: {vertices} vertices, at most {MAX_VERTICES}")
     if problems:
         raise AssetError(problems)
     return {part.name: found[part.name] for part in asset.parts}
@@ -84,8 +98,11 @@ def read_hulls(path: Path, asset: Asset) -> tuple[Hull, ...]:
             Hull(str(piece["part"]), np.asarray(piece["vertices_m"], dtype=np.float64))
             for piece in data["pieces"]
         )
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise AssetError([f"{path}: hulls of {asset.id} cannot be read: {error}"]) from None
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+        reason = f"{type(error).__name__}: {error}"
+        raise AssetError([f"{path}: hulls of {asset.id} cannot be read: {reason}"]) from None
+    if not hulls:
+        raise AssetError([f"{path}: {asset.id}: no piece: things would fall through it"])
     parts = {part.name for part in asset.parts}
     for hull in hulls:
         shape = hull.vertices_m.shape
@@ -96,6 +113,8 @@ def read_hulls(path: Path, asset: Asset) -> tuple[Hull, ...]:
             or not np.isfinite(hull.vertices_m).all()
         ):
             raise AssetError([f"{path}: {asset.id}: a piece needs four points of three numbers"])
+        if np.linalg.matrix_rank(hull.vertices_m - hull.vertices_m[0], tol=1e-6) < 3:
+            raise AssetError([f"{path}: {asset.id}: a piece is flat"])
         if hull.part not in parts:
             raise AssetError([f"{path}: {asset.id}: a piece names no part: {hull.part!r}"])
     return hulls

@@ -11,6 +11,9 @@ from sdgen.scene import Record
 
 Rgba = tuple[float, float, float, float]
 
+#: Names of models and parts become file names in the cache: nothing that could lead elsewhere.
+NAME = r"^[A-Za-z0-9][A-Za-z0-9_.-]{0,99}$"
+
 
 class Joint(Record):
     """A hinge or slide; a part that names it moves with it. Positive values open."""
@@ -26,7 +29,7 @@ class Joint(Record):
 class Part(Record):
     """A named mesh of the model (a GLB node), in the object's frame at joint value 0."""
 
-    name: str
+    name: str = Field(pattern=NAME)
     faces: int = Field(ge=1)
     joint: str | None = None
     rgba: Rgba = (1.0, 1.0, 1.0, 1.0)
@@ -72,8 +75,8 @@ class AssetInfo(Record):
     the object touches and what it covers from above follow from them, however it lies.
     """
 
-    id: str
-    category: str
+    id: str = Field(pattern=NAME)
+    category: str = Field(pattern=NAME)
     title: str = ""
     licence: str
     source: str

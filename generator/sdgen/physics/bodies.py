@@ -34,11 +34,22 @@ def object_pieces(library: Library, item: ObjectInstance) -> list[Array]:
 
 def centre_of_mass(pieces: list[Array]) -> Array:
     """Centre of the pieces' boxes, weighted by volume: near enough to tell whether things tip."""
-    low = np.array([piece.min(axis=0) for piece in pieces])
-    high = np.array([piece.max(axis=0) for piece in pieces])
-    volume = np.maximum(high - low, 1e-4).prod(axis=1)
-    centre = (volume[:, None] * (low + high) / 2).sum(axis=0) / volume.sum()
+    centres = np.array([(piece.min(axis=0) + piece.max(axis=0)) / 2 for piece in pieces])
+    volumes = np.array([_volume(piece) for piece in pieces])
+    centre = (volumes[:, None] * centres).sum(axis=0) / volumes.sum()
     return np.asarray(centre, dtype=np.float64)
+
+
+def _volume(piece: Array) -> float:
+    """Volume of the smaller of two boxes: along the axes, and along the piece's own.
+
+    The second keeps a leaning thin plate (a laptop's lid) from weighing like a brick.
+    """
+    upright = np.maximum(np.ptp(piece, axis=0), 1e-3).prod()
+    middle = piece - piece.mean(axis=0)
+    _, own_axes = np.linalg.eigh(middle.T @ middle)
+    leaning = np.maximum(np.ptp(middle @ own_axes, axis=0), 1e-3).prod()
+    return float(min(upright, leaning))
 
 
 def add_structures(client: Client, scene: Scene) -> dict[int, int]:

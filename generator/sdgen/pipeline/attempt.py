@@ -20,7 +20,7 @@ from sdgen.pipeline.stage import Stage
 from sdgen.relations import Facts
 from sdgen.scene import Pose, Scene
 from sdgen.seeding import Rng
-from sdgen.zones import floor_obstacles
+from sdgen.zones import floor_obstacles, swing_blocked
 
 SETTLE_ROUNDS = 4
 #: After things were taken away, the rest must stand as it stood.
@@ -208,6 +208,9 @@ def _certify(
             continue
         doubt = "" if positive.verdict.sure else " in doubt"
         wrong[positive.object_id] = f"{positive.hazard}: accidental{doubt}"
+    benign = [item for item in layout.items.values() if item.id not in anomalies]
+    for object_id in swing_blocked(benign, library.infos):
+        wrong[object_id] = "stands in a door's swing"
     for object_id, made in anomalies.items():
         if object_id not in proved:
             wrong[object_id] = f"{made.hazard}: not proved"

@@ -17,9 +17,9 @@ from sdgen.home.shell import build_shell
 from sdgen.library import AssetInfo, Library
 from sdgen.options import BuildOptions
 from sdgen.relations import room_at
-from sdgen.scene import AgentStart, Room, Scene
+from sdgen.scene import AgentStart, Home, Room, Scene
 from sdgen.seeding import Rng, lane
-from sdgen.zones import derive_zones, floor_obstacles
+from sdgen.zones import derive_zones, floor_obstacles, swing_blocked
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,17 @@ class Stage:
             agent_start=self.agent_start,
             objects=tuple(layout.items[k] for k in sorted(layout.items)),
         )
+
+
+def _sorted(home: Home) -> Home:
+    """The home with its arrays sorted by id, so that their order says nothing either."""
+    return home.model_copy(
+        update={
+            "rooms": tuple(sorted(home.rooms, key=lambda r: r.id)),
+            "structures": tuple(sorted(home.structures, key=lambda s: s.id)),
+            "openings": tuple(sorted(home.openings, key=lambda o: o.object_id)),
+        }
+    )
 
 
 def pick_home(catalog: Catalog, options: BuildOptions, index: int) -> BaseHome:
@@ -68,12 +79,16 @@ def stage_home(
     failed = furnish(base, home, layout, models, rng)
     if failed is not None:
         return f"home: no place for {failed}"
+    home = _sorted(home)
     furniture = list(layout.items.values())
     properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
     infos: Mapping[str, AssetInfo] = library.infos
     free = free_shape(home, floor_obstacles(furniture, infos))
     if reachable(home, free):
         return "home: a room cannot be reached"
+    in_swing = swing_blocked(furniture, infos)
+    if in_swing:
+        return f"home: {layout.items[in_swing[0]].category} in a door's swing"
     start = random_point(free, rng)
     if start is None:
         return "home: no free floor"

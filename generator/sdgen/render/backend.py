@@ -50,7 +50,9 @@ def choose_renderer(kind: Kind) -> Choice:
     if found.works:
         return Choice("egl", found.renderer_string)
     if kind == "egl":
-        raise RendererError(f"the EGL renderer does not start: {found.reason}. {install_hint()}")
+        raise RendererError(
+            f"the EGL renderer does not start: {found.reason.rstrip('.')}. {install_hint()}"
+        )
     return Choice("cpu", CPU_RENDERER, found.reason)
 
 

@@ -38,6 +38,12 @@ EYE_HEIGHT_M = 1.2
 _NEAR_DISTANCE_M = (0.8, 2.2)
 # Furniture is looked at from further away: this much of its size beyond a metre is added.
 _DISTANCE_PER_SIZE = 0.6
+# What stands on the floor is seen with the floor around it: whether it is in the way depends on
+# where it lies. Small things and narrow things would be lost from there.
+_FLOOR_FURTHER_M = 0.9
+_FLOOR_TOP_M = 0.5
+_FLOOR_WIDTH_M = 0.12
+_FLOOR_ENOUGH_PIXELS = 2500.0
 _NEAR_CANDIDATES = 32
 # Few rays choose among candidates, many count the pixels of the best until one is enough.
 _ROUGH_GRID = 8
@@ -87,7 +93,11 @@ def best_near_pose(
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     free = free_area(scene)
     whole = part_points(library, item, ())
-    further = _DISTANCE_PER_SIZE * max(float(np.ptp(whole, axis=0).max()) - 1.0, 0.0)
+    _, width, size = np.sort(np.ptp(whole, axis=0)).tolist()
+    further = _DISTANCE_PER_SIZE * max(size - 1.0, 0.0)
+    on_floor = float(whole[:, 2].max()) < _FLOOR_TOP_M and width > _FLOOR_WIDTH_M
+    if on_floor:
+        further += _FLOOR_FURTHER_M
     eyes = _eyes_around(free, (float(centre[0]), float(centre[1])), further, rng)
     if len(eyes) == 0:
         return None
@@ -100,6 +110,8 @@ def best_near_pose(
     numbers = part_numbers(library, item, target.parts)
     rough = estimate_pixels(cast, poses, points, item.id, numbers, _ROUGH_GRID)
     enough = max(_ENOUGH_PIXELS, 0.5 * float(rough.max()))
+    if on_floor:
+        enough = _FLOOR_ENOUGH_PIXELS
     promise = np.minimum(rough, enough) * fade * clear
     promise *= [_framing(pose, whole, item) for pose in poses]
     for first in np.argsort(-promise, kind="stable")[:_FINALISTS].tolist():

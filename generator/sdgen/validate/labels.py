@@ -21,7 +21,7 @@ from sdgen.relations import Facts
 from sdgen.scene import FORMAT_VERSION, ObjectInstance, Scene
 from sdgen.truth import build_graph
 from sdgen.validate.problems import SHOWN, Problem, differences
-from sdgen.zones import derive_zones, floor_obstacles
+from sdgen.zones import derive_zones, floor_obstacles, swing_blocked
 
 
 def check_scene(
@@ -126,6 +126,8 @@ def check_labels(
 ) -> Iterator[Problem]:
     """Graph, anomalies, lookalikes, certificate and the household's choices, all derived again."""
     facts = facts_of(item.scene, infos, catalog)
+    yield from _carried(item, facts)
+    yield from _physics(item, infos)
     yield from _graph(item, infos, catalog, facts)
     result = survey(facts, catalog)
     yield from _anomalies(item, catalog, facts, result)
@@ -143,6 +145,33 @@ def check_labels(
     for text in islice(differences(certificate, derived, "certificate"), SHOWN):
         yield Problem("label", f"{item.where('anomalies.json')}: {text}")
     yield from _entry(item)
+
+
+def _carried(item: SceneItem, facts: Facts) -> Iterator[Problem]:
+    """Whatever is not fixed rests on or in something, twins' things too."""
+    for thing in item.scene.objects:
+        if not thing.fixed and not any(
+            found.holds and found.sure
+            for relation in ("ON", "INSIDE")
+            for found in facts.related(thing.id, relation)
+        ):
+            text = f"object {thing.id} ({thing.category}): rests on nothing"
+            yield Problem("scene", f"{item.where('scene.json')}: {text}")
+
+
+def _physics(item: SceneItem, infos: Mapping[str, AssetInfo]) -> Iterator[Problem]:
+    """``physics.json`` names nothing that is not there, and every door swings free."""
+    scene, where = item.scene, item.where("physics.json")
+    known = known_ids(scene)
+    named = {int(key) for key in item.physics.settled_drift_m if key.isdigit()}
+    named |= {body for contact in item.physics.contacts for body in (contact.a, contact.b)}
+    for node_id in sorted(named - known):
+        yield Problem("scene", f"{where}: {node_id} is no object of the scene")
+    guilty = {anomaly.object_id for anomaly in item.anomalies.anomalies}
+    benign = [thing for thing in scene.objects if thing.id not in guilty]
+    for node_id in swing_blocked(benign, infos):
+        text = f"object {node_id} stands where a door must swing"
+        yield Problem("scene", f"{item.where('scene.json')}: {text}")
 
 
 def _graph(

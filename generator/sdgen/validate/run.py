@@ -9,6 +9,7 @@ from pathlib import Path
 
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset, SceneItem
+from sdgen.dataset.reader import derived_from
 from sdgen.errors import InputError
 from sdgen.validate.files import check_files, check_whole
 from sdgen.validate.labels import check_labels, check_scene, check_zones
@@ -77,13 +78,11 @@ def _scene(data: Dataset, item: SceneItem, catalog: Catalog) -> list[Problem]:
         problems += found
         if found:
             return problems  # what would be derived from it would only repeat it
-        for check in _deeper(data, item, catalog):
-            problems += check
+        with derived_from(item):
+            for check in _deeper(data, item, catalog):
+                problems += check
     except InputError as error:
         problems += [Problem("file", text) for text in error.problems]
-    except (KeyError, ValueError, IndexError, ZeroDivisionError) as error:
-        text = f"{item.where('scene.json')}: cannot be evaluated ({type(error).__name__}: {error})"
-        problems.append(Problem("scene", text))
     return problems
 
 

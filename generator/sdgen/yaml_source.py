@@ -85,24 +85,35 @@ class _Stop(Exception):
         super().__init__(message)
 
 
-def read_yaml(path: Path, name: str | None = None) -> Source:
-    """Read a file; ``name`` is what problems call it (default: the path as given)."""
+def read_yaml(
+    path: Path,
+    name: str | None = None,
+    max_bytes: int = MAX_BYTES,
+    max_values: int = MAX_VALUES,
+) -> Source:
+    """Read a file; ``name`` is what problems call it (default: the path as given).
+
+    Raises InputError when there is no such file or it cannot be read; what is wrong in it ends
+    up in the ``problems`` of the source.
+    """
     shown = name or str(path)
     try:
         if not path.is_file():
             raise InputError([f"{shown}: no such file"])
         with path.open("rb") as stream:
-            raw = stream.read(MAX_BYTES + 1)
+            raw = stream.read(max_bytes + 1)
     except OSError as error:
         raise InputError([f"{shown}: cannot be read ({error.strerror})"]) from None
-    return parse_yaml(raw, shown)
+    return parse_yaml(raw, shown, max_bytes, max_values)
 
 
-def parse_yaml(raw: bytes, name: str) -> Source:
+def parse_yaml(
+    raw: bytes, name: str, max_bytes: int = MAX_BYTES, max_values: int = MAX_VALUES
+) -> Source:
     """Parse bytes. Syntax problems end up in ``problems`` with ``value`` None; never raises."""
     source = Source(name)
-    if len(raw) > MAX_BYTES:
-        source.problem((), f"is larger than {MAX_BYTES // 1000} kB", line=0)
+    if len(raw) > max_bytes:
+        source.problem((), f"is larger than {max_bytes // 1000} kB", line=0)
         return source
     try:
         text = raw.decode("utf-8-sig")
@@ -111,7 +122,7 @@ def parse_yaml(raw: bytes, name: str) -> Source:
         source.problem((), "is not UTF-8 text", line)
         return source
     try:
-        source.value = _Builder(source, text).document()
+        source.value = _Builder(source, text, max_values).document()
     except _Stop as stop:
         source.problem((), str(stop), stop.line)
     except yaml.YAMLError as error:
@@ -139,8 +150,9 @@ def _error_text(error: yaml.YAMLError) -> str:
 class _Builder:
     """Turns the event stream into values, noting lines on the way."""
 
-    def __init__(self, source: Source, text: str) -> None:
+    def __init__(self, source: Source, text: str, max_values: int) -> None:
         self.source = source
+        self.max_values = max_values
         self.events: Iterator[Any] = iter(yaml.parse(text, Loader=_LOADER))
         # What an anchor stands for: the value and its lines relative to the anchor.
         self.anchors: dict[str, tuple[Any, dict[Path_, int]]] = {}
@@ -162,8 +174,8 @@ class _Builder:
         line = _line(event)
         self.source.lines[path] = line
         self.count += 1
-        if self.count > MAX_VALUES:
-            raise _Stop(line, f"holds more than {MAX_VALUES} values")
+        if self.count > self.max_values:
+            raise _Stop(line, f"holds more than {self.max_values} values")
         if depth > MAX_DEPTH:
             raise _Stop(line, f"is nested more than {MAX_DEPTH} deep")
         if isinstance(event, yaml.AliasEvent):
@@ -189,8 +201,8 @@ class _Builder:
             raise _Stop(line, f"*{anchor} is used before (or inside) its anchor &{anchor}")
         value, lines = self.anchors[anchor]
         self.count += len(lines)
-        if self.count > MAX_VALUES:
-            raise _Stop(line, f"expands to more than {MAX_VALUES} values through aliases")
+        if self.count > self.max_values:
+            raise _Stop(line, f"expands to more than {self.max_values} values through aliases")
         if any(len(path) + len(below) > MAX_DEPTH for below in lines):
             raise _Stop(line, f"is nested more than {MAX_DEPTH} deep")
         self.source.lines.update({path + below: at for below, at in lines.items()})

@@ -9,9 +9,9 @@ import pytest
 import yaml
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from sdgen.catalog import yaml_source
-from sdgen.catalog.yaml_source import MAX_BYTES, parse_yaml, read_yaml, show_path
+from sdgen import yaml_source
 from sdgen.errors import InputError
+from sdgen.yaml_source import MAX_BYTES, parse_yaml, read_yaml, show_path
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,36 @@
+"""Splits and what train never shows are fixed by hash, before anything is sampled."""
+
+from collections import Counter
+
+from sdgen.catalog.enumeration import enumerate_anomalies
+from sdgen.catalog.load import load_catalog
+from sdgen.hazards.splits import SplitModels, split_of_home, withheld_anomaly, withheld_asset
+from sdgen.library import load_library
+
+LIBRARY = load_library()
+
+
+def test_homes_spread_over_the_splits():
+    counts = Counter(split_of_home(f"procedural:{k}") for k in range(2000))
+    assert 0.65 < counts["train"] / 2000 < 0.75
+    assert 0.12 < counts["val"] / 2000 < 0.18
+    assert 0.12 < counts["test"] / 2000 < 0.18
+
+
+def test_train_never_shows_withheld_models_and_keeps_every_category():
+    train, test = SplitModels(LIBRARY, "train"), SplitModels(LIBRARY, "test")
+    withheld = {a for a in LIBRARY.assets if withheld_asset(a, LIBRARY)}
+    assert 0 < len(withheld) < 0.3 * len(LIBRARY.assets)
+    for category in LIBRARY.categories:
+        assert train(category)
+        assert not {a.id for a in train(category)} & withheld
+        assert {a.id for a in test(category)} == {a.id for a in LIBRARY.by_category(category)}
+
+
+def test_some_unique_anomalies_are_withheld_but_no_hazard_as_a_whole():
+    unique = enumerate_anomalies(load_catalog())
+    held = [one for one in unique if withheld_anomaly(one)]
+    assert 0 < len(held) < 0.35 * len(unique)
+    assert {one.hazard for one in unique if not withheld_anomaly(one)} == {
+        one.hazard for one in unique
+    }

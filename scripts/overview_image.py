@@ -38,7 +38,8 @@ def labelled(item: sdgen.dataset.reader.SceneItem, view: int) -> Image.Image:
 
 def depth_picture(depth_m: np.ndarray) -> Image.Image:
     """Near is bright."""
-    near = np.clip(1 - depth_m / 7.0, 0, 1) * (depth_m > 0)
+    seen = depth_m[depth_m > 0]
+    near = np.interp(depth_m, (seen.min(), seen.max()), (1.0, 0.15)) * (depth_m > 0)
     grey = Image.fromarray((near * 255).astype(np.uint8))
     return grey.convert("RGB").resize((WIDTH, HEIGHT), Image.Resampling.NEAREST)
 
@@ -64,7 +65,7 @@ def main() -> None:
     sheet = Image.new("RGB", (4 * (WIDTH + GAP) - GAP, rows * (HEIGHT + GAP) - GAP), "white")
     for k, tile in enumerate(tiles):
         sheet.paste(tile, (k % 4 * (WIDTH + GAP), k // 4 * (HEIGHT + GAP)))
-    sheet.quantize(256, dither=Image.Dither.FLOYDSTEINBERG).save(sys.argv[2], optimize=True)
+    sheet.save(sys.argv[2], optimize=True)
 
 
 if __name__ == "__main__":

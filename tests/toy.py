@@ -22,7 +22,7 @@ from sdgen.geometry import apply, inverse, look_at, quat_from_yaw, round_positio
 from sdgen.hazards.certify import facts_of, survey
 from sdgen.hazards.labels import anomaly_records
 from sdgen.hazards.splits import Split, split_of_home
-from sdgen.hazards.twin import undone
+from sdgen.hazards.twin import physics_of_twin, undone
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.library.states import derive_states
 from sdgen.options import BuildOptions
@@ -374,6 +374,7 @@ def twin(made: SceneBundle) -> SceneBundle:
         made,
         scene=benign,
         anomalies=records.model_copy(update={"anomalies": (), "certificate": certificate}),
+        physics=physics_of_twin(benign, made.physics),
     )
 
 

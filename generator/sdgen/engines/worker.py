@@ -12,14 +12,14 @@ from sdgen.catalog.records import Catalog
 from sdgen.dataset.scene_folder import SceneWriter
 from sdgen.errors import SdgenError
 from sdgen.hazards.certify import certify, facts_of
-from sdgen.hazards.twin import undone
+from sdgen.hazards.twin import physics_of_twin, undone
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.pipeline import make_scene
 from sdgen.render.backend import Choice
 from sdgen.render.frames import Renderer
-from sdgen.scene import Frame, PhysicsReport, Scene, SceneBundle, ViewVisibility
+from sdgen.scene import Frame, SceneBundle, ViewVisibility
 from sdgen.truth.graph import build_graph
 from sdgen.truth.visibility import assemble, part_names, view_visibility
 
@@ -149,22 +149,7 @@ class SceneWorker:
             scene=scene,
             anomalies=benign,
             household=bundle.household,
-            physics=_physics_of(scene, bundle.physics),
+            physics=physics_of_twin(scene, bundle.physics),
             split=bundle.split,
             cameras=bundle.cameras,
         )
-
-
-def _physics_of(scene: Scene, report: PhysicsReport) -> PhysicsReport:
-    """The report without what is not in the scene: a twin must not tell what was taken away."""
-    present = {item.id for item in scene.objects}
-    present |= {structure.id for structure in scene.home.structures}
-    return report.model_copy(
-        update={
-            "settled_drift_m": {
-                key: value for key, value in report.settled_drift_m.items() if int(key) in present
-            },
-            "contacts": tuple(c for c in report.contacts if {c.a, c.b} <= present),
-            "rejections": {},
-        }
-    )

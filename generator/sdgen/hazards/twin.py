@@ -12,7 +12,7 @@ from collections.abc import Collection, Mapping
 from sdgen.actions import at_rest
 from sdgen.catalog.records import Catalog, SetRecipe
 from sdgen.library.records import AssetInfo
-from sdgen.scene import Anomaly, Scene
+from sdgen.scene import Anomaly, PhysicsReport, Scene
 
 
 def undone(
@@ -32,6 +32,21 @@ def undone(
             objects.append(at_rest(item, infos[item.asset]))
     return scene.model_copy(
         update={"id": f"{scene.id}-twin", "twin_of": scene.id, "objects": tuple(objects)}
+    )
+
+
+def physics_of_twin(scene: Scene, report: PhysicsReport) -> PhysicsReport:
+    """The report without what the twin has not: it must not tell what was taken away."""
+    present = {item.id for item in scene.objects}
+    present |= {structure.id for structure in scene.home.structures}
+    return report.model_copy(
+        update={
+            "settled_drift_m": {
+                key: value for key, value in report.settled_drift_m.items() if int(key) in present
+            },
+            "contacts": tuple(c for c in report.contacts if {c.a, c.b} <= present),
+            "rejections": {},
+        }
     )
 
 

@@ -9,7 +9,6 @@ from sdgen.render.cameras import (
     PIXELS_NEEDED,
     Target,
     best_near_pose,
-    choose,
     room_views,
     to_cameras,
 )
@@ -108,21 +107,20 @@ def test_the_target_is_in_the_picture_but_not_always_in_its_middle(
     assert away.max() > 30
 
 
-def test_choose_gives_as_many_as_asked_near_ones_among_them(library: Library, scene: Scene) -> None:
-    targets = [Target(11), Target(14), Target(13)]
+def test_cameras_are_numbered_in_a_drawn_order(library: Library, scene: Scene) -> None:
     with RayWorld(library, scene) as world:
-        cameras = choose(
-            library, scene, world.cast, lane(3, 0, "views"), 6, (320, 200), 1.3, targets, 2
-        )
-        again = choose(
-            library, scene, world.cast, lane(3, 0, "views"), 6, (320, 200), 1.3, targets, 2
-        )
-        other = choose(
-            library, scene, world.cast, lane(4, 0, "views"), 6, (320, 200), 1.3, targets, 2
-        )
-    assert cameras == again != other
+        near = best_near_pose(library, scene, world.cast, Target(11), lane(3, 0, "views"))
+        assert near is not None
+        views = [near, *room_views(scene, world.cast, 5, lane(3, 0, "rooms"))]
+    cameras = to_cameras(views, (320, 200), lane(3, 0, "order"))
+    assert cameras == to_cameras(views, (320, 200), lane(3, 0, "order"))
+    places = {
+        [c.kind for c in to_cameras(views, (320, 200), lane(k, 0, "order"))].index("near")
+        for k in range(20)
+    }
+    assert len(places) > 2
     assert [camera.index for camera in cameras] == list(range(6))
-    assert sorted(camera.kind for camera in cameras) == ["near"] * 2 + ["room"] * 4
+    assert sorted(camera.kind for camera in cameras) == ["near"] + ["room"] * 5
     assert all(intrinsics(320, 200) == camera.K for camera in cameras)
 
 

@@ -45,7 +45,6 @@ class SceneResult:
     hazards: tuple[str, ...]
     frames: int
     seconds: float
-    render_seconds: float
     home_attempts: int
     placement_attempts: int
     rejections: dict[str, int]
@@ -63,12 +62,10 @@ class SceneWorker:
         self._library = Library(setup.library_folders, setup.library_sha256)
         self._client = Client()
         self._renderer = Renderer(setup.choice) if setup.choice is not None else None
-        self._render_seconds = 0.0
 
     def __call__(self, index: int) -> SceneResult:
         """Make, draw and write scene ``index`` (and its twin). Raises SceneRejected."""
         start = time.monotonic()
-        self._render_seconds = 0.0
         setup = self._setup
         bundle = make_scene(index, setup.catalog, self._library, setup.options, self._client)
         try:
@@ -85,7 +82,6 @@ class SceneWorker:
             hazards=tuple(a.hazard for a in bundle.anomalies.anomalies),
             frames=frames + drawn,
             seconds=time.monotonic() - start,
-            render_seconds=self._render_seconds,
             home_attempts=bundle.physics.home_attempts,
             placement_attempts=bundle.physics.placement_attempts,
             rejections=bundle.physics.rejections,
@@ -118,16 +114,9 @@ class SceneWorker:
         if self._renderer is None:
             return
         options = self._setup.options
-        source = self._renderer.render(
+        yield from self._renderer.render(
             self._library, bundle.scene, bundle.cameras, options.sensors, options.supersample
         )
-        while True:
-            start = time.monotonic()
-            frame = next(source, None)
-            self._render_seconds += time.monotonic() - start
-            if frame is None:
-                return
-            yield frame
 
     def _twin(self, bundle: SceneBundle) -> SceneBundle:
         catalog, infos = self._setup.catalog, self._library.infos

@@ -22,7 +22,7 @@ from sdgen.physics.client import Client
 from sdgen.physics.rays import RayWorld
 from sdgen.pipeline.attempt import Proved, attempt
 from sdgen.pipeline.stage import pick_home, stage_home
-from sdgen.pipeline.views import choose_views, unseen
+from sdgen.pipeline.views import Sight, choose_views, unseen
 from sdgen.scene import (
     Anomalies,
     Certificate,
@@ -81,14 +81,13 @@ def make_scene(
                 continue
             anomalies = anomaly_records(proved.positives, proved.facts, catalog, household)
             with RayWorld(library, proved.scene, client) as world:
-                hidden = unseen(library, proved.scene, world, anomalies, options.seed)
+                sight = Sight(library, proved.scene, world, options.seed)
+                hidden = unseen(sight, anomalies)
                 if hidden is not None:
                     reasons[hidden] += 1
                     continue
                 lookalikes = lookalike_records(proved.lookalikes, proved.facts, catalog)
-                cameras = choose_views(
-                    library, proved.scene, world, catalog, anomalies, lookalikes, options
-                )
+                cameras = choose_views(sight, catalog, anomalies, lookalikes, options)
             return SceneBundle(
                 scene=proved.scene,
                 anomalies=Anomalies(

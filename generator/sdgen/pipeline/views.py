@@ -50,41 +50,58 @@ def glance_pixels(diagonal_m: float) -> float:
 
 
 class Sight:
-    """Near views of one scene's objects, each from a random lane of its own."""
+    """Near views of one scene's objects, each from a random lane of its own, found once."""
 
     def __init__(
-        self, library: Library, scene: Scene, world: RayWorld, seed: int, eye_height_m: float
+        self,
+        library: Library,
+        scene: Scene,
+        world: RayWorld,
+        seed: int,
+        eye_height_m: float = EYE_HEIGHT_M,
     ) -> None:
         self._library = library
         self._scene = scene
         self._world = world
         self._seed = seed
         self._eye_height_m = eye_height_m
+        self._found: dict[tuple[int, tuple[str, ...]], View | None] = {}
+
+    @property
+    def scene(self) -> Scene:
+        """What is looked at."""
+        return self._scene
+
+    def at(self, eye_height_m: float) -> Sight:
+        """The same from another eye height."""
+        if eye_height_m == self._eye_height_m:
+            return self
+        return Sight(self._library, self._scene, self._world, self._seed, eye_height_m)
 
     def near(self, object_id: int, parts: tuple[str, ...] = ()) -> View | None:
         """The best near view of an object's parts, or None when none shows enough."""
-        points = part_points(self._library, self._scene.object(object_id), parts)
-        diagonal_m = float(np.linalg.norm(np.ptp(points, axis=0)))
-        return best_near_pose(
-            self._library,
-            self._scene,
-            self._world.cast,
-            Target(object_id, parts),
-            lane(self._seed, self._scene.index, f"near:{object_id}"),
-            self._eye_height_m,
-            glance_pixels(diagonal_m),
-        )
+        key = (object_id, parts)
+        if key not in self._found:
+            points = part_points(self._library, self._scene.object(object_id), parts)
+            self._found[key] = best_near_pose(
+                self._library,
+                self._scene,
+                self._world.cast,
+                Target(object_id, parts),
+                lane(self._seed, self._scene.index, f"near:{object_id}"),
+                self._eye_height_m,
+                glance_pixels(float(np.linalg.norm(np.ptp(points, axis=0)))),
+            )
+        return self._found[key]
 
     def rooms(self, count: int, rng: Rng) -> tuple[View, ...]:
         """Overviews of the rooms in turn."""
         return room_views(self._scene, self._world.cast, count, rng, self._eye_height_m)
 
 
-def unseen(
-    library: Library, scene: Scene, world: RayWorld, anomalies: Sequence[Anomaly], seed: int
-) -> str | None:
-    """Reason of rejection when some anomaly has no near view at the usual eye height."""
-    sight = Sight(library, scene, world, seed, EYE_HEIGHT_M)
+def unseen(sight: Sight, anomalies: Sequence[Anomaly]) -> str | None:
+    """Reason of rejection when some anomaly has no near view. ``sight`` at the usual eye height:
+    an option of pictures must not decide content."""
     for anomaly in anomalies:
         if sight.near(anomaly.object_id, anomaly.evidence_parts) is None:
             return f"{anomaly.hazard}: cannot be seen"
@@ -92,9 +109,7 @@ def unseen(
 
 
 def choose_views(
-    library: Library,
-    scene: Scene,
-    world: RayWorld,
+    sight: Sight,
     catalog: Catalog,
     anomalies: Sequence[Anomaly],
     lookalikes: Sequence[Lookalike],
@@ -103,11 +118,11 @@ def choose_views(
     """The scene's cameras, numbered in a drawn order."""
     if options.views == 0:
         return ()
-    rng = lane(options.seed, scene.index, "cameras")
-    sight = Sight(library, scene, world, options.seed, options.eye_height_m)
+    sight = sight.at(options.eye_height_m)
+    rng = lane(options.seed, sight.scene.index, "cameras")
     wanted = near_count(options)
     views: list[View] = []
-    for target in _targets(scene, catalog, anomalies, lookalikes, rng):
+    for target in _targets(sight.scene, catalog, anomalies, lookalikes, rng):
         if len(views) >= wanted:
             break
         view = sight.near(target.object_id, target.parts)

@@ -141,30 +141,6 @@ def room_views(
     return tuple(views)
 
 
-def choose(
-    library: Library,
-    scene: Scene,
-    cast: Cast,
-    rng: Rng,
-    count: int,
-    size: tuple[int, int],
-    eye_height_m: float = EYE_HEIGHT_M,
-    targets: Sequence[Target] = (),
-    near: int = 0,
-) -> tuple[Camera, ...]:
-    """``count`` cameras of ``size`` (width, height): up to ``near`` of them one a target, in the
-    order given, the rest overviews; in a drawn order, so that a view's number tells nothing."""
-    views: list[View] = []
-    for target in targets:
-        if len(views) >= min(near, count):
-            break
-        view = best_near_pose(library, scene, cast, target, rng, eye_height_m)
-        if view is not None:
-            views.append(view)
-    views += room_views(scene, cast, count - len(views), rng, eye_height_m)
-    return to_cameras(views, size, rng)
-
-
 def to_cameras(views: Sequence[View], size: tuple[int, int], rng: Rng) -> tuple[Camera, ...]:
     """Cameras of ``size`` (width, height) at these poses, in a drawn order."""
     order = rng.permutation(len(views))

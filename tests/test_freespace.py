@@ -84,3 +84,9 @@ def test_random_points_lie_inside_and_spread():
 def test_there_is_no_route_through_a_wall_of_things():
     free = free_shape(HOME, [box(1.5, -1.0, 2.5, 4.0)])
     assert route(free, (0.5, 0.5), (3.5, 0.5)) is None
+
+
+def test_a_route_over_free_floor_is_hardly_longer_than_the_straight_line():
+    path = route(free_shape(HOME, []), (0.5, 0.5), (3.5, 2.5))
+    assert path is not None
+    assert path.length < 1.1 * np.hypot(3.0, 2.0)

@@ -159,8 +159,9 @@ def carpet(rng: np.random.Generator, base: str, size: int = 256) -> Array:
 
 
 Painter = Callable[[np.random.Generator], Array]
-DRY = ["living_room", "bedroom", "hall"]
-WET = ["kitchen", "bathroom"]
+QUIET = ["living_room", "bedroom", "child_room", "dining_room", "office"]
+DRY = [*QUIET, "hall"]
+WET = ["kitchen", "bathroom", "laundry"]
 
 # id: (kind, width of the tile in metres, room types, painter)
 SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
@@ -203,7 +204,7 @@ SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
     "carpet_grey": (
         "floor",
         0.6,
-        ["bedroom", "living_room"],
+        QUIET,
         lambda rng: carpet(rng, "#a3a19e"),
     ),
     "plaster_white": (
@@ -221,13 +222,13 @@ SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
     "plaster_sage": (
         "wall",
         1.0,
-        ["living_room", "bedroom", "kitchen"],
+        [*QUIET, "kitchen"],
         lambda rng: plaster(rng, "#ccd5bf"),
     ),
     "plaster_blue": (
         "wall",
         1.0,
-        ["bedroom", "living_room", "hall"],
+        DRY,
         lambda rng: plaster(rng, "#c4d2dd"),
     ),
     "plaster_sand": (

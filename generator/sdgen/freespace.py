@@ -6,12 +6,13 @@ Polygons are written without holes (cut along lines), so a ring is all a reader 
 
 from __future__ import annotations
 
+import heapq
+import math
 from collections.abc import Iterable, Sequence
 
-import networkx as nx
 import numpy as np
 import shapely
-from shapely.geometry import LineString, MultiPolygon, Point, Polygon
+from shapely.geometry import LineString, MultiPolygon, Polygon
 from shapely.geometry import box as shapely_box
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
@@ -61,7 +62,7 @@ def free_shape(
     home: Home, obstacles: Iterable[BaseGeometry], radius_m: float = ROBOT_RADIUS_M
 ) -> BaseGeometry:
     """Where the centre of a round robot can be, doorways included."""
-    grown = unary_union([o.buffer(radius_m, quad_segs=2) for o in obstacles])
+    grown = shapely.union_all(shapely.buffer(list(obstacles), radius_m, quad_segs=2))
     areas: list[BaseGeometry] = []
     for room in home.rooms:
         areas.append(Polygon(room.polygon_m).buffer(-radius_m, join_style="mitre"))
@@ -100,46 +101,74 @@ def rounded_rings(shape: BaseGeometry) -> tuple[tuple[Vec2, ...], ...]:
     return tuple(sorted(rings))
 
 
-def route(free: BaseGeometry, start: Vec2, goal: Vec2) -> LineString | None:
-    """A short path in free space between two points, on a grid of 0.1 m; None if there is none."""
-    shape = free.buffer(0.01)
-    x0, y0, x1, y1 = shape.bounds
-    xs = np.arange(x0, x1 + GRID_M, GRID_M)
-    ys = np.arange(y0, y1 + GRID_M, GRID_M)
-    grid_x, grid_y = np.meshgrid(xs, ys, indexing="ij")
-    inside = shapely.contains_xy(shape, grid_x, grid_y)
-    graph = nx.Graph()
-    columns, rows = inside.shape
-    for i in range(columns):
-        for j in range(rows):
-            if not inside[i, j]:
+class Grid:
+    """Free space as cells of 0.1 m, to find ways through."""
+
+    def __init__(self, free: BaseGeometry) -> None:
+        shape = free.buffer(0.01)
+        x0, y0, x1, y1 = shape.bounds
+        # A rim of blocked cells around, so that every cell has eight neighbours.
+        xs = np.arange(x0 - GRID_M, x1 + 2 * GRID_M, GRID_M)
+        ys = np.arange(y0 - GRID_M, y1 + 2 * GRID_M, GRID_M)
+        grid_x, grid_y = np.meshgrid(xs, ys, indexing="ij")
+        inside = shapely.contains_xy(shape, grid_x, grid_y)
+        inside[[0, -1]] = False
+        inside[:, [0, -1]] = False
+        self._free: list[bool] = inside.ravel().tolist()
+        self._rows = len(ys)
+        self._cells = np.flatnonzero(inside)
+        self._points = np.column_stack([grid_x.ravel(), grid_y.ravel()])
+
+    def route(self, start: Vec2, goal: Vec2) -> LineString | None:
+        """A short path between two points, by A* (Hart et al. 1968); None if there is none."""
+        if len(self._cells) == 0:
+            return None
+        first, last = self._nearest(start), self._nearest(goal)
+        cells = self._path(first, last) if first != last else None
+        if cells is None:
+            return None
+        return LineString([start, *self._points[cells].tolist(), goal]).simplify(0.1)
+
+    def _nearest(self, point: Vec2) -> int:
+        apart = ((self._points[self._cells] - point) ** 2).sum(axis=1)
+        return int(self._cells[int(np.argmin(apart))])
+
+    def _path(self, first: int, last: int) -> list[int] | None:
+        rows, free = self._rows, self._free
+        goal_i, goal_j = divmod(last, rows)
+        diagonal = math.sqrt(2.0)
+        steps = [(1, 1.0), (-1, 1.0), (rows, 1.0), (-rows, 1.0)]
+        steps += [(rows * a + b, diagonal) for a in (1, -1) for b in (1, -1)]
+        cost = {first: 0.0}
+        before: dict[int, int] = {}
+        done: set[int] = set()
+        queue = [(0.0, first)]
+        while queue:
+            _, cell = heapq.heappop(queue)
+            if cell == last:
+                path = [last]
+                while path[-1] != first:
+                    path.append(before[path[-1]])
+                return path[::-1]
+            if cell in done:
                 continue
-            for di, dj, cost in ((1, 0, 1.0), (0, 1, 1.0), (1, 1, 1.4142), (1, -1, 1.4142)):
-                a, b = i + di, j + dj
-                if 0 <= a < columns and 0 <= b < rows and inside[a, b]:
-                    graph.add_edge((i, j), (a, b), weight=cost)
-    ends = [_nearest(inside, xs, ys, point) for point in (start, goal)]
-    if ends[0] is None or ends[1] is None or ends[0] == ends[1]:
+            done.add(cell)
+            for move, length in steps:
+                other = cell + move
+                reached = cost[cell] + length
+                if not free[other] or reached >= cost.get(other, math.inf):
+                    continue
+                cost[other], before[other] = reached, cell
+                i, j = divmod(other, rows)
+                across, along = abs(i - goal_i), abs(j - goal_j)
+                left = max(across, along) + (diagonal - 1.0) * min(across, along)
+                heapq.heappush(queue, (reached + left, other))
         return None
-    try:
-        path = nx.dijkstra_path(graph, ends[0], ends[1])
-    except (nx.NetworkXNoPath, nx.NodeNotFound):
-        return None
-    return LineString([start, *((float(xs[i]), float(ys[j])) for i, j in path), goal]).simplify(0.1)
 
 
-def _nearest(
-    inside: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
-    xs: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
-    ys: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
-    point: Vec2,
-) -> tuple[int, int] | None:
-    cells = np.argwhere(inside)
-    if len(cells) == 0:
-        return None
-    apart = (xs[cells[:, 0]] - point[0]) ** 2 + (ys[cells[:, 1]] - point[1]) ** 2
-    i, j = cells[int(np.argmin(apart))]
-    return int(i), int(j)
+def route(free: BaseGeometry, start: Vec2, goal: Vec2) -> LineString | None:
+    """A short path in free space between two points; None if there is none."""
+    return Grid(free).route(start, goal)
 
 
 def random_point(shape: BaseGeometry, rng: np.random.Generator, tries: int = 40) -> Vec2 | None:
@@ -147,13 +176,15 @@ def random_point(shape: BaseGeometry, rng: np.random.Generator, tries: int = 40)
     pieces = polygons(shape)
     if not pieces:
         return None
-    areas = np.array([p.area for p in pieces])
-    piece = pieces[int(rng.choice(len(pieces), p=areas / areas.sum()))]
+    piece = pieces[0]
+    if len(pieces) > 1:
+        areas = np.array([p.area for p in pieces])
+        piece = pieces[int(rng.choice(len(pieces), p=areas / areas.sum()))]
     x0, y0, x1, y1 = piece.bounds
-    for _ in range(tries):
-        x, y = float(rng.uniform(x0, x1)), float(rng.uniform(y0, y1))
-        if piece.contains(Point(x, y)):
-            return x, y
+    points = rng.uniform((x0, y0), (x1, y1), (tries, 2))
+    inside = np.flatnonzero(shapely.contains_xy(piece, points[:, 0], points[:, 1]))
+    if len(inside):
+        return float(points[inside[0], 0]), float(points[inside[0], 1])
     point = piece.representative_point()
     return float(point.x), float(point.y)
 

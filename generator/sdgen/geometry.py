@@ -60,7 +60,9 @@ def quat_from_axis_angle(axis: Sequence[float], angle_rad: float) -> Quat:
 
 def rotation_matrix(quat_xyzw: Sequence[float]) -> Array:
     """3x3 rotation of a quaternion (normalised first)."""
-    x, y, z, w = np.asarray(quat_xyzw, dtype=float) / np.linalg.norm(quat_xyzw)
+    x, y, z, w = (float(v) for v in quat_xyzw)
+    size = math.sqrt(x * x + y * y + z * z + w * w)
+    x, y, z, w = x / size, y / size, z / size, w / size
     return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -135,14 +137,16 @@ def box_corners(low: Sequence[float], high: Sequence[float]) -> Array:
 
 def look_at(eye_m: Sequence[float], target_m: Sequence[float]) -> Array:
     """``world_from_camera`` of an OpenCV camera (x right, y down, z forward), level horizon."""
-    eye = np.asarray(eye_m, dtype=float)
-    forward = np.asarray(target_m, dtype=float) - eye
-    forward /= np.linalg.norm(forward)
-    right = np.cross(forward, [0.0, 0.0, 1.0])
-    right /= np.linalg.norm(right)
-    out = np.eye(4)
-    out[:3, 0] = right
-    out[:3, 1] = np.cross(forward, right)
-    out[:3, 2] = forward
-    out[:3, 3] = eye
-    return out
+    x, y, z = (float(b) - float(a) for a, b in zip(eye_m, target_m, strict=True))
+    level = math.hypot(x, y)
+    size = math.hypot(level, z)
+    x, y, z, level = x / size, y / size, z / size, level / size
+    # Right is (y, -x, 0) made unit, down is forward × right.
+    return np.array(
+        [
+            [y / level, x * z / level, x, float(eye_m[0])],
+            [-x / level, y * z / level, y, float(eye_m[1])],
+            [0.0, -level, z, float(eye_m[2])],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    )

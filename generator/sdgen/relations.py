@@ -10,17 +10,19 @@ re-evaluation of the files agrees.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
+import shapely
 from shapely import box as shapely_box
-from shapely.geometry import MultiPoint, Point, Polygon
+from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.predicate import Related, ZoneShare
-from sdgen.geometry import Array, Vec3, apply, box_corners, inverse, matrix, vec3, yaw_of
+from sdgen.geometry import Array, Vec3, apply, inverse, matrix, vec3, yaw_of
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import derive_states, object_from_part, rule_holds, undecided_states
 from sdgen.scene import ObjectInstance, Room, Scene
@@ -42,8 +44,7 @@ UNDER_SHARE = 0.5
 BLOCKING_HEIGHT_M = 0.03
 
 
-@dataclass(frozen=True)
-class Edge:
+class Edge(NamedTuple):
     """A relation between two nodes."""
 
     from_id: int
@@ -77,19 +78,17 @@ class Body:
         self.item = item
         self.info = info
         self.world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
-        x, y, z = info.extents_m
-        self.corners = apply(
-            self.world_from_object,
-            info.outline_m or box_corners((-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)),
-        )
+        self.corners = apply(self.world_from_object, info.outermost_m)
         self.low = self.corners.min(axis=0)
         self.high = self.corners.max(axis=0)
-        self.center = apply(self.world_from_object, [(0.0, 0.0, z / 2)])[0]
+        self.center = self.world_from_object[:3, 3] + self.world_from_object[:3, 2] * (
+            info.extents_m[2] / 2
+        )
 
     @cached_property
     def footprint(self) -> BaseGeometry:
         """The convex outline seen from above."""
-        return MultiPoint(self.corners[:, :2]).convex_hull
+        return shapely.convex_hull(shapely.multipoints(self.corners[:, :2]))
 
 
 class Facts:
@@ -112,9 +111,16 @@ class Facts:
         self._floor_of = {s.room_id: s.id for s in scene.home.structures if s.category == "floor"}
         self._structures = {s.id: s for s in scene.home.structures}
         self._surfaces = list(self._find_surfaces())
+        self._surface_boxes = _rows([(s.z_m, *s.bounds) for s in self._surfaces], 5)
         self._hollows = list(self._find_hollows())
+        self._hollow_frames = _rows([h.box_from_world for h in self._hollows], 4, 4)
+        self._hollow_halves = _rows([h.half for h in self._hollows], 3)
         self._zones = [(zone, Polygon(zone.polygon_m)) for zone in scene.zones]
+        self._zone_boxes = _rows(
+            [(*outline.bounds, zone.z_min_m, zone.z_max_m) for zone, outline in self._zones], 6
+        )
         self._cache: dict[tuple[int, str], tuple[Related, ...]] = {}
+        self._shares: dict[int, tuple[ZoneShare, ...]] = {}
 
     # --- what predicates ask (catalog.predicate.FactSource) --------------------------------------
 
@@ -157,8 +163,8 @@ class Facts:
             else:
                 found = tuple(
                     Related(e.to_id, self.category(e.to_id), True, True)
-                    for e in self._other_edges
-                    if e.from_id == object_id and e.relation == relation
+                    for e in self._other_edges_from.get(object_id, ())
+                    if e.relation == relation
                 )
             self._cache[key] = found
         return self._cache[key]
@@ -169,8 +175,9 @@ class Facts:
         """Gap to the nearest object of these categories (in ``state``); (inf, None) if none."""
         best, nearest = math.inf, None
         body = self.bodies[object_id]
-        for other_id, other in self.bodies.items():
-            if other_id == object_id or other.item.category not in categories:
+        for other_id in self._ids_of(categories):
+            other = self.bodies[other_id]
+            if other_id == object_id:
                 continue
             if state is not None and state not in self.states(other_id):
                 continue
@@ -179,19 +186,38 @@ class Facts:
                 best, nearest = gap, other_id
         return best, nearest
 
+    def _ids_of(self, categories: Collection[str]) -> list[int]:
+        return [key for name in sorted(categories) for key in self._by_category.get(name, ())]
+
+    @cached_property
+    def _by_category(self) -> dict[str, list[int]]:
+        out: dict[str, list[int]] = {}
+        for key, body in self.bodies.items():
+            out.setdefault(body.item.category, []).append(key)
+        return out
+
     def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
         """Zones the object's footprint touches, where its height range meets the zone's."""
-        body = self.bodies[object_id]
-        area = body.footprint.area
-        out = []
-        for zone, outline in self._zones:
-            if body.low[2] > zone.z_max_m or body.high[2] < zone.z_min_m or area <= 0:
+        if object_id not in self._shares:
+            self._shares[object_id] = tuple(self._find_zones(self.bodies[object_id]))
+        return self._shares[object_id]
+
+    def _find_zones(self, body: Body) -> Iterable[ZoneShare]:
+        for index in self._zones_near(body, 0.0):
+            zone, outline = self._zones[index]
+            if zone.source_id == body.item.id or body.footprint.area <= 0:
                 continue
-            if zone.source_id == object_id or not outline.intersects(body.footprint):
-                continue
-            share = outline.intersection(body.footprint).area / area
-            out.append(ZoneShare(zone.name, zone.kind, float(share)))
-        return tuple(out)
+            if outline.intersects(body.footprint):
+                share = outline.intersection(body.footprint).area / body.footprint.area
+                yield ZoneShare(zone.name, zone.kind, float(share))
+
+    def _zones_near(self, body: Body, within_m: float) -> list[int]:
+        """Indices of zones whose heights meet the body's, and whose boxes come near it."""
+        x0, y0, x1, y1, low, high = self._zone_boxes.T
+        meets = (body.low[2] <= high) & (body.high[2] >= low)
+        meets &= (body.low[0] <= x1 + within_m) & (body.high[0] >= x0 - within_m)
+        meets &= (body.low[1] <= y1 + within_m) & (body.high[1] >= y0 - within_m)
+        return [int(k) for k in np.flatnonzero(meets)]
 
     # --- what the graph writes -------------------------------------------------------------------
 
@@ -226,6 +252,13 @@ class Facts:
         out += self._other_edges
         return tuple(sorted(set(out), key=lambda e: (e.from_id, e.relation, e.to_id)))
 
+    @cached_property
+    def _other_edges_from(self) -> dict[int, list[Edge]]:
+        out: dict[int, list[Edge]] = {}
+        for edge in self._other_edges:
+            out.setdefault(edge.from_id, []).append(edge)
+        return out
+
     def edges(self) -> tuple[Edge, ...]:
         """All relations of the scene, sorted."""
         return self._edges
@@ -238,9 +271,10 @@ class Facts:
         out = set()
         if body.low[2] <= CHILD_REACH_M and not self.shut_in(object_id) and not body.item.fixed:
             out.add("IN_REACH_OF_CHILD")
-        if any(z.kind == "walkway" and z.fraction >= ZONE_SHARE for z in self.zones(object_id)):
+        kinds = {z.kind for z in self.zones(object_id) if z.fraction >= ZONE_SHARE}
+        if "walkway" in kinds:
             out.add("IN_WALKWAY")
-        if any(z.kind == "doorway" and z.fraction >= ZONE_SHARE for z in self.zones(object_id)):
+        if "doorway" in kinds:
             out.add("IN_DOORWAY")
         if self._near_edge(body):
             out.add("NEAR_EDGE")
@@ -261,19 +295,17 @@ class Facts:
             for support in body.info.supports:
                 if support.part not in body.info.variants[body.item.variant]:
                     continue
-                points = self._placed(
-                    body, support.part, [(x, y, support.z_m) for x, y in support.polygon_m]
-                )
-                if np.ptp(points[:, 2]) > 0.02:
+                local = object_from_part(body.info, support.part, body.item.joints)
+                points = apply(body.world_from_object @ local, support.edge_m)
+                low, high = points.min(axis=0), points.max(axis=0)
+                if high[2] - low[2] > 0.02:
                     continue  # the owner lies on its side: nothing stands on this any more
-                # Supports are stored shrunk by a centimetre; ON asks about the real edge.
-                outline = Polygon(points[:, :2]).buffer(0.01, join_style="mitre")
                 yield _Surface(
                     object_id,
                     body.item.category,
                     float(points[:, 2].mean()),
-                    outline,
-                    outline.bounds,
+                    shapely.polygons(points[:, :2]),
+                    (float(low[0]), float(low[1]), float(high[0]), float(high[1])),
                 )
         for room_id, floor_id in self._floor_of.items():
             outline = Polygon(self.rooms[room_id].polygon_m).buffer(0.06, join_style="mitre")
@@ -287,29 +319,25 @@ class Facts:
                 moved = body.world_from_object @ object_from_part(
                     body.info, container.part, body.item.joints
                 )
-                moved = moved @ matrix(container.center_m, (0.0, 0.0, 0.0, 1.0))
+                moved[:3, 3] = apply(moved, [container.center_m])[0]
                 half = np.asarray(container.size_m) / 2
                 states, undecided = _leaf_states(body, container.closed_by)
                 yield _Hollow(
                     object_id, body.item.category, inverse(moved), half, states, undecided
                 )
 
-    def _placed(self, body: Body, part: str, points: list[Vec3]) -> Array:
-        local = object_from_part(body.info, part, body.item.joints)
-        return apply(body.world_from_object @ local, points)
-
     def _on(self, object_id: int) -> Iterable[Related]:
         body = self.bodies[object_id]
-        x0, y0 = body.low[:2]
-        x1, y1 = body.high[:2]
         best: dict[int, Related] = {}
-        for surface in self._surfaces:
+        z, x0, y0, x1, y1 = self._surface_boxes.T
+        near = np.abs(body.low[2] - z) < ON_GAP_SURE_M[1]
+        near &= (body.low[0] <= x1) & (body.high[0] >= x0)
+        near &= (body.low[1] <= y1) & (body.high[1] >= y0)
+        for index in np.flatnonzero(near):
+            surface = self._surfaces[index]
+            if surface.owner == object_id:
+                continue
             gap = float(body.low[2]) - surface.z_m
-            a, b, c, d = surface.bounds
-            if surface.owner == object_id or not -ON_GAP_SURE_M[1] < gap < ON_GAP_SURE_M[1]:
-                continue
-            if x1 < a or c < x0 or y1 < b or d < y0:
-                continue
             share = surface.outline.intersection(body.footprint).area / max(
                 body.footprint.area, 1e-9
             )
@@ -343,12 +371,12 @@ class Facts:
     def _inside(self, object_id: int) -> Iterable[Related]:
         body = self.bodies[object_id]
         best: dict[int, Related] = {}
-        for hollow in self._hollows:
+        frames = self._hollow_frames
+        local = np.abs(frames[:, :3, :3] @ body.center + frames[:, :3, 3])
+        clearances = (self._hollow_halves - local).min(axis=1, initial=math.inf)
+        for index in np.flatnonzero(clearances >= -INSIDE_MARGIN_M):
+            hollow, clearance = self._hollows[index], float(clearances[index])
             if hollow.owner == object_id:
-                continue
-            local = np.abs(apply(hollow.box_from_world, [vec3(body.center)])[0])
-            clearance = float((hollow.half - local).min())
-            if clearance < -INSIDE_MARGIN_M:
                 continue
             found = Related(
                 hollow.owner,
@@ -420,34 +448,47 @@ class Facts:
         if self.holds(object_id, "INSIDE"):
             return []
         out = []
-        for other_id, other in self.bodies.items():
-            if other_id == object_id or not other.item.fixed or other.high[2] <= body.high[2]:
-                continue
-            if np.any(other.low[:2] > body.high[:2]) or np.any(body.low[:2] > other.high[:2]):
+        ids, tops, boxes = self._roofs
+        over = tops > body.high[2] - 0.005
+        over &= (boxes[:, 0] <= body.high[0]) & (boxes[:, 2] >= body.low[0])
+        over &= (boxes[:, 1] <= body.high[1]) & (boxes[:, 3] >= body.low[1])
+        for index in np.flatnonzero(over):
+            other = self.bodies[ids[index]]
+            if other is body or other.high[2] <= body.high[2]:
                 continue
             share = other.footprint.intersection(body.footprint).area / body.footprint.area
-            covered = any(
-                s.owner == other_id and s.z_m > body.high[2] - 0.005 for s in self._surfaces
-            )
-            if covered and share > UNDER_SHARE:
-                out.append(Edge(object_id, other_id, "UNDER"))
+            if share > UNDER_SHARE:
+                out.append(Edge(object_id, ids[index], "UNDER"))
         return out
 
+    @cached_property
+    def _roofs(self) -> tuple[list[int], Array, Array]:
+        """Built-in things with surfaces: ids, their highest surface (N,), and boxes (N, 4)."""
+        tops: dict[int, float] = {}
+        for surface in self._surfaces:
+            owner = self.bodies.get(surface.owner)
+            if owner is not None and owner.item.fixed:
+                tops[surface.owner] = max(tops.get(surface.owner, -math.inf), surface.z_m)
+        bodies = [self.bodies[key] for key in tops]
+        boxes = _rows([(*body.low[:2], *body.high[:2]) for body in bodies], 4)
+        return list(tops), np.array(list(tops.values())), boxes
+
     def _near_zones(self, object_id: int, body: Body) -> list[Edge]:
+        if body.item.fixed:
+            return []
         out = []
         tall = body.high[2] - body.low[2] > BLOCKING_HEIGHT_M
         shares = {z.name: z.fraction for z in self.zones(object_id)}
-        for zone, outline in self._zones:
+        for index in self._zones_near(body, max(NEAR_HEAT_M, NEAR_WATER_M)):
+            zone, outline = self._zones[index]
             if zone.source_id is None or zone.source_id == object_id:
                 continue
             if zone.kind in ("doorway", "swing"):
-                if tall and not body.item.fixed and shares.get(zone.name, 0.0) >= ZONE_SHARE:
+                if tall and shares.get(zone.name, 0.0) >= ZONE_SHARE:
                     out.append(Edge(object_id, zone.source_id, "BLOCKS"))
                 continue
             limit = {"heat": NEAR_HEAT_M, "water": NEAR_WATER_M}.get(zone.kind)
-            if limit is None or body.low[2] > zone.z_max_m or body.high[2] < zone.z_min_m:
-                continue
-            if not body.item.fixed and outline.distance(body.footprint) < limit:
+            if limit is not None and outline.distance(body.footprint) < limit:
                 relation = "NEAR_HEAT" if zone.kind == "heat" else "NEAR_WATER"
                 out.append(Edge(object_id, zone.source_id, relation))
         return sorted(set(out), key=lambda e: (e.relation, e.to_id))
@@ -462,6 +503,11 @@ class Facts:
                     if surface.outline.exterior.distance(point) < NEAR_EDGE_M:
                         return True
         return False
+
+
+def _rows(values: Sequence[object], *shape: int) -> Array:
+    """The values as an array (N, *shape), also when there are none."""
+    return np.array(values, dtype=np.float64).reshape(len(values), *shape)
 
 
 def _leaf_states(body: Body, joint: str | None) -> tuple[tuple[str, ...], tuple[str, ...]]:

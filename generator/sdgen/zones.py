@@ -18,7 +18,7 @@ from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
-from sdgen.freespace import free_shape, opening_rectangle, polygons, route
+from sdgen.freespace import Grid, free_shape, opening_rectangle, polygons
 from sdgen.geometry import Vec2, apply, matrix
 from sdgen.library.records import AssetInfo
 from sdgen.relations import CHILD_REACH_M, Body
@@ -83,13 +83,16 @@ def swing_blocked(
 ) -> tuple[int, ...]:
     """Ids of things that stand where a door of the home must swing, sorted."""
     swept = unary_union(swing_sectors(objects, infos))
+    shapely.prepare(swept)
     out = []
     for item in objects:
         if item.category in OPENINGS:
             continue
         body = Body(item, infos[item.asset])
         low = body.low[2] < OVERHEAD_M and body.high[2] > FLAT_M
-        if low and swept.intersection(body.footprint).area > SWING_TOUCH_M2:
+        if not low or not swept.intersects(body.footprint):
+            continue
+        if swept.intersection(body.footprint).area > SWING_TOUCH_M2:
             out.append(item.id)
     return tuple(sorted(out))
 
@@ -167,7 +170,8 @@ def _walkways(home: Home, room: Room, free: BaseGeometry) -> list[Zone]:
         pairs = [(ends[0], (float(middle[0]), float(middle[1])))]
     else:
         pairs = list(combinations(ends, 2))
-    paths = [path for a, b in pairs if (path := route(inside, a, b)) is not None]
+    grid = Grid(inside)
+    paths = [path for a, b in pairs if (path := grid.route(a, b)) is not None]
     if not paths:
         return []
     shape = shapely.union_all([p.buffer(WALKWAY_HALF_M, quad_segs=2) for p in paths])

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import math
-from itertools import combinations
+from itertools import combinations, count
 from pathlib import Path
+from typing import Literal
 
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import BaseHome, BaseOpening, FurnitureItem
+from sdgen.hazards.splits import SplitModels, split_of_home
+from sdgen.library import Library, load_library
+from sdgen.pipeline.stage import Stage, stage_home
+from sdgen.seeding import lane
 from shapely import box
 from shapely.affinity import rotate, translate
 from shapely.geometry import Polygon
@@ -76,6 +81,9 @@ CATALOG = load_catalog()
 HOMES = pytest.mark.parametrize("home", CATALOG.homes, ids=lambda home: home.id)
 FACE_M = 0.06
 SWING_M = {"door": 0.9, "front_door": 1.0}
+FLAT = ("rug", "bath_mat")
+#: Their fronts reach under the table or desk they stand at.
+TUCKED_IN = ("chair", "office_chair")
 
 
 def _rooms(home: BaseHome) -> dict[str, Polygon]:
@@ -115,7 +123,7 @@ def test_furniture_stays_in_its_room_off_walls_and_apart(home: BaseHome) -> None
         standing = [i for i in room.furniture if i.on is None and i.position_m[2] < 1.0]
         for item in standing:
             assert inner.contains(_print(item, largest=False)), f"{room.name}: {item.category}"
-        needed = [i for i in standing if i.category not in ("rug", "bath_mat", "chair")]
+        needed = [i for i in standing if i.category not in (*FLAT, *TUCKED_IN)]
         for a, b in combinations(needed, 2):
             overlap = _print(a, False).intersection(_print(b, False)).area
             assert overlap < 1e-6, f"{room.name}: {a.category} and {b.category}"
@@ -139,7 +147,7 @@ def test_doors_swing_free_even_beside_the_largest_furniture(home: BaseHome) -> N
         (item, _print(item, largest=True))
         for room in home.rooms
         for item in room.furniture
-        if item.category not in ("rug", "bath_mat") and item.position_m[2] < 1.0
+        if item.category not in FLAT and item.position_m[2] < 1.0
     ]
     for opening in home.openings:
         if opening.kind == "window":
@@ -156,7 +164,7 @@ def test_a_person_gets_from_door_to_door(home: BaseHome) -> None:
     for room in home.rooms:
         free = outlines[room.name].buffer(-FACE_M, join_style="mitre")
         for item in room.furniture:
-            low = item.category in ("rug", "bath_mat")
+            low = item.category in FLAT
             if not low and item.on is None and item.position_m[2] < 1.0:
                 free = free.difference(_print(item, largest=False))
         ways = free.buffer(-0.35)
@@ -179,3 +187,34 @@ def test_the_home_has_its_rooms_and_size(home: BaseHome) -> None:
     present = {item.category for room in home.rooms for item in room.furniture if not item.optional}
     assert present >= {"fridge", "stove", "kitchen_counter", "kitchen_table", "sofa", "bed"}
     assert all(math.isfinite(v) for room in home.rooms for r in room.rectangles_m for v in r)
+
+
+@HOMES
+def test_every_hazard_finds_what_it_needs(home: BaseHome) -> None:
+    needed = {i.category for room in home.rooms for i in room.furniture if not i.optional}
+    assert needed >= {"sink_cabinet", "washbasin", "nightstand", "coffee_table", "bookshelf"}
+    assert {"trash_bin"} <= {i.category for room in home.rooms for i in room.furniture}
+    left, low, right, high = unary_union(list(_rooms(home).values())).bounds
+    assert max(right - left, high - low) <= 18  # wider homes would lose shadows at the rim
+
+
+def test_three_base_homes_one_for_each_split() -> None:
+    assert len(CATALOG.homes) == 3
+    assert {split_of_home(home.id) for home in CATALOG.homes} == {"train", "val", "test"}
+
+
+@pytest.fixture(scope="module")
+def library() -> Library:
+    return load_library()
+
+
+@HOMES
+@pytest.mark.parametrize("split", ["train", "test"])
+def test_the_home_can_be_furnished_every_time(
+    home: BaseHome, split: Literal["train", "test"], library: Library
+) -> None:
+    """Whatever models are drawn: every needed piece stands, every room is reached."""
+    models = SplitModels(library, split)
+    for index in range(8):
+        stage = stage_home(home, CATALOG, library, models, count(1), lane(0, index, "furnish"))
+        assert isinstance(stage, Stage), stage

@@ -6,26 +6,46 @@ import json
 from functools import cache
 
 import pytest
-from sdgen.catalog.enumeration import check_against_library
+from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.predicate import Related, ZoneShare, evaluate
 from sdgen.catalog.predicate_text import in_words
 from sdgen.catalog.records import Abode, Catalog, Hazard, PlaceRecipe, Recipe
-from sdgen.library import Library, load_library
+from sdgen.library import Asset, Library, load_library
+from sdgen.library.records import Support
 from sdgen.resources import data_path
+from shapely.affinity import rotate, translate
+from shapely.geometry import Polygon, box
 
 from .worlds import Thing, World
 
 CATALOG = load_catalog()
-HUNG_M = 1.45  # where wall cabinets hang
-PAPER_CLASSES = {
-    "spill": "Spills",
-    "tripping_hazard": "Tripping Hazard",
-    "stove_on": "Stove On",
-    "refrigerated_food_out": "Refrigerated/Frozen foods out",
-    "fridge_open": "Fridge/Freezer Open",
-    "sharp_object": "Sharp Objects",
+#: The bottoms of what hangs on walls.
+HUNG_M = {"wall_cabinet": 1.45, "bathroom_cabinet": 1.35, "wall_shelf": 1.45}
+#: Unique anomalies of the paper's data set: ours has more.
+PAPER_UNIQUE = 967
+#: id -> the paper's class, group, label (the public contract).
+CLASSES = {
+    "spill": ("Spills", "safety", "unsafe"),
+    "tripping_hazard": ("Tripping Hazard", "safety", "unsafe"),
+    "broken_item": ("Broken Items", "safety", "unsafe"),
+    "candle_on": ("Candle On", "safety", "unsafe"),
+    "front_door_open": ("Front Door Open", "safety", "unsafe"),
+    "stove_on": ("Stove On", "safety", "unsafe"),
+    "refrigerated_food_out": ("Refrigerated/Frozen foods out", "sanitation", "unsanitary"),
+    "expired_produce": ("Expired Produce", "sanitation", "unsanitary"),
+    "fridge_open": ("Fridge/Freezer Open", "sanitation", "unsanitary"),
+    "choking_hazard": ("Choking Hazard", "child_safety", "unsafe for children"),
+    "sharp_object": ("Sharp Objects", "child_safety", "unsafe for children"),
+    "poison_cleaning": ("Poison: Cleaning Products", "child_safety", "unsafe for children"),
+    "poison_medication": (
+        "Poison: Medication & Beauty Products",
+        "child_safety",
+        "unsafe for children",
+    ),
 }
+#: Nobody can leave a puddle benignly, and a home has its fridge and its doors shut anyway.
+NO_TWIN_OF_ITS_KIND = {"spill", "fridge_open", "front_door_open", "stove_on"}
 
 
 @cache
@@ -36,7 +56,7 @@ def library() -> Library:
 def _top_m(category: str, at_most: float | None = None) -> float:
     """A likely height of the top of a piece of furniture."""
     record = CATALOG.category(category)
-    top = 0.0 if category == "floor" else record.extents_max_m[2]
+    top = 0.0 if category == "floor" else record.extents_max_m[2] + HUNG_M.get(category, 0.0)
     return top if at_most is None else min(top, at_most)
 
 
@@ -89,9 +109,9 @@ def test_lookalikes_satisfy_no_predicate(hazard: Hazard) -> None:
 def _at_home(category: str, abode: Abode, target: str) -> World:
     """A thing where it lives: behind its leaf if every hollow of the target has one."""
     states: tuple[str, ...] | None = None
-    height = _top_m(target)
+    height = HUNG_M.get(target, _top_m(target))
     if abode.relation == "INSIDE":
-        height = HUNG_M + 0.02 if target == "wall_cabinet" else 0.1
+        height = HUNG_M.get(target, 0.1) + 0.02
         hollows = [c for model in library().by_category(target) for c in model.containers]
         states = ("CLOSED",) if all(c.closed_by for c in hollows) else ()
     related = {abode.relation: (Related(2, target, True, True, {}, states),)}
@@ -110,13 +130,105 @@ def test_where_things_live_is_no_hazard() -> None:
                     assert (found.value, found.sure) == (False, True), name
 
 
-def test_the_six_hazards_of_this_step() -> None:
-    core = [hazard for hazard in CATALOG.hazards if hazard.pack == "core"]
-    assert {h.id for h in core} >= set(PAPER_CLASSES)
-    for hazard in core:
-        assert hazard.paper_class == PAPER_CLASSES.get(hazard.id, hazard.paper_class)
+def test_the_thirteen_hazards() -> None:
+    core = {hazard.id: hazard for hazard in CATALOG.hazards if hazard.pack == "core"}
+    assert {k: (h.paper_class, h.group, h.label) for k, h in core.items()} == CLASSES
+    for hazard in core.values():
         assert len(hazard.source) > 40, "say where the rule comes from"
         assert in_words(hazard.predicate)
+
+
+def _made_of() -> list[tuple[str, str, str | None]]:
+    """(hazard, category, target) of every unique anomaly whose models there are."""
+    have = set(library().categories)
+    return [
+        (u.hazard, u.category, u.target)
+        for u in enumerate_anomalies(CATALOG)
+        if u.category in have and (u.target in (None, "floor") or u.target in have)
+    ]
+
+
+def test_more_unique_anomalies_than_the_paper() -> None:
+    made = _made_of()
+    assert len(made) >= PAPER_UNIQUE
+    assert {hazard for hazard, _, _ in made} == set(CLASSES)
+
+
+def _fits(model: Asset, support: Support) -> bool:
+    """The model finds room on the support, square or askew."""
+    headroom = support.headroom_m
+    if headroom is not None and model.extents_m[2] > headroom - 0.015:
+        return False
+    surface = Polygon(support.polygon_m)
+    middle = surface.centroid
+    width, depth = model.extents_m[0] / 2, model.extents_m[1] / 2
+    print_ = translate(box(-width, -depth, width, depth), middle.x, middle.y)
+    turned = (rotate(print_, angle) for angle in (0, 45, 90))
+    return any(one.intersection(surface).area >= 0.97 * one.area for one in turned)
+
+
+@HAZARDS
+def test_there_is_room_for_every_anomaly(hazard: Hazard) -> None:
+    """No unique anomaly is there in name only: some models fit one another."""
+    for recipe in hazard.anomalies:
+        if not isinstance(recipe, PlaceRecipe):
+            continue
+        for category in recipe.categories:
+            models = [
+                m
+                for m in library().by_category(category)
+                if recipe.state is None or recipe.state in m.state_names
+            ]
+            for target in recipe.targets:
+                supports = [
+                    s
+                    for receptacle in library().by_category(target)
+                    for s in receptacle.supports
+                    if (s.container is None) == (recipe.relation == "ON")
+                ]
+                if not models or not supports:
+                    assert target == "floor" or not models or not library().by_category(target)
+                    continue
+                found = any(_fits(model, support) for model in models for support in supports)
+                assert found, f"{category} {recipe.relation} {target}"
+
+
+@HAZARDS
+def test_lookalikes_to_be_seen_of_the_same_kind(hazard: Hazard) -> None:
+    """A category alone must not tell: most of them also come as a benign thing in the open."""
+    seen = [
+        recipe
+        for recipe in hazard.lookalikes
+        if not isinstance(recipe, PlaceRecipe) or recipe.relation == "ON"
+    ]
+    open_bin = [
+        recipe
+        for recipe in hazard.lookalikes
+        if isinstance(recipe, PlaceRecipe) and recipe.targets == ("trash_bin",)
+    ]
+    assert len(seen) + len(open_bin) >= 2
+    if hazard.id in NO_TWIN_OF_ITS_KIND:
+        return
+    anomalous = {c for recipe in hazard.anomalies for c in recipe.categories}
+    benign = {c for recipe in (*seen, *open_bin) for c in recipe.categories}
+    assert len(anomalous & benign) >= 0.3 * len(anomalous), sorted(anomalous - benign)
+
+
+def test_what_children_must_not_reach_is_measured() -> None:
+    for hazard in CATALOG.hazards:
+        if hazard.group == "child_safety":
+            assert hazard.concerns.who == "children"
+            assert hazard.concerns.by_reach
+            assert hazard.concerns.max_age is not None
+
+
+def test_no_category_is_two_hazards_in_one_place() -> None:
+    """Whatever a recipe makes is an anomaly of its own hazard alone."""
+    for hazard in CATALOG.hazards:
+        for recipe in hazard.anomalies:
+            for name, world in _worlds(recipe):
+                found = [h.id for h in CATALOG.hazards if evaluate(h.predicate, 1, world).value]
+                assert found == [hazard.id], name
 
 
 def test_hazard_only_things_live_nowhere_and_the_rest_is_used() -> None:

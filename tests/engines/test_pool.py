@@ -4,7 +4,7 @@ import os
 import time
 
 import pytest
-from sdgen.engines.pool import Limits, Outcome, Pool, Recycled
+from sdgen.engines.pool import Limits, Outcome, Pool, Recycled, peak_mb, resident_mb
 from sdgen.errors import SceneRejected, SdgenError
 
 
@@ -22,6 +22,10 @@ class Work:
             if how.endswith("die"):
                 os._exit(9)
             if how.endswith("hang"):
+                time.sleep(60)
+            if how.endswith("bloat"):
+                held = bytearray(600_000_000)
+                held[::4096] = b"x" * len(held[::4096])
                 time.sleep(60)
             if how.endswith("raise"):
                 raise ZeroDivisionError("oops")
@@ -73,6 +77,27 @@ def test_a_bloated_worker_is_recycled(tmp_path):
     done, recycled = outcomes(tmp_path, {}, memory_mb=1.0)
     assert len(done) == 6
     assert recycled
+
+
+def test_a_worker_that_bloats_within_a_job_is_replaced(tmp_path):
+    done, recycled = outcomes(tmp_path, {1: "once bloat"}, jobs=range(3), bloat_mb=500.0)
+    assert {k: o.result for k, o in done.items()} == {0: 0, 1: 1, 2: 4}
+    assert "more than 500" in recycled[0].why
+
+
+def test_what_each_job_held_at_most_is_told(tmp_path):
+    done, _ = outcomes(tmp_path, {})
+    assert all(5 < outcome.memory_mb < 1000 for outcome in done.values())
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/clear_refs"), reason="Linux only")
+def test_peak_memory_is_that_since_the_last_call():
+    peak_mb()
+    held = b"x" * 200_000_000
+    before = resident_mb()
+    del held
+    assert peak_mb() >= before - 5  # the kernel counts in batches
+    assert peak_mb() < before - 100
 
 
 def test_a_worker_that_cannot_start_says_why():

@@ -17,7 +17,7 @@ def test_the_number_of_near_views_follows_from_the_options_alone(views, most, ne
 
 
 def test_large_things_must_show_more_than_small_ones():
-    sizes = [glance_pixels(d) for d in (0.05, 0.2, 0.5, 1.0, 3.0)]
+    sizes = [glance_pixels(d) for d in (0.01, 0.08, 0.3, 1.0, 5.0)]
     assert sizes == sorted(sizes)
     assert sizes[0] == sizes[1] >= 200
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sdgen.render.coverage import clip_near, covered
+from sdgen.render.coverage import clip_near, coverage, covered
 
 K = np.array([[100.0, 0, 31.5], [0, 100.0, 23.5], [0, 0, 1]])
 
@@ -50,3 +50,16 @@ def _sampled_share_beyond(corners: np.ndarray, near: float) -> float:
     u, v = u[u + v < 1], v[u + v < 1]
     z = corners[0, 2] * (1 - u - v) + corners[1, 2] * u + corners[2, 2] * v
     return float((z >= near).mean())
+
+
+def test_the_cut_out_mask_is_the_whole_one_without_its_empty_rim() -> None:
+    shape = triangle((-20.0, 10.0), (30.0, 40.0), (50.0, -9.0))[:, ::-1]
+    shape = shape if covered(shape, K, 64, 48, 0.05).any() else shape[:, ::-1]
+    mask = covered(shape, K, 64, 48, 0.05)
+    part, rows, columns = coverage(shape, K, 64, 48, 0.05)
+    assert part.sum() == mask.sum() > 0
+    assert np.array_equal(mask[rows, columns], part)
+    assert part[0].any()
+    assert part[:, 0].any()
+    assert part[-1].any()
+    assert part[:, -1].any()

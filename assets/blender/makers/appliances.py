@@ -15,7 +15,7 @@ Offset = tuple[float, float, float]
 LINER = (1.3, 1.3, 1.33, 1.0)
 
 
-def _compartment(
+def compartment(
     asm: Assembly,
     x: tuple[float, float],
     y: tuple[float, float],
@@ -23,11 +23,12 @@ def _compartment(
     shell,
     liner,
     wall: float,
+    bevel: float = 0.004,
 ) -> None:
     """Five walls of a cold compartment, open to the front: shell outside, liner inside."""
     (x0, x1), (y0, y1), (z0, z1) = x, y, z
-    asm.board("body", (x0, y0, z0), (x1, y0 + wall, z1), shell, 0.004)
-    asm.board("body", (x0, y1 - wall, z0), (x1, y1, z1), shell, 0.004)
+    asm.board("body", (x0, y0, z0), (x1, y0 + wall, z1), shell, bevel)
+    asm.board("body", (x0, y1 - wall, z0), (x1, y1, z1), shell, bevel)
     asm.board("body", (x0, y0 + wall, z0), (x1, y1 - wall, z0 + wall), shell)
     asm.board("body", (x0, y0 + wall, z1 - wall), (x1, y1 - wall, z1), shell)
     asm.board("body", (x0, y0 + wall, z0 + wall), (x0 + wall, y1 - wall, z1 - wall), shell)
@@ -74,7 +75,7 @@ def fridge(
         cold, frozen = (foot + share, height), (foot, foot + share)
     else:
         cold, frozen = (foot, height), None
-    _compartment(asm, (x0, case_front), (-half, half), cold, shell, liner, wall)
+    compartment(asm, (x0, case_front), (-half, half), cold, shell, liner, wall)
     inner_y, floor, roof = half - wall - 0.008, cold[0] + wall + 0.006, cold[1] - wall - 0.006
     back = x0 + wall + 0.006
     lamp = box(0.03, 0.14, 0.05, (back + 0.016, 0, roof - 0.075), glowing("#fffdf0"), 0.005)
@@ -115,7 +116,7 @@ def fridge(
     }
     doors = [("door", cold, True)]
     if frozen:
-        _compartment(asm, (x0, case_front), (-half, half), frozen, shell, liner, wall)
+        compartment(asm, (x0, case_front), (-half, half), frozen, shell, liner, wall)
         middle, low_z, high_z = (
             (frozen[0] + frozen[1]) / 2,
             frozen[0] + wall + 0.006,

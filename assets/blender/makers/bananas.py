@@ -1,4 +1,4 @@
-"""Bananas, single or in a hand; with a `rotten` variant."""
+"""Bananas, single or in a hand; fresh, overripe and rotten."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, seed_of, uniform
 from toolkit.shapes import loft, tube
 
-from makers.spoilage import MOULD, fruit, on_table
+from makers.spoilage import MOULD, MOULD_GREEN, aged
 
 
 def banana(length=0.19, count=1, ripeness=0.15, seed=0) -> Model:
@@ -20,7 +20,7 @@ def banana(length=0.19, count=1, ripeness=0.15, seed=0) -> Model:
     o = noise_offset(rng)
     s = length / 0.19
 
-    def skin(rot: bool) -> Material:
+    def skin(look: str) -> Material:
         m = Material()
         c = m.mix(m.remap(m.noise(14, 3, offset=o), 0.3, 0.7), "f0c62c", "f7d94e")
         ends = m.math(
@@ -35,22 +35,28 @@ def banana(length=0.19, count=1, ripeness=0.15, seed=0) -> Model:
             m.math("MULTIPLY", m.noise(160, 2, offset=o), 0.5),
         )
         c = m.mix(m.remap(spots, 0.22 + ripeness, 0.3 + ripeness, 0.85, 0), c, "6b421a")
-        if rot:
+        if look == "overripe":  # brown freckles and streaks over dull yellow
+            c = m.mix(0.3, c, "a87a24")
+            c = m.mix(m.remap(m.voronoi(85, (o[2], 0, 1)), 0.3, 0.42, 0.95, 0), c, "3d2410")
+            streaks = m.noise(30, 3, offset=(o[1], 2, o[0]), stretch=(1, 0.4, 1))
+            c = m.mix(m.remap(streaks, 0.5, 0.6, 0, 0.8), c, "5a3716")
+        if look == "rotten":
             c = m.mix(
-                m.remap(m.noise(16, 4, offset=(o[1], o[0], 1)), 0.36, 0.5, 0.3, 0.94), c, "2a190c"
+                m.remap(m.noise(16, 4, offset=(o[1], o[0], 1)), 0.36, 0.5, 0.75, 0.96), c, "2a190c"
             )
             c = m.mix(m.remap(m.voronoi(60, (o[2], 0, 1)), 0.2, 0.3, 0.9, 0), c, "1c100a")
-            fuzz = m.math(
-                "ADD",
-                m.distance((0.03 * s, 0.01, 0.03)),
-                m.math("MULTIPLY", m.noise(130, 4, offset=o), 0.03),
-            )
-            c = m.mix(m.remap(fuzz, 0.028, 0.034, 1, 0), c, MOULD)
+            near = None
+            for y in (-0.06, 0.0, 0.055):
+                d = m.distance((-0.03 * abs(y) / 0.06 * s, y * s, 0.03), (0.6, 1, 0.5))
+                near = d if near is None else m.math("MINIMUM", near, d)
+            fuzz = m.math("ADD", near, m.math("MULTIPLY", m.noise(110, 4, offset=o), 0.03))
+            c = m.mix(m.remap(fuzz, 0.031, 0.035, 1, 0), c, MOULD)
+            c = m.mix(m.remap(fuzz, 0.021, 0.026, 0.9, 0), c, MOULD_GREEN)
         return m.colour(c)
 
     dark = plain("3a2412", 0.15, 200)
 
-    def one(mat: Material, n: int, rot: bool) -> list[Mesh]:
+    def one(mat: Material, n: int, look: str) -> list[Mesh]:
         # bent in the xy plane, lying on its side; the bulge points to +x
         reach, bend = 0.105 * s, 1.15
         rings, m = [], 13
@@ -64,7 +70,7 @@ def banana(length=0.19, count=1, ripeness=0.15, seed=0) -> Model:
             cx, cy = reach * (math.cos(a) - 1) * 0.9, reach * math.sin(a)
             radial, r = (
                 np.array([math.cos(a), math.sin(a), 0]),
-                0.0175 * s * w * (0.88 if rot else 1),
+                0.0175 * s * w * (0.86 if look == "rotten" else 0.95 if look == "overripe" else 1),
             )
             ring = []
             for k in range(n):
@@ -96,19 +102,17 @@ def banana(length=0.19, count=1, ripeness=0.15, seed=0) -> Model:
         )
         return [body, tip, stalk]
 
-    groups = []
-    for rot in (False, True):
-        mat, group = skin(rot), []
+    def shape(look: str) -> list[Mesh]:
+        mat, group = skin(look), []
         for i in range(count):
-            meshes = one(mat, 8 if count > 1 else 10, rot)
+            meshes = one(mat, 8 if count > 1 else 10, look)
             for mesh in meshes:
                 if count > 1:  # fan about the common stalk
                     mesh.turn(rz=0.16 * (i - 1), pivot=(-0.09 * s, -0.11 * s, 0)).move(
                         -0.03 * s * i
                     )
             group += meshes
-        groups.append(group)
-    on_table(*groups)
+        return group
 
     def solids(group: list[Mesh]) -> list[np.ndarray]:
         """Three stretches of every banana, set flat on the ground."""
@@ -123,7 +127,7 @@ def banana(length=0.19, count=1, ripeness=0.15, seed=0) -> Model:
         return out
 
     title = "banana" if count == 1 else f"hand of {count} bananas"
-    return fruit(title, *groups, 0.13 * count, pieces=[solids(g) for g in groups])
+    return aged(title, shape, 0.13 * count, solids)
 
 
 def banana_random(rng: np.random.Generator) -> dict:

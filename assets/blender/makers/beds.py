@@ -82,7 +82,7 @@ def bed(
     cover_x0, cover_x1 = x0 + 0.62, x1 - 0.04
     asm.add(
         "body",
-        _blanket(cover_x0, cover_x1, width, rail_top - 0.1, mattress_top, cloth, offset, True),
+        bedspread(cover_x0, cover_x1, width, rail_top - 0.1, mattress_top, cloth, offset, True),
     )
     fold = cushion(
         (0.22, width - 0.045, 0.018),
@@ -94,7 +94,7 @@ def bed(
     )
     asm.add("body", fold)
     if throw:
-        strip = _blanket(
+        strip = bedspread(
             x1 - 0.62,
             x1 - 0.22,
             width + 0.012,
@@ -131,7 +131,7 @@ def bed(
     )
 
 
-def _blanket(
+def bedspread(
     x0: float,
     x1: float,
     width: float,

@@ -1,4 +1,4 @@
-"""Apples, oranges, tomatoes; each has a `rotten` variant."""
+"""Apples, oranges, tomatoes; fresh, overripe and rotten."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import lathe, loft, spline, tube
 
-from makers.spoilage import decay, fruit, on_table, shrivel
+from makers.spoilage import age, aged, spots_around, wither
 
 APPLES = {
     "red": ("a31420", "c8262c", "e4a93a"),
@@ -47,7 +47,7 @@ def apple(radius=0.038, kind="red", leaf=True, seed=0) -> Model:
 
         return mesh.warp(dent)
 
-    def skin(rot: bool) -> Material:
+    def skin(look: str) -> Material:
         m = Material()
         low, mid, blush = APPLES[kind]
         streaks = m.noise(1, 3, stretch=(160, 160, 14), offset=o)
@@ -60,21 +60,24 @@ def apple(radius=0.038, kind="red", leaf=True, seed=0) -> Model:
             "8f8a3a" if kind == "green" else "b9a53f",
         )
         c = m.mix(m.remap(m.voronoi(230, o), 0.06, 0.13, 0.7, 0), c, "f0d9a0")
-        return m.colour(decay(m, c, r, spot, o) if rot else c)
+        return m.colour(age(look, m, c, r, spots, o))
 
-    spot = (r * 0.85, r * 0.25, r * 0.35 + zb)
+    spots = spots_around(r, zb)
     top = r * 0.58 + zb
     stem_path = spline(
         [(0, 0, top - 0.003), (0.001, 0, top + 0.008), (0.004, 0.001, top + 0.018)], 2
     )
-    stems = [
-        tube(stem_path, [0.0013, 0.0012, 0.0013, 0.0016, 0.0019], 5, mat=plain("5a3a1c", 0.2, 300))
-        for _ in range(2)
-    ]
-    fresh, rotten = body(), shrivel(body(), r, spot)
-    fresh.mats, rotten.mats = [skin(False)], [skin(True)]
-    good = [fresh, stems[0]]
-    if leaf:
+
+    def shape(look: str) -> list[Mesh]:
+        fruit = wither(look, body(), r, spots)
+        fruit.mats = [skin(look)]
+        radii = [0.0013, 0.0012, 0.0013, 0.0016, 0.0019]
+        stem = tube(stem_path, radii, 5, mat=plain("5a3a1c", 0.2, 300))
+        if look == "rotten":
+            return [fruit, stem.move(-0.002, -0.001, -0.004)]
+        return [fruit, stem, *([leaf_mesh(look)] if leaf else [])]
+
+    def leaf_mesh(look: str) -> Mesh:
         rings, length = [], 0.034
         for t in np.linspace(0, 1, 6):
             w, z = (
@@ -89,12 +92,12 @@ def apple(radius=0.038, kind="red", leaf=True, seed=0) -> Model:
                     (t * length, 0, z - 0.0032),
                 ]
             )
+        tones = ("3f7a22", "5c9a33") if look == "fresh" else ("6a5a24", "7f7a30")
         green = Material()
-        green.colour(green.mix(green.remap(green.noise(300, 2), 0.35, 0.65), "3f7a22", "5c9a33"))
-        good.append(loft(rings, mat=green).turn(rz=-0.9).move(0.001, 0, top + 0.01))
-    bad = [rotten, stems[1].move(-0.002, -0.001, -0.004)]
-    on_table(good, bad)
-    return fruit(f"{kind} apple", good, bad, 0.17)
+        green.colour(green.mix(green.remap(green.noise(300, 2), 0.35, 0.65), *tones))
+        return loft(rings, mat=green).turn(rz=-0.9).move(0.001, 0, top + 0.01)
+
+    return aged(f"{kind} apple", shape, 0.17)
 
 
 def apple_random(rng: np.random.Generator) -> dict:
@@ -109,9 +112,9 @@ def apple_random(rng: np.random.Generator) -> dict:
 def orange(radius=0.038, colour="f08a14", seed=0) -> Model:
     rng = np.random.default_rng(seed)
     r, o = radius, noise_offset(rng)
-    spot = (r * 0.85, -r * 0.3, r * 1.3)
+    spots = spots_around(r, r * 0.95)
 
-    def body(rot: bool) -> list[Mesh]:
+    def shape(look: str) -> list[Mesh]:
         m = Material()
         c = m.mix(
             m.remap(m.noise(30, 3, offset=o), 0.3, 0.7),
@@ -122,17 +125,14 @@ def orange(radius=0.038, colour="f08a14", seed=0) -> Model:
         c = m.mix(
             m.remap(m.distance((r * 0.35, -r * 0.3, r * 1.75)), 0, r * 0.5, 0.5, 0), c, "ffd9a0"
         )
-        if rot:
-            c = decay(m, c, r * 1.15, spot, o, "4a3a1c", 0.25)
-        m.colour(c)
+        m.colour(age(look, m, c, r * 1.05, spots, o, "4a3a1c", 0.3))
         profile = [
             (math.sin(math.pi * k / 10) * r, -math.cos(math.pi * k / 10) * r * 0.95)
             for k in range(11)
         ]
         profile[0], profile[-1] = (0, -r * 0.93), (0, r * 0.9)
         mesh = lathe(profile, 18, mat=m, discs=False).move(z=r * 0.95)
-        if rot:
-            shrivel(mesh, r, spot, 0.12)
+        wither(look, mesh, r, spots, 0.12)
         star = lathe(
             [(0, -0.001), (0.0042, 0), (0.003, 0.0012), (0, 0.0014)],
             5,
@@ -140,9 +140,7 @@ def orange(radius=0.038, colour="f08a14", seed=0) -> Model:
         )
         return [mesh, star.move(z=mesh.v[:, 2].max() - 0.0005)]
 
-    good, bad = body(False), body(True)
-    on_table(good, bad)
-    return fruit("orange", good, bad, 0.18)
+    return aged("orange", shape, 0.18)
 
 
 def orange_random(rng: np.random.Generator) -> dict:
@@ -156,9 +154,9 @@ def orange_random(rng: np.random.Generator) -> dict:
 def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
     rng = np.random.default_rng(seed)
     r, o, phase = radius, noise_offset(rng), rng.uniform(0, 6.28)
-    spot = (r * 0.85, r * 0.25, r * 1.0)
+    spots = spots_around(r, r * 0.8)
 
-    def body(rot: bool) -> list[Mesh]:
+    def shape(look: str) -> list[Mesh]:
         m = Material()
         c = m.mix(
             m.remap(m.noise(25, 2, offset=o), 0.35, 0.7),
@@ -169,7 +167,7 @@ def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
             m.remap(m.distance((r * 0.45, -r * 0.35, r * 1.5)), 0, r * 0.4, 0.65, 0), c, "ffb9a0"
         )
         c = m.mix(m.remap(m.distance((0, 0, r * 1.6)), r * 0.2, r * 0.6, 0.5, 0), c, "9a8a2c")
-        m.colour(decay(m, c, r * 1.1, spot, o, "2c1a10", 0.35) if rot else c)
+        m.colour(age(look, m, c, r * 1.05, spots, o, "2c1a10", 0.4))
         profile = []
         for k in range(11):
             a = math.pi * k / 10
@@ -183,9 +181,8 @@ def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
                 z + r * 0.84,
             )
         )
-        if rot:
-            shrivel(mesh, r, spot, 0.2)
-        top, green = r * 1.53, plain("4f8a2c" if not rot else "6a5a2c", 0.15, 200)
+        wither(look, mesh, r, spots, 0.18)
+        top, green = r * 1.53, plain("4f8a2c" if look == "fresh" else "6a5a2c", 0.15, 200)
         leaves = []
         for i in range(5):
             a = 2 * math.pi * i / 5 + phase
@@ -207,9 +204,7 @@ def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
         )
         return [mesh, *leaves, stalk]
 
-    good, bad = body(False), body(True)
-    on_table(good, bad)
-    return fruit("tomato", good, bad, 0.12)
+    return aged("tomato", shape, 0.12)
 
 
 def tomato_random(rng: np.random.Generator) -> dict:

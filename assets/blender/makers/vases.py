@@ -16,11 +16,12 @@ from toolkit.model import (
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import (
     TAU,
-    ellipsoid,
     lathe,
     loft,
     tube,
 )
+
+from makers.breakage import BROKEN, broken, wall_seeds
 
 
 def _blossom(kind: str, radius: float, petal: str) -> list[Mesh]:
@@ -30,62 +31,54 @@ def _blossom(kind: str, radius: float, petal: str) -> list[Mesh]:
         plain("#f0b92c" if kind == "daisy" else shade(petal, 0.7), 0.1, 300),
     )
     if kind == "tulip":
-        cup = [
-            (0, -0.3),
-            (0.4, -0.22),
-            (0.56, 0.15),
-            (0.5, 0.65),
-            (0.42, 0.95),
-            (0.3, 0.6),
-            (0, 0.1),
-        ]
+        cup = [(0, -0.3), (0.5, -0.17), (0.56, 0.2), (0.43, 0.95), (0.3, 0.6), (0, 0.1)]
         bell = lathe(
             [(r * radius, z * radius) for r, z in cup],
-            8,
+            6,
             mat=paint,
-            rib=lambda k, i: 1.12 - 0.24 * (i % 2) if k in (3, 4) else 1.0,
+            rib=lambda k, i: 1.12 - 0.24 * (i % 2) if k in (2, 3) else 1.0,
         )
         return [bell]
     if kind == "rose":
-        bud = [
-            (0, -0.35),
-            (0.5, -0.25),
-            (0.72, 0.05),
-            (0.66, 0.3),
-            (0.45, 0.36),
-            (0.42, 0.22),
-            (0.2, 0.38),
-            (0, 0.3),
-        ]
+        bud = [(0, -0.35), (0.6, -0.2), (0.72, 0.08), (0.48, 0.36), (0.4, 0.2), (0, 0.34)]
         return [
             lathe(
                 [(r * radius, z * radius) for r, z in bud],
-                9,
+                7,
                 mat=paint,
                 rib=lambda k, i: 1 + 0.12 * math.sin(2.4 * i + k),
             )
         ]
-    disc = [(0, -0.12), (1.0, 0.02), (0.95, 0.14), (0.3, 0.06), (0, 0.06)]
+    disc = [(0, -0.12), (1.0, 0.06), (0.34, 0.08), (0, 0.26)]
     petals = lathe(
         [(r * radius, z * radius) for r, z in disc],
-        16,
-        mat=paint,
-        rib=lambda k, i: 1.0 if i % 2 else 0.55,
+        14,
+        mats=[paint, heart],
+        mat_of_segment=[0, 0, 1],
+        rib=lambda k, i: 1.0 if i % 2 or k != 1 else 0.55,
     )
-    return [
-        petals,
-        ellipsoid((radius * 0.34, radius * 0.34, radius * 0.2), (0, 0, radius * 0.1), 6, 3, heart),
-    ]
+    return [petals]
 
 
 def _leaf(length: float, width: float, mat: Material) -> Mesh:
     """A long leaf rising along z from the origin and bending towards +X, 5 mm thick."""
     rings = []
-    for t in np.linspace(0, 1, 6):
+    for t in np.linspace(0, 1, 5):
         w = width * math.sin(math.pi * min(1, 0.12 + 0.86 * t)) ** 0.8 / 2
         x, z = 0.35 * length * t**2.2, length * (t - 0.18 * t**3)
         rings.append([(x, -w, z), (x + 0.002, 0, z), (x, w, z), (x - 0.003, 0, z)])
     return loft(rings, mat=mat)
+
+
+def _fallen(bunch: list[Mesh]) -> list[Mesh]:
+    """The flowers lying on the floor among the shards, flattened by their weight."""
+    lying = [mesh.copy().keep_pattern().turn(ry=math.pi / 2).turn(rz=0.7) for mesh in bunch]
+    points = np.concatenate([mesh.v for mesh in lying])
+    low, middle = points.min(0), points.mean(0)
+    for mesh in lying:
+        mesh.v = (mesh.v - [middle[0], middle[1], low[2]]) * [1, 1, 0.4]
+        mesh.move(0.1, -0.12)  # clear of the foot, which stays standing
+    return lying
 
 
 def vase(
@@ -143,13 +136,13 @@ def vase(
     )
     pot = lathe(
         [(0, 0), *outer, *inner],
-        18,
+        15,
         mats=[clay, plain(shade(glaze, 0.5), 0.03)],
         mat_of_segment=[0] * (len(outer) + 2) + [1, 1],
     )
     green = plain("#4f8a3c", 0.12, 120)
     leaf_mat = plain("#5f9a44", 0.15, 80)
-    meshes = [pot]
+    bunch: list[Mesh] = []
     top = rim[1]
     for k in range(stems):
         a, spread = (
@@ -160,14 +153,14 @@ def vase(
         tip = (spread * math.cos(a), spread * math.sin(a), tall)
         start = (rim[0] * 0.5 * math.cos(a), rim[0] * 0.5 * math.sin(a), top - 0.03)
         middle = np.array(start) * 0.4 + np.array(tip) * 0.6 - [0.25 * tip[0], 0.25 * tip[1], 0]
-        meshes.append(tube([start, middle, tip], 0.0026, 4, mat=green, weight=0.5))
+        bunch.append(tube([start, middle, tip], 0.003, 3, mat=green, weight=0.5))
         lean = 0.25 + 6.0 * spread if k else 0.15
         for mesh in _blossom(flower, float(rng.uniform(0.026, 0.033)), petals[k % len(petals)]):
-            meshes.append(mesh.turn(ry=lean).turn(rz=a).move(*tip))
-    for k in range(4):
+            bunch.append(mesh.turn(ry=lean).turn(rz=a).move(*tip))
+    for k in range(3):
         blade = _leaf(float(rng.uniform(0.1, 0.15)), 0.03, leaf_mat)
-        meshes.append(
-            blade.move(x=rim[0] * 0.3).turn(ry=0.25).turn(rz=1.3 * k + 0.6).move(z=top - 0.012)
+        bunch.append(
+            blade.move(x=rim[0] * 0.3).turn(ry=0.25).turn(rz=1.9 * k + 0.6).move(z=top - 0.012)
         )
     widest = max(r for r, _ in outer)
     pieces = [
@@ -176,7 +169,22 @@ def vase(
         cylinder_piece(widest * 0.8, 0.12 * s, top, 12, rim[0]),
         cylinder_piece(0.04, top, top + 0.13, 8, 0.065),
     ]
-    return Model("vase of flowers", {"body": Part(meshes, collision=pieces)}, mass=0.9)
+    hollow = [(r - wall, max(z, 0.008)) for r, z in outer[::-1]]
+    shell = lathe([(0, 0), *outer, *hollow, (0, 0.008)], 12, mat=clay)
+    seeds = wall_seeds(widest, top, 5, np.random.default_rng(seed))
+    raw = plain("e9ddc8", 0.1, 300)
+    shards = broken([shell], raw, seeds, (0.3 * widest) ** 2, seed, edge=0.03)
+    return Model(
+        "vase of flowers",
+        {
+            "body": Part([pot, *bunch], collision=pieces),
+            "shards": shards,
+            "spilled": Part(_fallen(bunch), collision="none"),
+        },
+        mass=0.9,
+        variants={"default": ["body"], "broken": ["shards", "spilled"]},
+        states=BROKEN,
+    )
 
 
 def vase_random(rng: np.random.Generator) -> dict:

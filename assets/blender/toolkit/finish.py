@@ -30,7 +30,7 @@ def finish(
             if mesh.f:
                 meshes.append(mesh)
                 part_of_mesh.append(number)
-    obj = join(meshes, part_of_mesh, asset_id)
+    obj = join(meshes, part_of_mesh, asset_id, model.smooth_deg)
     unwrap(obj)
     groups = list(grouped.values())
     ground = list(grouped).index("fixed") if model.ground_shadow else None

@@ -74,6 +74,7 @@ class Model:
     ground_shadow: bool = False  # darken the foot of things that always stand on the floor
     occlusion_strength: float = 1.0
     prune: bool = True
+    smooth_deg: float = 40.0  # edges up to this angle are shaded round
     front: str = "+x"  # "-y" if it was modelled facing -Y: turned at export
 
     def __post_init__(self) -> None:

@@ -1,8 +1,9 @@
 """The hazard catalogue, from YAML folders to one resolved :class:`Catalog`.
 
-A folder holds ``hazards/*.yaml``, ``categories/*.yaml``, ``homes/*.yaml``, ``rooms.yaml`` and
-``households.yaml``, each optional except in the shipped one. Later folders add to earlier ones;
-to replace an entry they say ``replaces: true``. A single file may stand in for a folder.
+A folder holds ``hazards/*.yaml``, ``categories/*.yaml``, ``homes/*.yaml``, ``rooms.yaml``,
+``plans.yaml`` and ``households.yaml``, each optional except in the shipped one. Later folders add
+to earlier ones; to replace an entry they say ``replaces: true``. A single file may stand in for a
+folder.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from sdgen.catalog.read_home import read_home
 from sdgen.catalog.read_world import (
     read_category,
     read_household,
+    read_mix,
     read_reach,
     read_room_type,
 )
@@ -41,11 +43,19 @@ class _Folder:
     categories: list[Source] = field(default_factory=list)
     homes: list[Source] = field(default_factory=list)
     rooms: list[Source] = field(default_factory=list)
+    plans: list[Source] = field(default_factory=list)
     households: list[Source] = field(default_factory=list)
 
     def all(self) -> list[Source]:
         """Every file, in reading order."""
-        return [*self.categories, *self.rooms, *self.hazards, *self.households, *self.homes]
+        return [
+            *self.categories,
+            *self.rooms,
+            *self.hazards,
+            *self.households,
+            *self.homes,
+            *self.plans,
+        ]
 
 
 def load_catalog(
@@ -102,13 +112,15 @@ def _open_extra(path: Path) -> _Folder:
     if not path.is_dir():
         single = _Folder(pack=path.stem)
         kinds = {"categories": single.categories, "homes": single.homes}
-        kinds |= {"rooms": single.rooms, "households": single.households}
-        name = path.stem if path.stem in ("rooms", "households") else path.resolve().parent.name
+        alone = {"rooms": single.rooms, "plans": single.plans, "households": single.households}
+        kinds |= alone
+        name = path.stem if path.stem in alone else path.resolve().parent.name
         kinds.get(name, single.hazards).append(read_yaml(path))
         return single
     folder = _open_folder(path, path.resolve().name, str(path))
     if not folder.all():
-        layout = "hazards/*.yaml, categories/*.yaml, homes/*.yaml, rooms.yaml, households.yaml"
+        folders = "hazards/*.yaml, categories/*.yaml, homes/*.yaml"
+        layout = f"{folders}, rooms.yaml, plans.yaml, households.yaml"
         raise InputError([f"{path}: no catalogue file in it (expected {layout})"])
     return folder
 
@@ -132,6 +144,7 @@ def _open_folder(root: Path, pack: str, shown: str) -> _Folder:
         categories=listed("categories"),
         homes=listed("homes"),
         rooms=single("rooms.yaml"),
+        plans=single("plans.yaml"),
         households=single("households.yaml"),
     )
 
@@ -160,10 +173,15 @@ class _Entries:
 
 def _resolve(folders: Sequence[_Folder], problems: list[str]) -> Catalog:
     categories, room_types = _Entries("category"), _Entries("room type")
+    mixes = _Entries("mix of rooms")
     hazards, homes, households = _Entries("hazard"), _Entries("home"), _Entries("household")
     reach_reader: Reader | None = None
     for folder in folders:
-        for kind, sources in ((categories, folder.categories), (room_types, folder.rooms)):
+        for kind, sources in (
+            (categories, folder.categories),
+            (room_types, folder.rooms),
+            (mixes, folder.plans),
+        ):
             for source in sources:
                 for name, reader in _top(source).named():
                     kind.add(name, reader, folder.pack)
@@ -188,6 +206,7 @@ def _resolve(folders: Sequence[_Folder], problems: list[str]) -> Catalog:
         households=households.read(lambda name, r, _: read_household(name, r, ids)),
         reach=reach,
         homes=homes.read(lambda _, r, __: read_home(r, names, rooms)),
+        mixes=mixes.read(lambda name, r, _: read_mix(name, r, rooms)),
     )
     for folder in folders:
         for source in folder.all():

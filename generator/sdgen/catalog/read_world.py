@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from sdgen.catalog.read_furniture import read_rules
 from sdgen.catalog.reader import Reader, shown
 from sdgen.catalog.records import (
     Abode,
     Category,
     ClutterPrior,
+    HomeMix,
     HouseholdTemplate,
     ReachRow,
     RoomType,
@@ -124,11 +126,39 @@ def read_room_type(name: str, reader: Reader, categories: set[str]) -> RoomType:
         least, most = _counts(below, receptacle)
         priors.append(ClutterPrior(receptacle=receptacle, count_min=least, count_max=most))
     least, most = _counts(reader, "floor_clutter")
+    room_type = RoomType(
+        name=name,
+        area_m2=reader.span("area_m2", low=1.0, high=200.0) if reader.has("area_m2") else (8, 16),
+        narrowest_m=reader.number("narrowest_m", 2.0, low=0.9, high=10.0),
+        furniture=read_rules(reader, categories),
+        clutter=tuple(priors),
+        floor_clutter_min=least,
+        floor_clutter_max=most,
+    )
     reader.flag("replaces")
     reader.done()
-    return RoomType(
-        name=name, clutter=tuple(priors), floor_clutter_min=least, floor_clutter_max=most
+    return room_type
+
+
+def read_mix(name: str, reader: Reader, rooms: set[str]) -> HomeMix:
+    """One entry of ``plans.yaml``."""
+    hub = reader.words("hub", choices=rooms, what="room type")
+    others: list[str] = []
+    for index, item in enumerate(reader.listed("rooms", "room types")):
+        if item in rooms:
+            others.append(item)
+        else:
+            near = did_you_mean(str(item), sorted(rooms))
+            reader.problem(f"unknown room type {item!r}{near}", "rooms", index)
+    mix = HomeMix(
+        name=name,
+        weight=reader.number("weight", 1.0, low=0.001, high=1000.0),
+        hub=hub[0] if hub else "",
+        rooms=tuple(others),
     )
+    reader.flag("replaces")
+    reader.done()
+    return mix
 
 
 def _counts(reader: Reader, key: str) -> tuple[int, int]:

@@ -138,6 +138,19 @@ class Reader:
                 out.append(item)
         return tuple(out)
 
+    def listed(self, key: str, what: str) -> list[str]:
+        """A list of words in which one may come twice (a row of units, two bedrooms)."""
+        value = self._get(key, _REQUIRED, f"a list of {what}", (list,))
+        if value == []:
+            self.problem(f"expected a list of {what}", key)
+        out = []
+        for index, item in enumerate(value or ()):
+            if isinstance(item, str):
+                out.append(item)
+            else:
+                self.problem(f"expected a word, got {shown(item)}", key, index)
+        return out
+
     def states(self, key: str) -> tuple[str, ...]:
         """One state or a list of states."""
         out = self.words(key, what="state")

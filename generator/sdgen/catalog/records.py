@@ -229,10 +229,52 @@ class ClutterPrior(Record):
     count_max: int
 
 
+class FurnitureRule(Record):
+    """How rooms of a type in generated homes get a piece of furniture (or several).
+
+    ``where`` says how it is placed: against a ``wall`` (at ``z_m``, if it hangs), in a ``corner``,
+    in the ``middle``; ``row``: the pieces of ``row`` side by side against one wall; and, relative
+    to a piece of ``of`` placed before: ``on`` it, ``beside`` it, ``before`` its front (``gap_m``
+    away, facing it), ``under`` it, ``around`` it (facing it), ``above`` it on the wall, or
+    ``opposite``, against the wall it faces. ``count`` is per room, or per piece of ``of`` for
+    ``on``, ``beside``, ``around`` and ``above``. ``front_m`` of floor before it is kept free. A
+    room without a ``needed`` piece is arranged anew.
+    """
+
+    category: str = ""
+    row: tuple[str, ...] = ()
+    where: Literal[
+        "wall",
+        "corner",
+        "middle",
+        "row",
+        "on",
+        "beside",
+        "before",
+        "under",
+        "around",
+        "above",
+        "opposite",
+    ]
+    of: tuple[str, ...] = ()
+    count: tuple[int, int] = (1, 1)
+    chance: float = 1.0
+    needed: bool = False
+    front_m: float = 0.5
+    gap_m: float = 0.0
+    z_m: float = 0.0
+
+
 class RoomType(Record):
-    """A room type: its surfaces' kinds come from the library; clutter counts by receptacle."""
+    """A room type: size and furniture in generated homes, clutter counts by receptacle.
+
+    ``area_m2`` is the range of its area, ``narrowest_m`` the least width of its main part.
+    """
 
     name: str
+    area_m2: tuple[float, float] = (8.0, 16.0)
+    narrowest_m: float = 2.0
+    furniture: tuple[FurnitureRule, ...] = ()
     clutter: tuple[ClutterPrior, ...] = ()
     floor_clutter_min: int = 0
     floor_clutter_max: int = 2
@@ -305,13 +347,23 @@ class BaseOpening(Record):
 
 
 class BaseHome(Record):
-    """A hand-drawn home."""
+    """A home's plan: drawn by hand, or generated (``procedural``: rules furnish its rooms)."""
 
     id: str
     title: str
+    kind: Literal["base", "procedural"] = "base"
     height_m: float = 2.6
     rooms: tuple[BaseRoom, ...]
     openings: tuple[BaseOpening, ...]
+
+
+class HomeMix(Record):
+    """Which rooms a generated home has: all ``rooms`` open from the ``hub``."""
+
+    name: str
+    weight: float
+    hub: str
+    rooms: tuple[str, ...]
 
 
 class Catalog(Record):
@@ -323,6 +375,7 @@ class Catalog(Record):
     households: tuple[HouseholdTemplate, ...]
     reach: tuple[ReachRow, ...]
     homes: tuple[BaseHome, ...]
+    mixes: tuple[HomeMix, ...] = ()
 
     def hazard(self, hazard_id: str) -> Hazard:
         """The hazard of this id (KeyError when there is none)."""

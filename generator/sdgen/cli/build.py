@@ -90,6 +90,14 @@ def usable_cores() -> int:
     help="What each view writes, or none.",
 )
 @click.option(
+    "--eye-height",
+    type=click.FloatRange(min=0.1, min_open=True, max=2.2),
+    metavar="METRES",
+    default=1.2,
+    show_default=True,
+    help="Height of the cameras: a robot's eyes.",
+)
+@click.option(
     "--rgb",
     type=click.Choice(["png", "jpg"]),
     default="png",
@@ -160,6 +168,7 @@ def build(
     views: int,
     pixels: tuple[int, int],
     sensors: tuple[Sensor, ...],
+    eye_height: float,
     rgb: Literal["png", "jpg"],
     supersample: str,
     renderer: Literal["auto", "egl", "cpu"],
@@ -183,7 +192,7 @@ def build(
     Example: sdgen build --n 1000 --seed 7
     Example: sdgen build --n 50 --seed 7 --views 4 --size 320x240 --out small
     """
-    _refuse_missing_features(homes, engine, ray_address)
+    _refuse_missing_features(engine, ray_address)
     options = BuildOptions(
         n=n,
         seed=seed,
@@ -199,6 +208,7 @@ def build(
         rgb=rgb,
         supersample=2 if supersample == "2" else 1,
         renderer=renderer,
+        eye_height_m=eye_height,
         twins=twins,
     )
     first, end = index_range if index_range is not None else (0, n)
@@ -206,8 +216,6 @@ def build(
         raise UsageError(f"--range {first}:{end} goes past --n {n}")
     out = out if out is not None else Path("output") / f"sdgen-n{n}-s{seed}"
     check_destination(out)
-    if homes == "mixed":
-        click.echo("homes: base homes only in this version", err=True)
     todo = end - first - (0 if overwrite else _present(out, first, end))
     click.echo(f"{out}: {end - first} scenes asked for, {todo} to build", err=True)
     click.echo(disk_line(out, bytes_needed(options, todo)), err=True)
@@ -215,16 +223,11 @@ def build(
     _close(report)
 
 
-def _refuse_missing_features(homes: str, engine: str, ray_address: str | None) -> None:
+def _refuse_missing_features(engine: str, ray_address: str | None) -> None:
     if ray_address is not None and engine != "ray":
         raise UsageError("--ray-address goes with --engine ray")
-    missing = []
-    if homes == "procedural":
-        missing.append("--homes procedural (use base)")
     if engine == "ray":
-        missing.append("--engine ray (use local)")
-    if missing:
-        raise UsageError(f"not available in this version: {', '.join(missing)}")
+        raise UsageError("not available in this version: --engine ray (use local)")
 
 
 def _present(out: Path, first: int, end: int) -> int:

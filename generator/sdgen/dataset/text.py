@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from json.encoder import encode_basestring
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -35,22 +36,45 @@ def plain(value: Any) -> Any:
 
 def compact(value: Any) -> str:
     """``value`` (dicts, lists, scalars) on one line. ValueError for NaN and infinities."""
-    return json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(", ", ": "))
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_scalar(k)}: {compact(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join([compact(item) for item in value]) + "]"
+    return _scalar(value)
+
+
+def _scalar(value: Any) -> str:
+    """A JSON scalar; what ``json.dumps`` writes, without making an encoder for each."""
+    if isinstance(value, str):
+        return encode_basestring(value)
+    if isinstance(value, float) and math.isfinite(value):
+        return float.__repr__(value)
+    return json.dumps(value, allow_nan=False)
 
 
 def pretty(value: Any, indent: str = "") -> str:
     """``value`` with whatever fits a line of ``LINE`` characters kept on one."""
+    return _pretty(value, indent)[0]
+
+
+def _pretty(value: Any, indent: str) -> tuple[str, bool]:
+    """The text, and whether it is one line. What holds a broken line is broken, too."""
     if not isinstance(value, dict | list) or not value:
-        return compact(value)
-    short = compact(value)
-    if len(indent) + len(short) <= LINE:
-        return short
+        return compact(value), True
     inner = indent + " "
-    if isinstance(value, dict):
-        items = [f"{inner}{compact(key)}: {pretty(item, inner)}" for key, item in value.items()]
-        return "{\n" + ",\n".join(items) + "\n" + indent + "}"
-    items = [inner + pretty(item, inner) for item in value]
-    return "[\n" + ",\n".join(items) + "\n" + indent + "]"
+    parts = []
+    flat = True
+    for key, item in value.items() if isinstance(value, dict) else enumerate(value):
+        text, one_line = _pretty(item, inner)
+        flat = flat and one_line
+        parts.append(f"{_scalar(key)}: {text}" if isinstance(value, dict) else text)
+    opening, closing = "{}" if isinstance(value, dict) else "[]"
+    if flat:
+        short = opening + ", ".join(parts) + closing
+        if len(indent) + len(short) <= LINE:
+            return short, True
+    lines = ",\n".join([inner + part for part in parts])
+    return f"{opening}\n{lines}\n{indent}{closing}", False
 
 
 def record_bytes(record: BaseModel) -> bytes:

@@ -9,6 +9,7 @@ from pathlib import Path
 from sdgen.catalog.load import check_against_library
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.writer import DatasetWriter
+from sdgen.engines.fit import Blame, misfits
 from sdgen.engines.pool import Limits, Outcome, Pool, resident_mb
 from sdgen.engines.report import (
     BuildReport,
@@ -19,12 +20,17 @@ from sdgen.engines.report import (
     ignore_event,
 )
 from sdgen.engines.worker import SceneResult, SceneWorker, WorkerSetup
-from sdgen.errors import SceneRejected
+from sdgen.errors import InputError, SceneRejected, SdgenError
 from sdgen.hazards.draw import check_range
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline.scene import HOME_ATTEMPTS
 from sdgen.render.backend import Choice, choose_renderer, install_hint
+
+#: Seconds a scene may take: so many, and these for each million pixels drawn. A scene takes a few
+#: seconds; the rest is for slow and busy machines.
+SCENE_S = 600.0
+MEGAPIXEL_S = 5.0
 
 
 def build(
@@ -42,15 +48,19 @@ def build(
     """Build scenes ``index_range`` (all by default) of a data set into ``out``, or go on with it.
 
     Raises SdgenError for a folder that cannot be used, a catalogue that does not fit the library,
-    a renderer that does not start, a full disk. A scene whose attempts are spent is in
-    ``failed``, never silently missing. ``workers`` processes; with as many as ``cores`` each
-    draws with one thread.
+    a hazard that fits nowhere, a renderer that does not start, a full disk. A scene whose
+    attempts are spent is in ``failed``, never silently missing. ``workers`` processes; with as
+    many as ``cores`` each draws with one thread.
     """
     start = time.monotonic()
     check_against_library(catalog, library.states_by_category())
     check_range(options.hazards_min, options.hazards_max, len(catalog.hazards))
     first, end = index_range if index_range is not None else (0, options.n)
     wanted = {f"{index:06d}": index for index in range(first, end)}
+    if options.hazards_max and not (out / "scenes").exists():
+        problems = misfits(catalog, library, options)
+        if problems:
+            raise InputError(problems)
     choice = _renderer(options, on_event)
     with DatasetWriter.open(
         out, options, catalog, library.infos, library.sha256, overwrite=overwrite
@@ -58,13 +68,16 @@ def build(
         for scene_id in writer.repaired:
             on_event(Note(f"scene {scene_id} was damaged and will be made again"))
         anomalies: Counter[str] = Counter()
+        counts: Counter[int] = Counter()
         resumed = [key for key in wanted if key in writer.done]
         for key in resumed:
             entry = writer.done[key]
             anomalies.update(entry.hazards)
+            counts[entry.anomalies] += 1
             names = tuple(Counter(entry.hazards).elements())
             on_event(SceneDone(entry.index, entry.id, names, resumed=True))
         jobs = [index for key, index in wanted.items() if key not in writer.done]
+        blame = Blame(catalog, options, set(anomalies))
         setup = WorkerSetup(
             catalog=catalog,
             library_folders=library.folders,
@@ -77,7 +90,9 @@ def build(
         failed: list[SceneFailed] = []
         rejections: Counter[str] = Counter()
         made = frames = homes = 0
+        memory: list[float] = []
         unseen: list[str] = []
+        limits = limits or Limits(timeout_s=scene_timeout_s(options))
         with Pool(min(workers, max(1, len(jobs))), SceneWorker, (setup,), limits) as pool:
             for event in pool.run(jobs):
                 if not isinstance(event, Outcome):
@@ -89,6 +104,12 @@ def build(
                     rejections.update(event.error.reasons)
                     homes += HOME_ATTEMPTS
                     on_event(failure)
+                    hopeless = blame.failed(event.job, event.error.reasons)
+                    if hopeless is not None:
+                        raise SdgenError(
+                            f"{hopeless}; mend it and start anew with --overwrite "
+                            f"({made + len(resumed)} scenes are kept in {out})"
+                        )
                     continue
                 result = event.result
                 assert isinstance(result, SceneResult)
@@ -97,6 +118,9 @@ def build(
                 homes += result.home_attempts
                 rejections.update(result.rejections)
                 anomalies.update(result.hazards)
+                counts[len(result.hazards)] += 1
+                blame.made.update(result.hazards)
+                memory.append(event.memory_mb)
                 if not result.all_visible and options.views > options.hazards_max:
                     unseen.append(result.scene_id)
                 on_event(
@@ -106,6 +130,7 @@ def build(
                         result.hazards,
                         frames=result.frames,
                         seconds=result.seconds,
+                        memory_mb=event.memory_mb,
                     )
                 )
             peak = max(pool.peak_mb, resident_mb())
@@ -129,7 +154,16 @@ def build(
         rejections=dict(rejections),
         anomalies=dict(anomalies),
         renderer=choice.renderer_string if choice is not None else "none",
+        anomaly_counts=dict(sorted(counts.items())),
+        worker_mb=tuple(memory),
     )
+
+
+def scene_timeout_s(options: BuildOptions) -> float:
+    """Seconds after which a worker that is still at one scene counts as hung."""
+    megapixels = options.views * options.width * options.height / 1e6 if options.sensors else 0.0
+    megapixels *= options.supersample**2 * (2 if options.twins else 1)
+    return SCENE_S + MEGAPIXEL_S * megapixels
 
 
 def _renderer(options: BuildOptions, on_event: OnEvent) -> Choice | None:

@@ -28,19 +28,24 @@ _POLL_S = 1.0
 
 @dataclass(frozen=True)
 class Limits:
-    """When a worker is given up: seconds a job, megabytes a worker holds after a job."""
+    """When a worker is given up: seconds a job, megabytes it holds after a job or within one."""
 
     timeout_s: float = 900.0
     memory_mb: float = 1100.0
+    bloat_mb: float = 4000.0
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """How one job ended: a ``result``, or an ``error`` (a rejection keeps its type)."""
+    """How one job ended: a ``result``, or an ``error`` (a rejection keeps its type).
+
+    ``memory_mb`` is the most its worker held meanwhile.
+    """
 
     job: int
     result: Any = None
     error: SdgenError | None = None
+    memory_mb: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -54,16 +59,31 @@ class Recycled:
 Factory = Callable[..., Any]
 
 
-def resident_mb() -> float:
-    """Memory this process holds now, megabytes."""
+def resident_mb(process: int | str = "self") -> float:
+    """Memory a process holds now, megabytes; 0 when nobody can tell."""
     try:
-        with open("/proc/self/statm", encoding="ascii") as file:
+        with open(f"/proc/{process}/statm", encoding="ascii") as file:
             pages = int(file.read().split()[1])
-        return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
-    except (OSError, ValueError):
+        return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+    except (OSError, ValueError, IndexError):
+        if process != "self":
+            return 0.0
         import resource
 
-        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 / 1e6
+
+
+def peak_mb() -> float:
+    """The most memory this process has held since the last call (on Linux; else ever)."""
+    peak = resident_mb()
+    with contextlib.suppress(OSError, ValueError):
+        with open("/proc/self/status", encoding="ascii", errors="replace") as file:
+            lines = [line for line in file if line.startswith("VmHWM:")]
+        peak = max([peak, *(int(line.split()[1]) * 1024 / 1e6 for line in lines)])
+        reset_high_water_mark = "5"
+        with open("/proc/self/clear_refs", "w", encoding="ascii") as file:
+            file.write(reset_high_water_mark)
+    return peak
 
 
 def _serve(pipe: Connection, factory: Factory, args: tuple[Any, ...], quiet: bool) -> None:
@@ -78,10 +98,10 @@ def _serve(pipe: Connection, factory: Factory, args: tuple[Any, ...], quiet: boo
     try:
         work = factory(*args)
     except SdgenError as error:
-        pipe.send(("broken", -1, error, 0.0))
+        pipe.send(("broken", -1, error, 0.0, 0.0))
         return
     except BaseException:
-        pipe.send(("broken", -1, SdgenError(_last_line()), 0.0))
+        pipe.send(("broken", -1, SdgenError(_last_line()), 0.0, 0.0))
         return
     with contextlib.suppress(EOFError, KeyboardInterrupt):
         while True:
@@ -89,11 +109,11 @@ def _serve(pipe: Connection, factory: Factory, args: tuple[Any, ...], quiet: boo
             if job is None:
                 break
             try:
-                pipe.send(("done", job, work(job), resident_mb()))
+                pipe.send(("done", job, work(job), resident_mb(), peak_mb()))
             except SdgenError as error:
-                pipe.send(("error", job, error, resident_mb()))
+                pipe.send(("error", job, error, resident_mb(), peak_mb()))
             except BaseException:
-                pipe.send(("crash", job, _last_line(), resident_mb()))
+                pipe.send(("crash", job, _last_line(), resident_mb(), peak_mb()))
                 break
     with contextlib.suppress(Exception):
         work.close()
@@ -121,7 +141,9 @@ class _Worker:
     pipe: Connection
     job: int | None = None
     since: float = field(default_factory=time.monotonic)
+    resident_mb: float = 0.0
     peak_mb: float = 0.0
+    job_peak_mb: float = 0.0
 
 
 class Pool:
@@ -171,10 +193,11 @@ class Pool:
                     error = payload if kind == "error" else None
                     if error is not None and not isinstance(error, SceneRejected):
                         raise error
-                    yield Outcome(job, None if error else payload, error)
-                    if worker.peak_mb > self._limits.memory_mb:
+                    memory = worker.job_peak_mb
+                    yield Outcome(job, None if error else payload, error, memory)
+                    if worker.resident_mb > self._limits.memory_mb:
                         self._retire(worker, gently=True)
-                        yield Recycled(f"a worker held {worker.peak_mb:.0f} MB")
+                        yield Recycled(f"a worker held {worker.resident_mb:.0f} MB")
                     continue
                 self._retire(worker, gently=False)
                 tries[job] = tries.get(job, 0) + 1
@@ -236,20 +259,30 @@ class Pool:
             heard.add(id(worker))
             out.append((worker, self._hear(worker)))
         for worker in busy:
-            late = time.monotonic() - worker.since > self._limits.timeout_s
-            if late and id(worker) not in heard and worker.job is not None:
-                text = f"no answer in {self._limits.timeout_s:.0f} s"
-                out.append((worker, ("crash", worker.job, text)))
+            trouble = self._trouble(worker) if id(worker) not in heard else None
+            if trouble is not None and worker.job is not None:
+                out.append((worker, ("crash", worker.job, trouble)))
         return out
+
+    def _trouble(self, worker: _Worker) -> str | None:
+        """What is wrong with a worker that is still at its job, if anything."""
+        if time.monotonic() - worker.since > self._limits.timeout_s:
+            return f"no answer in {self._limits.timeout_s:.0f} s"
+        held = resident_mb(worker.process.pid or 0)
+        worker.peak_mb = max(worker.peak_mb, held)
+        if held > self._limits.bloat_mb:
+            return f"held {held:.0f} MB, more than {self._limits.bloat_mb:.0f}"
+        return None
 
     def _hear(self, worker: _Worker) -> tuple[str, int, Any]:
         assert worker.job is not None
         try:
-            kind, job, payload, resident = worker.pipe.recv()
+            kind, job, payload, resident, peak = worker.pipe.recv()
         except (EOFError, OSError):
             worker.process.join(1)
             return "crash", worker.job, f"worker died (exit code {worker.process.exitcode})"
-        worker.peak_mb = max(worker.peak_mb, resident)
+        worker.resident_mb, worker.job_peak_mb = resident, peak
+        worker.peak_mb = max(worker.peak_mb, peak)
         self.peak_mb = max(self.peak_mb, resident_mb() + sum(w.peak_mb for w in self._workers))
         worker.job = None
         return kind, job if kind != "broken" else -1, payload

@@ -6,10 +6,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+#: Scenes at the start and at the end of a build whose memory is compared.
+MEMORY_SPAN = 100
+
 
 @dataclass(frozen=True)
 class SceneDone:
-    """A scene folder is in place: just made, or found whole from an earlier run."""
+    """A scene folder is in place: just made, or found whole from an earlier run.
+
+    ``memory_mb`` is the most its worker held while making it.
+    """
 
     index: int
     scene_id: str
@@ -17,6 +23,7 @@ class SceneDone:
     frames: int = 0
     seconds: float = 0.0
     resumed: bool = False
+    memory_mb: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -50,7 +57,9 @@ class BuildReport:
     ``made`` scenes were built in this run, ``resumed`` were there already, ``failed`` could not
     be made. ``home_attempts`` counts the homes tried for the made and the failed ones;
     ``rejections`` says by reason why tries were thrown away, ``anomalies`` counts by hazard over
-    all good scenes of the range. ``peak_memory_mb`` is the most one run's processes held together.
+    all good scenes of the range, ``anomaly_counts`` these scenes by their number of anomalies.
+    ``peak_memory_mb`` is the most one run's processes held together; ``worker_mb`` the most a
+    worker held making each scene, in the order they came: it must not grow.
     """
 
     out: Path
@@ -65,6 +74,8 @@ class BuildReport:
     rejections: dict[str, int]
     anomalies: dict[str, int]
     renderer: str
+    anomaly_counts: dict[int, int] = field(default_factory=dict)
+    worker_mb: tuple[float, ...] = ()
 
     @property
     def homes_per_hour(self) -> float:
@@ -85,3 +96,18 @@ class BuildReport:
     def complete(self) -> bool:
         """Every requested scene is there."""
         return not self.failed and self.made + self.resumed == self.requested
+
+    @property
+    def worker_first_mb(self) -> float:
+        """The most a worker held in the first hundred scenes (the first half of fewer)."""
+        return max(self.worker_mb[: self.memory_span], default=0.0)
+
+    @property
+    def worker_last_mb(self) -> float:
+        """The most a worker held in the last hundred scenes (the last half of fewer)."""
+        return max(self.worker_mb[-self.memory_span :], default=0.0)
+
+    @property
+    def memory_span(self) -> int:
+        """Scenes that ``worker_first_mb`` and ``worker_last_mb`` look at."""
+        return max(1, min(MEMORY_SPAN, len(self.worker_mb) // 2))

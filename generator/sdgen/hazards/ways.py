@@ -20,6 +20,8 @@ from sdgen.seeding import Rng
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
 TARGETS_TRIED = 4
+#: Spots looked at on one target where only some heights will do (a high shelf of a bookcase).
+SPOTS_TRIED = 6
 ZONE_KEEP_SHARE = 0.7
 
 
@@ -173,10 +175,20 @@ def _place(
     ]
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:
         target = targets[k]
-        spot = layout.spot_on_object(asset, target.id, recipe.relation, rng)
-        if spot is None or not _height_fits(recipe, spot[0][2]):
-            continue
-        return _put(way, recipe, asset, spot, target.room_id, target.id, layout, site, rng)
+        spot = _spot(recipe, asset, target.id, layout, rng)
+        if spot is not None:
+            return _put(way, recipe, asset, spot, target.room_id, target.id, layout, site, rng)
+    return None
+
+
+def _spot(
+    recipe: PlaceRecipe, asset: Asset, target_id: int, layout: Layout, rng: Rng
+) -> Vec3Yaw | None:
+    """A free spot of the target at a height the recipe allows."""
+    for _ in range(SPOTS_TRIED):
+        spot = layout.spot_on_object(asset, target_id, recipe.relation, rng)
+        if spot is None or _height_fits(recipe, spot[0][2]):
+            return spot
     return None
 
 

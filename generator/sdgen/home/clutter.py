@@ -17,6 +17,10 @@ from sdgen.seeding import Rng
 
 #: Floor clutter keeps out of these, or it would trip somebody.
 KEEP_CLEAR = ("doorway", "walkway", "swing")
+#: A lived-in home holds at least 60 small things; a few more, since some will not stand.
+LEAST_THINGS = 66
+#: Bounds the search for room for them, in rounds of one thing more on every receptacle.
+EXTRA_ROUNDS = 4
 
 
 def zone_shape(
@@ -37,9 +41,11 @@ def add_clutter(
 ) -> None:
     """Fill supports and containers of every room by the catalogue's priors.
 
-    A thing that finds no room is left out: clutter is never worth a retry.
+    A thing that finds no room is left out: clutter is never worth a retry. A small home whose
+    priors give fewer than LEAST_THINGS gets one more on every receptacle, and again.
     """
     types = {t.name: t for t in catalog.room_types}
+    holders: list[tuple[int, Room, list[Choice]]] = []
     for room in home.rooms:
         room_type = types.get(room.type)
         if room_type is None:
@@ -54,12 +60,22 @@ def add_clutter(
                 continue
             wanted = int(rng.integers(prior.count_min, prior.count_max + 1))
             choices = _choices(catalog, models, receptacle.category, room)
+            holders.append((receptacle.id, room, choices))
             for _ in range(wanted):
                 _place(layout, receptacle.id, room, choices, models, rng)
         wanted = int(rng.integers(room_type.floor_clutter_min, room_type.floor_clutter_max + 1))
         choices = _choices(catalog, models, "floor", room)
         for _ in range(wanted):
             _place_on_floor(layout, home, room, zones, choices, models, rng)
+    for _ in range(EXTRA_ROUNDS):
+        for receptacle_id, room, choices in holders:
+            if _things(layout) >= LEAST_THINGS:
+                return
+            _place(layout, receptacle_id, room, choices, models, rng)
+
+
+def _things(layout: Layout) -> int:
+    return sum(not item.fixed for item in layout.items.values())
 
 
 Choice = tuple[Category, Abode]

@@ -1,4 +1,4 @@
-"""Furniture and openings of a base home: which model stands where."""
+"""Openings of a home, and the furniture of one drawn by hand: which model stands where."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from shapely.geometry import Polygon
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.records import BaseHome, BaseRoom, FurnitureItem
 from sdgen.geometry import Vec3, apply, matrix, quat_from_yaw, round_position, round_quat
-from sdgen.home.layout import Intent, Layout
+from sdgen.home.layout import FLAT_M, Intent, Layout
 from sdgen.home.shell import frame_size
 from sdgen.library.records import Asset, AssetInfo
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
@@ -124,7 +124,7 @@ def _try_piece(
         target = _nearest(layout, placed.get(piece.on, []), x, y)
         if target is None:
             return False
-        z = _top_of(layout, target)
+        z = top_of(layout, target)
         intent = Intent("ON", target)
     if piece.against_wall:
         # The given point is where the back touches; the centre lies half a depth in front.
@@ -141,18 +141,32 @@ def _try_piece(
         room_id=room.id,
         fixed=True,
     )
+    item = stand_in(item, asset, rng)
+    if not put_piece(item, asset, layout, intent):
+        return False
+    placed.setdefault(piece.category, []).append(item.id)
+    return True
+
+
+def stand_in(item: ObjectInstance, asset: AssetInfo, rng: Rng) -> ObjectInstance:
+    """A piece as it stands in homes: at rest, lamps and screens sometimes on."""
     item = at_rest(item, asset)
-    if piece.category in SWITCHED and rng.random() < SWITCHED_ON_SHARE:
+    if item.category in SWITCHED and rng.random() < SWITCHED_ON_SHARE:
         item = in_state(item, asset, "ON", rng) or item
-    blocks = layout.blocks_of(item)
-    flat = asset.extents_m[2] <= 0.03
-    under = tuple(i for i in layout.items if flat or layout.info(i).extents_m[2] <= 0.03) + (
+    return item
+
+
+def put_piece(
+    item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Intent | None
+) -> bool:
+    """Add a piece unless it clashes with another; flat things (rugs) lie under others."""
+    flat = asset.extents_m[2] <= FLAT_M
+    under = tuple(i for i in layout.items if flat or layout.info(i).extents_m[2] <= FLAT_M) + (
         (intent.target_id,) if intent else ()
     )
-    if layout.clashes(blocks, ignore=under, gap_m=0.0) is not None:
+    if layout.clashes(layout.blocks_of(item), ignore=under, gap_m=0.0) is not None:
         return False
     layout.put(item, intent)
-    placed.setdefault(piece.category, []).append(item.id)
     return True
 
 
@@ -164,7 +178,7 @@ def _nearest(layout: Layout, ids: list[int], x: float, y: float) -> int | None:
     return min(ids, key=apart, default=None)
 
 
-def _top_of(layout: Layout, object_id: int) -> float:
+def top_of(layout: Layout, object_id: int) -> float:
     """World height of the object's highest open support (its box's top without one)."""
     item, info = layout.items[object_id], layout.info(object_id)
     tops = [s.z_m for s in info.supports if s.container is None and s.headroom_m is None]

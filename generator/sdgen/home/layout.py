@@ -11,15 +11,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from shapely.affinity import rotate, translate
-from shapely.geometry import MultiPoint, Point, Polygon
-from shapely.geometry import box as shapely_box
+import shapely
+from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
-from shapely.prepared import prep
 
 from sdgen.actions import at_rest
 from sdgen.freespace import random_point
 from sdgen.geometry import (
+    Array,
     Vec3,
     apply,
     box_corners,
@@ -71,6 +70,7 @@ class Layout:
         self.items: dict[int, ObjectInstance] = {}
         self.intents: dict[int, Intent] = {}
         self._blocks: dict[int, list[Block]] = {}
+        self._table: tuple[list[Block], Array] | None = None
 
     def info(self, object_id: int) -> AssetInfo:
         """Asset record of a placed object."""
@@ -80,6 +80,7 @@ class Layout:
         """Add an object, or replace the one of the same id."""
         self.items[item.id] = item
         self._blocks[item.id] = self.blocks_of(item)
+        self._table = None
         if intent is not None:
             self.intents[item.id] = intent
 
@@ -87,6 +88,7 @@ class Layout:
         """Take an object out again."""
         del self.items[object_id]
         self._blocks.pop(object_id, None)
+        self._table = None
         self.intents.pop(object_id, None)
 
     def copy(self) -> Layout:
@@ -131,20 +133,27 @@ class Layout:
         self, blocks: list[Block], ignore: tuple[int, ...] = (), gap_m: float = GAP_M
     ) -> int | None:
         """Id of an object whose space these blocks would enter; None when they fit."""
+        if self._table is None:
+            found = [other for others in self._blocks.values() for other in others]
+            boxes = shapely.bounds([other.shape for other in found]) if found else np.empty((0, 4))
+            heights = np.array([(o.low_m, o.high_m) for o in found]).reshape(-1, 2)
+            self._table = found, np.column_stack([boxes, heights])
+        others, table = self._table
+        a, b, c, d, lows, highs = table.T
         for block in blocks:
-            shape = block.shape.buffer(gap_m, join_style="mitre") if gap_m else block.shape
-            x0, y0, x1, y1 = shape.bounds
-            for owner, others in self._blocks.items():
-                if owner == block.owner or owner in ignore:
+            x0, y0, x1, y1 = block.shape.bounds
+            near = (x1 + gap_m > a) & (c > x0 - gap_m) & (y1 + gap_m > b) & (d > y0 - gap_m)
+            near &= (block.low_m < highs - 1e-4) & (lows < block.high_m - 1e-4)
+            shape: BaseGeometry | None = None
+            for index in np.flatnonzero(near):
+                other = others[index]
+                if other.owner == block.owner or other.owner in ignore:
                     continue
-                for other in others:
-                    if block.low_m >= other.high_m - 1e-4 or other.low_m >= block.high_m - 1e-4:
-                        continue
-                    a, b, c, d = other.shape.bounds
-                    if x1 <= a or c <= x0 or y1 <= b or d <= y0:
-                        continue
-                    if shape.intersects(other.shape):
-                        return owner
+                if shape is None:
+                    grown = block.shape.buffer(gap_m, join_style="mitre") if gap_m else block.shape
+                    shape = grown
+                if shape.intersects(other.shape):
+                    return other.owner
         return None
 
     # --- spots -----------------------------------------------------------------------------------
@@ -164,30 +173,24 @@ class Layout:
         ]
         if not supports:
             return self._spot_in_hollow(asset, target_id, rng) if relation == "INSIDE" else None
-        areas = np.array([Polygon(s.polygon_m).area for s in supports])
+        shares = np.cumsum([Polygon(s.polygon_m).area for s in supports])
+        surfaces: dict[int, tuple[Polygon, float]] = {}
         for _ in range(TRIES):
-            support = supports[int(rng.choice(len(supports), p=areas / areas.sum()))]
-            spot = self._try_support(asset, target_id, info, support, world, rng)
+            k = int(np.searchsorted(shares, rng.random() * shares[-1], side="right"))
+            headroom = supports[k].headroom_m
+            if headroom is not None and asset.extents_m[2] > headroom - 0.015:
+                continue
+            if k not in surfaces:
+                surfaces[k] = _surface(info, supports[k], world, target)
+            spot = self._try_surface(asset, target, *surfaces[k], rng)
             if spot is not None:
                 return spot
         return None
 
-    def _try_support(
-        self,
-        asset: AssetInfo,
-        target_id: int,
-        info: AssetInfo,
-        support: Support,
-        world: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
-        rng: Rng,
+    def _try_surface(
+        self, asset: AssetInfo, target: ObjectInstance, surface: Polygon, z: float, rng: Rng
     ) -> Vec3Yaw | None:
-        yaw = random_yaw(rng, yaw_of(self.items[target_id].pose.quat_xyzw))
-        if support.headroom_m is not None and asset.extents_m[2] > support.headroom_m - 0.015:
-            return None
-        local = object_from_part(info, support.part, self.items[target_id].joints)
-        points = apply(world @ local, [(x, y, support.z_m) for x, y in support.polygon_m])
-        surface = Polygon(points[:, :2])
-        z = float(points[:, 2].mean())
+        yaw = random_yaw(rng, yaw_of(target.pose.quat_xyzw))
         point = random_point(surface, rng)
         if point is None:
             return None
@@ -195,7 +198,7 @@ class Layout:
         if print_.intersection(surface).area < 0.97 * print_.area:
             return None
         block = Block(-1, print_, z + 0.001, z + asset.extents_m[2] + DROP_M)
-        if self.clashes([block], ignore=(target_id,)) is not None:
+        if self.clashes([block], ignore=(target.id,)) is not None:
             return None
         return (point[0], point[1], z), yaw
 
@@ -229,7 +232,9 @@ class Layout:
         At least ``keep_share`` of the footprint lies in ``area``, at most ``avoid_share`` in
         ``avoid``.
         """
-        barred = prep(avoid) if avoid is not None and not avoid.is_empty else None
+        shapely.prepare(area)
+        if avoid is not None:
+            shapely.prepare(avoid)
         for _ in range(TRIES):
             point = random_point(area, rng)
             yaw = random_yaw(rng)
@@ -240,8 +245,7 @@ class Layout:
                 continue
             if (
                 avoid is not None
-                and barred is not None
-                and barred.intersects(print_)
+                and avoid.intersects(print_)
                 and print_.intersection(avoid).area > avoid_share * print_.area
             ):
                 continue
@@ -281,12 +285,22 @@ def random_yaw(rng: Rng, square_to: float = 0.0) -> float:
 def footprint(asset: AssetInfo, x: float, y: float, yaw: float) -> Polygon:
     """The asset's box seen from above at a place and heading."""
     w, d = asset.extents_m[0] / 2, asset.extents_m[1] / 2
-    shape = rotate(shapely_box(-w, -d, w, d), yaw, origin=(0, 0), use_radians=True)
-    return translate(shape, x, y)
+    cos, sin = math.cos(yaw), math.sin(yaw)
+    corners = ((-w, -d), (w, -d), (w, d), (-w, d))
+    return shapely.polygons([(x + cos * u - sin * v, y + sin * u + cos * v) for u, v in corners])
 
 
-def _block(owner: int, corners: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> Block:
-    shape = MultiPoint(corners[:, :2]).convex_hull
+def _surface(
+    info: AssetInfo, support: Support, world: Array, target: ObjectInstance
+) -> tuple[Polygon, float]:
+    """A support of a placed object as it lies in the world: outline from above and height."""
+    local = object_from_part(info, support.part, target.joints)
+    points = apply(world @ local, [(x, y, support.z_m) for x, y in support.polygon_m])
+    return shapely.polygons(points[:, :2]), float(points[:, 2].mean())
+
+
+def _block(owner: int, corners: Array) -> Block:
+    shape = shapely.convex_hull(shapely.multipoints(corners[:, :2]))
     if shape.area < 1e-6:
         shape = Point(corners[:, :2].mean(axis=0)).buffer(0.005)
     return Block(owner, shape, float(corners[:, 2].min()), float(corners[:, 2].max()))

@@ -35,7 +35,7 @@ def frame_size(opening: BaseOpening) -> tuple[float, float]:
 
 
 def build_shell(base: BaseHome, library: Library, ids: Iterator[int], rng: Rng) -> Home:
-    """Rooms and structures of a base home; openings get the ids of the objects to fill them."""
+    """Rooms and structures of a home; openings get the ids of the objects to fill them."""
     outlines = [_outline(room) for room in base.rooms]
     rooms = tuple(
         Room(
@@ -52,7 +52,7 @@ def build_shell(base: BaseHome, library: Library, ids: Iterator[int], rng: Rng) 
     for source, room in zip(base.rooms, rooms, strict=True):
         structures += _structures(source, room, openings, library, ids, rng)
     return Home(
-        id=base.id, kind="base", rooms=rooms, structures=tuple(structures), openings=openings
+        id=base.id, kind=base.kind, rooms=rooms, structures=tuple(structures), openings=openings
     )
 
 
@@ -128,7 +128,9 @@ def _structures(
     ]
     ring = room.polygon_m
     for k, start in enumerate(ring):
-        pieces = _wall_pieces(start, ring[(k + 1) % len(ring)], room, openings)
+        end = ring[(k + 1) % len(ring)]
+        outward = (_turns_left(ring, k), _turns_left(ring, (k + 1) % len(ring)))
+        pieces = _wall_pieces(start, end, outward, room, openings)
         if pieces:
             out.append(
                 Structure(
@@ -151,14 +153,29 @@ def _slab(rectangle: tuple[float, float, float, float], z0: float, z1: float) ->
     return _box(x0, y0, z0, x1, y1, z1)
 
 
+def _turns_left(ring: Sequence[Vec2], k: int) -> bool:
+    """True for a corner that points outwards (the outline is counter-clockwise)."""
+    (ax, ay), (bx, by), (cx, cy) = ring[k - 1], ring[k], ring[(k + 1) % len(ring)]
+    return (bx - ax) * (cy - by) - (by - ay) * (cx - bx) > 0
+
+
 def _wall_pieces(
-    start: Vec2, end: Vec2, room: Room, openings: Sequence[Opening]
+    start: Vec2,
+    end: Vec2,
+    outward_corners: tuple[bool, bool],
+    room: Room,
+    openings: Sequence[Opening],
 ) -> tuple[Box, ...]:
-    """Boxes of one wall edge, split into strips around its openings."""
+    """Boxes of one wall edge, split into strips around its openings.
+
+    At a corner that points outwards the wall goes on to close it; at one that points into the
+    room it ends there, or it would stand out of the other wall.
+    """
     along = "x" if abs(end[1] - start[1]) < 1e-9 else "y"
     axis = 0 if along == "x" else 1
     across = 1 - axis
-    low, high = sorted((start[axis], end[axis]))
+    ends = sorted(zip((start[axis], end[axis]), outward_corners, strict=True))
+    (low, low_out), (high, high_out) = ends
     inner = start[across]
     # The outline is counter-clockwise, so the wall lies to the right of the edge.
     forward = end[axis] > start[axis]
@@ -184,11 +201,11 @@ def _wall_pieces(
         return [_box(inner, a, z0, outer, b, z1)]
 
     out: list[Box] = []
-    cursor = low - HALF_WALL_M
+    cursor = low - (HALF_WALL_M if low_out else 0.0)
     for a, b, z0, z1 in holes:
         out += piece(cursor, a, 0.0, room.height_m)
         out += piece(a, b, 0.0, z0)
         out += piece(a, b, z1, room.height_m)
         cursor = b
-    out += piece(cursor, high + HALF_WALL_M, 0.0, room.height_m)
+    out += piece(cursor, high + (HALF_WALL_M if high_out else 0.0), 0.0, room.height_m)
     return tuple(out)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Literal
 
+import numpy as np
 from pydantic import Field
+from shapely import Polygon
 
-from sdgen.geometry import Vec2, Vec3
+from sdgen.geometry import Array, Vec2, Vec3, box_corners
 from sdgen.scene import Record
 
 Rgba = tuple[float, float, float, float]
@@ -57,6 +60,13 @@ class Support(Record):
     headroom_m: float | None = None
     container: str | None = None
 
+    @cached_property
+    def edge_m(self) -> Array:
+        """Corners (N, 3) of the real surface: supports are stored shrunk by a centimetre."""
+        edge = Polygon(self.polygon_m).buffer(0.01, join_style="mitre").exterior
+        corners = np.array(edge.coords)[:-1]
+        return np.column_stack([corners, np.full(len(corners), self.z_m)])
+
 
 class Container(Record):
     """A hollow box things can be inside of; ``closed_by`` names the joint that shuts it."""
@@ -104,6 +114,12 @@ class AssetInfo(Record):
             if item.name == name:
                 return item
         raise KeyError(name)
+
+    @cached_property
+    def outermost_m(self) -> Array:
+        """``outline_m`` as (N, 3), or the corners of the extents when there is none."""
+        x, y, z = self.extents_m
+        return np.array(self.outline_m or box_corners((-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)))
 
     @property
     def faces(self) -> int:

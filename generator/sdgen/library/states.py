@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from sdgen.geometry import Array, joint_matrix
 from sdgen.library.records import AssetInfo, StateRule
 
@@ -62,6 +64,6 @@ def object_from_part(asset: AssetInfo, part: str, joints: Mapping[str, float]) -
     """4x4 that moves a part's mesh (given at joint value 0) to where its joint puts it."""
     name = asset.part(part).joint
     if name is None:
-        return joint_matrix("prismatic", (0, 0, 0), (0, 0, 1), 0.0)
+        return np.eye(4)
     joint = asset.joint(name)
     return joint_matrix(joint.type, joint.origin_m, joint.axis, joints.get(name, 0.0))

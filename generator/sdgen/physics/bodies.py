@@ -2,14 +2,54 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
 import numpy as np
 
 from sdgen.errors import AssetError
 from sdgen.geometry import Array, apply, matrix, vec3
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
-from sdgen.physics.client import Client
-from sdgen.scene import ObjectInstance, Scene, Structure
+from sdgen.physics.client import Client, convex_obj
+from sdgen.scene import Box, ObjectInstance, Scene
+
+#: Collision geometry kept a library; drawn joint values are many, so it begins anew when full.
+_KEPT = 4000
+
+
+@dataclass(frozen=True)
+class Collision:
+    """What an object collides with, joints applied.
+
+    ``obj`` holds its convex pieces around ``com``, the centre of mass in the object's frame;
+    ``points`` (N, 3) are all their corners in the object's frame.
+    """
+
+    obj: str
+    com: Array
+    points: Array
+
+
+_Key = tuple[str, str, tuple[tuple[str, float], ...]]
+_known: WeakKeyDictionary[Library, dict[_Key, Collision]] = WeakKeyDictionary()
+
+
+def collision_of(library: Library, item: ObjectInstance) -> Collision:
+    """Collision geometry of an object, made once for each model, variant and joint values.
+
+    Raises AssetError when no drawn part has a piece.
+    """
+    kept = _known.setdefault(library, {})
+    key = (item.asset, item.variant, tuple(sorted(item.joints.items())))
+    if key not in kept:
+        if len(kept) >= _KEPT:
+            kept.clear()
+        pieces = object_pieces(library, item)
+        com = centre_of_mass(pieces)
+        obj = convex_obj([piece - com for piece in pieces])
+        kept[key] = Collision(obj, com, np.concatenate(pieces))
+    return kept[key]
 
 
 def object_pieces(library: Library, item: ObjectInstance) -> list[Array]:
@@ -56,16 +96,14 @@ def add_structures(client: Client, scene: Scene) -> dict[int, int]:
     """Static boxes of all floors, walls and ceilings: body → structure id."""
     owner: dict[int, int] = {}
     for structure in sorted(scene.home.structures, key=lambda s: s.id):
-        for body in _structure_bodies(client, structure):
-            owner[body] = structure.id
+        for piece in structure.pieces:
+            owner[add_piece(client, piece)] = structure.id
     return owner
 
 
-def _structure_bodies(client: Client, structure: Structure) -> list[int]:
-    return [
-        client.body(client.box(piece.size_m), piece.center_m, friction=0.8)
-        for piece in structure.pieces
-    ]
+def add_piece(client: Client, piece: Box) -> int:
+    """One static box of a structure."""
+    return client.body(client.box(piece.size_m), piece.center_m, friction=0.8)
 
 
 def add_object(
@@ -73,16 +111,14 @@ def add_object(
 ) -> tuple[int, Array]:
     """The object as one body; returns it and its centre of mass in the object's frame."""
     info = library.info(item.asset)
-    pieces = object_pieces(library, item)
-    com = centre_of_mass(pieces)
-    # Shapes are made around the centre of mass, so that no inertial frame is needed.
-    shape = client.compound([piece - com for piece in pieces])
+    made = collision_of(library, item)
     world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
     body = client.body(
-        shape,
-        vec3(apply(world_from_object, com)[0]),
+        # Shapes are made around the centre of mass, so that no inertial frame is needed.
+        client.convex(made.obj),
+        vec3(apply(world_from_object, made.com)[0]),
         item.pose.quat_xyzw,
         mass_kg=info.mass_kg if dynamic else 0.0,
         friction=info.friction,
     )
-    return body, com
+    return body, made.com

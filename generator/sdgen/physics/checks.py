@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
-from sdgen.geometry import Array, apply, matrix, vec3
+from sdgen.geometry import Array, apply, matrix
 from sdgen.library import Library
-from sdgen.physics.bodies import add_structures, centre_of_mass, object_pieces
+from sdgen.physics.bodies import add_object, add_piece, collision_of
 from sdgen.physics.client import Client, ContactPoint
-from sdgen.scene import Scene, Violation
+from sdgen.scene import ObjectInstance, Scene, Violation
 
 PENETRATION_LIMIT_M = 0.004
 GAP_LIMIT_M = 0.01
@@ -19,12 +20,12 @@ GAP_LIMIT_M = 0.01
 
 @dataclass(frozen=True)
 class _Body:
-    """One body, whose it is, and its box in the world, (2, 3)."""
+    """One body, whose it is, its box in the world, (2, 3), and what adds it to a client."""
 
     owner: int
-    body: int
     fixed: bool
     bounds: Array
+    add: Callable[[], int]
 
 
 def penetrations(
@@ -42,12 +43,10 @@ def penetrations(
     if client is None:
         with Client() as own:
             return penetrations(library, scene, ids, limit_m, own)
-    bodies = _build(client, library, scene)
     deepest: dict[tuple[int, int], float] = {}
-    for a, b in _near_pairs(bodies, ids, 0.0):
-        if a.fixed and b.fixed:
-            continue
-        for point in client.closest(a.body, b.body, 0.0):
+    # No overlap is deeper than that of the boxes; Bullet's skin may add a fraction of a millimetre.
+    for a, b, points in _closest(client, library, scene, ids, -limit_m / 2, 0.0):
+        for point in points:
             key = (min(a.owner, b.owner), max(a.owner, b.owner))
             deepest[key] = max(deepest.get(key, 0.0), -point.distance_m)
     return [
@@ -71,14 +70,13 @@ def unsupported(
     if client is None:
         with Client() as own:
             return unsupported(library, scene, ids, gap_m, own)
-    bodies = _build(client, library, scene)
     best: dict[int, float] = {}
-    for a, b in _near_pairs(bodies, ids, gap_m):
-        for point in client.closest(a.body, b.body, gap_m):
+    for a, b, points in _closest(client, library, scene, ids, gap_m, gap_m):
+        for point in points:
             held = _held(a, b, point)
             if held is not None:
                 best[held] = min(best.get(held, 1.0), point.distance_m)
-    checked = {b.owner for b in bodies if not b.fixed and (ids is None or b.owner in ids)}
+    checked = {o.id for o in scene.objects if not o.fixed and (ids is None or o.id in ids)}
     return [
         Violation(check="unsupported", objects=(key,), measured=1.0, limit=gap_m)
         for key in sorted(checked - best.keys())
@@ -95,45 +93,62 @@ def _held(a: _Body, b: _Body, point: ContactPoint) -> int | None:
     return None
 
 
-def _build(client: Client, library: Library, scene: Scene) -> list[_Body]:
+def _closest(
+    client: Client,
+    library: Library,
+    scene: Scene,
+    ids: Collection[int] | None,
+    near_m: float,
+    reach_m: float,
+) -> Iterator[tuple[_Body, _Body, Sequence[ContactPoint]]]:
+    """Closest points within ``reach_m`` of every pair whose boxes come within ``near_m``.
+
+    Only bodies of such pairs are made: most of a home is near nothing that matters.
+    """
     client.reset()
-    pieces_of = {s.id: s.pieces for s in scene.home.structures}
-    counts: dict[int, int] = {}
+    pairs = _near_pairs(_bodies(client, library, scene), ids, near_m)
+    made: dict[int, int] = {}
+    for body in {id(body): body for pair in pairs for body in pair}.values():
+        made[id(body)] = body.add()
+    for a, b in pairs:
+        yield a, b, client.closest(made[id(a)], made[id(b)], reach_m)
+
+
+def _bodies(client: Client, library: Library, scene: Scene) -> list[_Body]:
     out: list[_Body] = []
-    for body, owner in add_structures(client, scene).items():
-        piece = pieces_of[owner][counts.get(owner, 0)]
-        counts[owner] = counts.get(owner, 0) + 1
-        half = np.asarray(piece.size_m) / 2
-        bounds = np.array([piece.center_m - half, piece.center_m + half])
-        out.append(_Body(owner, body, True, bounds))
+    for structure in scene.home.structures:
+        for piece in structure.pieces:
+            half = np.asarray(piece.size_m) / 2
+            bounds = np.array([piece.center_m - half, piece.center_m + half])
+            out.append(_Body(structure.id, True, bounds, partial(add_piece, client, piece)))
     for item in sorted(scene.objects, key=lambda o: o.id):
-        pieces = object_pieces(library, item)
-        com = centre_of_mass(pieces)
-        shape = client.compound([piece - com for piece in pieces])
         pose = matrix(item.pose.position_m, item.pose.quat_xyzw)
-        body = client.body(shape, vec3(apply(pose, com)[0]), item.pose.quat_xyzw)
-        points = apply(pose, np.concatenate(pieces))
+        points = apply(pose, collision_of(library, item).points)
         bounds = np.array([points.min(axis=0), points.max(axis=0)])
-        out.append(_Body(item.id, body, item.fixed, bounds))
+        add = partial(_add_static, client, library, item)
+        out.append(_Body(item.id, item.fixed, bounds, add))
     return out
+
+
+def _add_static(client: Client, library: Library, item: ObjectInstance) -> int:
+    body, _ = add_object(client, library, item, dynamic=False)
+    return body
 
 
 def _near_pairs(
     bodies: list[_Body], ids: Collection[int] | None, gap_m: float
 ) -> list[tuple[_Body, _Body]]:
-    """Pairs of different owners whose boxes come within ``gap_m``, in a fixed order."""
+    """Pairs of different owners whose boxes come within ``gap_m`` (negative: overlap by more), in
+    a fixed order; none of two fixed bodies."""
     if not bodies:
         return []
     low = np.array([b.bounds[0] for b in bodies]) - gap_m
     high = np.array([b.bounds[1] for b in bodies])
-    overlap = np.ones((len(bodies), len(bodies)), dtype=bool)
+    owner = np.array([b.owner for b in bodies])
+    fixed = np.array([b.fixed for b in bodies])
+    wanted = np.isin(owner, np.array(sorted(ids if ids is not None else set(owner.tolist()))))
+    near = (owner[:, None] != owner) & ~(fixed[:, None] & fixed) & (wanted[:, None] | wanted)
     for axis in range(3):
-        overlap &= low[:, None, axis] <= high[None, :, axis]
-        overlap &= low[None, :, axis] <= high[:, None, axis]
-    first, second = np.nonzero(np.triu(overlap, 1))
-    pairs = [(bodies[i], bodies[j]) for i, j in zip(first, second, strict=True)]
-    return [
-        (a, b)
-        for a, b in pairs
-        if a.owner != b.owner and (ids is None or a.owner in ids or b.owner in ids)
-    ]
+        near &= low[:, None, axis] <= high[None, :, axis]
+        near &= low[None, :, axis] <= high[:, None, axis]
+    return [(bodies[i], bodies[j]) for i, j in np.argwhere(np.triu(near, 1)).tolist()]

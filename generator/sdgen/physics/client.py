@@ -53,6 +53,7 @@ class Client:
     def __init__(self) -> None:
         self._id: int = pb.connect(pb.DIRECT)
         self._folder = tempfile.TemporaryDirectory(prefix="sdgen-shapes-")
+        self._files: dict[str, Path] = {}
         self.reset()
 
     def __enter__(self) -> Client:
@@ -75,6 +76,7 @@ class Client:
 
     def reset(self) -> None:
         """Empty the world. Parameters are set anew, since Bullet forgets them."""
+        self._shapes: dict[str, int] = {}
         pb.resetSimulation(physicsClientId=self._id)
         pb.setGravity(0.0, 0.0, -GRAVITY_M_S2, physicsClientId=self._id)
         pb.setPhysicsEngineParameter(
@@ -90,26 +92,13 @@ class Client:
         shape = pb.createCollisionShape(pb.GEOM_BOX, halfExtents=half, physicsClientId=self._id)
         return int(shape)
 
-    def compound(self, pieces: Sequence[Array]) -> int:
-        """Collision shape made of convex pieces, the hulls of (N, 3) point sets."""
-        # Bullet makes one convex hull a group of an OBJ file; its Python call takes one point
-        # set only. The name is the content, because Bullet keeps parsed files by name.
-        lines: list[str] = []
-        base = 1
-        for number, piece in enumerate(map(_without_margin, pieces)):
-            lines.append(f"o p{number}")
-            lines += [f"v {x:.7g} {y:.7g} {z:.7g}" for x, y, z in piece]
-            last = base + len(piece) - 1
-            lines += [
-                f"f {k} {min(k + 1, last)} {min(k + 2, last)}" for k in range(base, last + 1, 3)
-            ]
-            base = last + 1
-        shape = pb.createCollisionShape(
-            pb.GEOM_MESH,
-            fileName=str(self._file("\n".join(lines) + "\n")),
-            physicsClientId=self._id,
-        )
-        return int(shape)
+    def convex(self, obj: str) -> int:
+        """Collision shape of convex pieces, given as :func:`convex_obj` writes them."""
+        if obj not in self._shapes:
+            self._shapes[obj] = pb.createCollisionShape(
+                pb.GEOM_MESH, fileName=str(self._file(obj)), physicsClientId=self._id
+            )
+        return int(self._shapes[obj])
 
     def trimesh(self, path: Path) -> int:
         """Collision shape of an OBJ file's triangles as they are (static bodies only)."""
@@ -136,6 +125,8 @@ class Client:
             shape,
             basePosition=list(position_m),
             baseOrientation=list(quat_xyzw),
+            # Bodies without links: as plain rigid bodies they step three times as fast.
+            useMaximalCoordinates=1,
             physicsClientId=self._id,
         )
         if mass_kg > 0:
@@ -197,11 +188,29 @@ class Client:
         return RayHits(body, fraction)
 
     def _file(self, text: str) -> Path:
-        name = hashlib.sha256(text.encode("ascii")).hexdigest()[:20]
-        path = Path(self._folder.name) / f"{name}.obj"
-        if not path.exists():
+        """A file with this text. Its name is the content: Bullet keeps parsed files by name."""
+        if text not in self._files:
+            name = hashlib.sha256(text.encode("ascii")).hexdigest()[:20]
+            path = Path(self._folder.name) / f"{name}.obj"
             path.write_text(text, encoding="ascii")
-        return path
+            self._files[text] = path
+        return self._files[text]
+
+
+def convex_obj(pieces: Sequence[Array]) -> str:
+    """OBJ text of convex pieces, the hulls of (N, 3) point sets, without Bullet's skin.
+
+    Bullet makes one convex hull a group of an OBJ file; its Python call takes one point set only.
+    """
+    lines: list[str] = []
+    base = 1
+    for number, piece in enumerate(map(_without_margin, pieces)):
+        lines.append(f"o p{number}")
+        lines += [f"v {x:.7g} {y:.7g} {z:.7g}" for x, y, z in piece.tolist()]
+        last = base + len(piece) - 1
+        lines += [f"f {k} {min(k + 1, last)} {min(k + 2, last)}" for k in range(base, last + 1, 3)]
+        base = last + 1
+    return "\n".join(lines) + "\n"
 
 
 def _without_margin(piece: Array) -> Array:

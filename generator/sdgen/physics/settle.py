@@ -79,7 +79,7 @@ def settle(
         poses[key] = Pose(
             position_m=vec3(np.asarray(end.position_m) - offset), quat_xyzw=end.quat_xyzw
         )
-        drift[key] = math.dist(start[key].position_m, end.position_m)
+        drift[key] = _apart(start[key], end)
         tilt[key] = _up_angle(start[key], end)
     beyond = {k for k in poses if drift[k] > DRIFT_LIMIT_M or tilt[k] > TILT_LIMIT_RAD}
     return Settled(
@@ -93,11 +93,14 @@ def settle(
 
 
 def _run(client: Client, bodies: dict[int, int], max_steps: int) -> tuple[int, set[int]]:
-    """Step until nothing moved over two windows running; ids that still moved at the end."""
+    """Step until nothing moved over two windows running; ids that still moved at the end.
+
+    What is beyond the limit of drift is not waited for: it is unstable wherever it comes to rest.
+    """
     if not bodies:
         client.detect()
         return 0, set()
-    before = {key: client.pose(body) for key, body in bodies.items()}
+    before = start = {key: client.pose(body) for key, body in bodies.items()}
     moving = set(bodies)
     steps = quiet = 0
     while steps < max_steps and quiet < 2:
@@ -105,7 +108,8 @@ def _run(client: Client, bodies: dict[int, int], max_steps: int) -> tuple[int, s
         steps += _WINDOW
         after = {key: client.pose(body) for key, body in bodies.items()}
         moving = {key for key in bodies if _moved(before[key], after[key])}
-        quiet = 0 if moving else quiet + 1
+        awaited = [key for key in moving if _apart(start[key], after[key]) <= DRIFT_LIMIT_M]
+        quiet = 0 if awaited else quiet + 1
         before = after
     return steps, moving
 
@@ -114,7 +118,11 @@ def _moved(before: BodyPose, after: BodyPose) -> bool:
     # 1 − |q·p| ≈ angle²/8 for a small turn.
     dot = abs(sum(a * b for a, b in zip(before.quat_xyzw, after.quat_xyzw, strict=True)))
     turned = 1.0 - dot > _STILL_RAD**2 / 8
-    return turned or math.dist(before.position_m, after.position_m) > _STILL_M
+    return turned or _apart(before, after) > _STILL_M
+
+
+def _apart(before: BodyPose, after: BodyPose) -> float:
+    return math.dist(before.position_m, after.position_m)
 
 
 def _up_angle(before: BodyPose, after: BodyPose) -> float:

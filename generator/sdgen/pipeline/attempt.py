@@ -144,7 +144,7 @@ def _settle(
         if not holding:
             offenders[object_id] = f"is not {intent.relation} its target"
     if not offenders:
-        for violation in penetrations(library, scene):
+        for violation in penetrations(library, scene, client=client):
             if _rests_on_mat(layout, violation.objects):
                 continue
             loose = [k for k in violation.objects if not _fixed(layout, k)]

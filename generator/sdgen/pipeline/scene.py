@@ -59,14 +59,18 @@ def make_scene(
         options.hazards_max,
         options.draw,
     )
-    base = pick_home(catalog, options, index)
-    split = split_of_home(base.id)
+    choice = pick_home(catalog, options, index)
+    split = split_of_home(choice.id)
     models = SplitModels(library, split)
     household = sample_household(catalog, lane(options.seed, index, "household"))
     reasons: Counter[str] = Counter()
     tries = 0
     for home_attempt in range(HOME_ATTEMPTS):
         ids = _ids(lane(options.seed, index, f"ids:{home_attempt}"))
+        base = choice.plan(catalog, lane(options.seed, index, f"plan:{home_attempt}"))
+        if base is None:
+            reasons["home: no floor plan"] += 1
+            continue
         rng = lane(options.seed, index, f"furnish:{home_attempt}")
         stage = stage_home(base, catalog, library, models, ids, rng)
         if isinstance(stage, str):

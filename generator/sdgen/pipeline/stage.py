@@ -11,7 +11,9 @@ from sdgen.freespace import free_shape, random_point, reachable, rounded_rings
 from sdgen.geometry import Vec2
 from sdgen.hazards.splits import SplitModels
 from sdgen.hazards.ways import Site
+from sdgen.home.arrange import arrange
 from sdgen.home.furnish import fill_openings, furnish
+from sdgen.home.generate import generate_home
 from sdgen.home.layout import Layout
 from sdgen.home.shell import build_shell
 from sdgen.library import AssetInfo, Library
@@ -20,6 +22,9 @@ from sdgen.relations import room_at
 from sdgen.scene import AgentStart, Home, Room, Scene
 from sdgen.seeding import Rng, lane
 from sdgen.zones import derive_zones, floor_obstacles, swing_blocked
+
+#: Of the scenes of a mixed build, this many play in base homes.
+BASE_SHARE = 0.25
 
 
 @dataclass(frozen=True)
@@ -55,12 +60,33 @@ def _sorted(home: Home) -> Home:
     )
 
 
-def pick_home(catalog: Catalog, options: BuildOptions, index: int) -> BaseHome:
-    """The base home of a scene, by a lane of its own."""
+@dataclass(frozen=True)
+class HomeChoice:
+    """Which home a scene plays in: a base home, or a generated one of this id (``base`` None).
+
+    A generated home is drawn anew for every attempt; its id, and so its split, stays.
+    """
+
+    id: str
+    base: BaseHome | None
+
+    def plan(self, catalog: Catalog, rng: Rng) -> BaseHome | None:
+        """The plan to furnish; None when no generated plan came out valid."""
+        return self.base or generate_home(self.id, catalog, rng)
+
+
+def pick_home(catalog: Catalog, options: BuildOptions, index: int) -> HomeChoice:
+    """The home of a scene, by a lane of its own."""
+    rng = lane(options.seed, index, "home")
+    generated = options.homes == "procedural" or (
+        options.homes == "mixed" and rng.random() >= BASE_SHARE
+    )
+    if generated:
+        return HomeChoice(f"procedural_{options.seed}_{index:06d}", None)
     if not catalog.homes:
         raise UsageError("the catalogue has no home to build in (hazard_catalog/homes)")
-    rng = lane(options.seed, index, "home")
-    return catalog.homes[int(rng.integers(len(catalog.homes)))]
+    base = catalog.homes[int(rng.integers(len(catalog.homes)))]
+    return HomeChoice(base.id, base)
 
 
 def stage_home(
@@ -76,7 +102,10 @@ def stage_home(
     layout = Layout(library, ids)
     if not fill_openings(base, home, layout, models, rng):
         return "home: no model fits a door or window"
-    failed = furnish(base, home, layout, models, rng)
+    if base.kind == "procedural":
+        failed = arrange(home, layout, catalog, models, rng)
+    else:
+        failed = furnish(base, home, layout, models, rng)
     if failed is not None:
         return f"home: no place for {failed}"
     home = _sorted(home)

@@ -1,16 +1,16 @@
 """Which cameras a scene gets, and whether every anomaly can be seen; by rays, never by pixels.
 
-A fixed number of near views a scene, hazard-free ones too: first every anomaly, then lookalikes
-and ordinary things of the same kinds, in a drawn order, so that a near view tells nothing.
+A fixed number of near views a scene, hazard-free ones too: first every anomaly, then benign
+things of the categories that anomalies have. Each benign view draws a hazard class, whether or not
+the scene has it, and then a thing like that class's anomalies; so neither the number of near views
+nor what they are centred on tells anything.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-import numpy as np
-
-from sdgen.catalog.records import Catalog
+from sdgen.catalog.records import Catalog, Hazard
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.rays import RayWorld
@@ -23,16 +23,17 @@ from sdgen.render.cameras import (
     room_views,
     to_cameras,
 )
-from sdgen.render.sight import part_points
+from sdgen.render.sight import part_area
 from sdgen.scene import Anomaly, Camera, Lookalike, Scene
 from sdgen.seeding import Rng, lane
 
 NEAR_SHARE = 2 / 3
 LOOKALIKE_SHARE = 0.5
-SMALL_M = 0.2
+SMALL_M2 = 0.02
 GLANCE_MOST = 6000.0
-#: Ordinary things looked at before the fixed number of near views is given up.
-ORDINARY_TRIED = 30
+#: Things looked for: like one class's anomalies, and in all before near views are given up.
+CLASS_TRIED = 4
+BENIGN_TRIED = 40
 
 
 def near_count(options: BuildOptions) -> int:
@@ -41,12 +42,14 @@ def near_count(options: BuildOptions) -> int:
     return max(0, min(options.views - 1, wanted))
 
 
-def glance_pixels(diagonal_m: float) -> float:
-    """Pixels at 640x480 that tell a thing of this size at a glance.
+def glance_pixels(surface_m2: float) -> float:
+    """Pixels at 640x480 that tell a thing at a glance, in proportion to what can be seen of it.
 
-    Twice the promised 100 for small things; large ones must show more than a sliver.
+    A quarter of its surface is what a convex thing shows on average. Twice the promised 100 for
+    small things; large ones must show more than a sliver.
     """
-    return min(max(PIXELS_NEEDED, PIXELS_NEEDED * (diagonal_m / SMALL_M) ** 2), GLANCE_MOST)
+    shown = surface_m2 / 4
+    return min(max(PIXELS_NEEDED, PIXELS_NEEDED * shown / SMALL_M2), GLANCE_MOST)
 
 
 class Sight:
@@ -82,7 +85,6 @@ class Sight:
         """The best near view of an object's parts, or None when none shows enough."""
         key = (object_id, parts)
         if key not in self._found:
-            points = part_points(self._library, self._scene.object(object_id), parts)
             self._found[key] = best_near_pose(
                 self._library,
                 self._scene,
@@ -90,7 +92,7 @@ class Sight:
                 Target(object_id, parts),
                 lane(self._seed, self._scene.index, f"near:{object_id}"),
                 self._eye_height_m,
-                glance_pixels(float(np.linalg.norm(np.ptp(points, axis=0)))),
+                glance_pixels(part_area(self._library, self._scene.object(object_id), parts)),
             )
         return self._found[key]
 
@@ -122,42 +124,69 @@ def choose_views(
     rng = lane(options.seed, sight.scene.index, "cameras")
     wanted = near_count(options)
     views: list[View] = []
-    for target in _targets(sight.scene, catalog, anomalies, lookalikes, rng):
-        if len(views) >= wanted:
+    for anomaly in anomalies:
+        if len(views) == wanted:
             break
-        view = sight.near(target.object_id, target.parts)
+        view = sight.near(anomaly.object_id, anomaly.evidence_parts)
         if view is not None:
             views.append(view)
+    views += _benign_views(sight, catalog, anomalies, lookalikes, wanted - len(views), rng)
     views += sight.rooms(options.views - len(views), rng)
     return to_cameras(views, (options.width, options.height), rng)
 
 
-def _targets(
-    scene: Scene,
+def _benign_views(
+    sight: Sight,
     catalog: Catalog,
     anomalies: Sequence[Anomaly],
     lookalikes: Sequence[Lookalike],
+    count: int,
     rng: Rng,
-) -> list[Target]:
-    """Anomalies, then lookalikes and ordinary things mixed; the latter mostly of the categories
-    that hazards are about."""
-    out = [Target(a.object_id, a.evidence_parts) for a in anomalies]
-    taken = {a.object_id for a in anomalies} | {one.object_id for one in lookalikes}
-    telling = {
-        category
-        for hazard in catalog.hazards
-        for recipe in (*hazard.anomalies, *hazard.lookalikes)
-        for category in recipe.categories
-    }
-    ordinary = [item for item in scene.objects if item.id not in taken]
-    order = rng.permutation(len(ordinary)).tolist()
-    first = [k for k in order if ordinary[k].category in telling]
-    rest = [k for k in order if ordinary[k].category not in telling]
-    mixed = [ordinary[k].id for pair in zip(first, rest, strict=False) for k in pair]
-    benign = [one.object_id for one in lookalikes]
-    benign = [benign[k] for k in rng.permutation(len(benign)).tolist()]
-    plain = mixed[:ORDINARY_TRIED]
-    while benign or plain:
-        source = benign if benign and (not plain or rng.random() < LOOKALIKE_SHARE) else plain
-        out.append(Target(source.pop(0)))
-    return out
+) -> list[View]:
+    """Near views of ``count`` benign things, each like the anomalies of a drawn class."""
+    left = {item.id: item.category for item in sight.scene.objects}
+    for anomaly in anomalies:
+        left.pop(anomaly.object_id, None)
+    likes = {one.object_id: one.near_miss_of for one in lookalikes}
+    views: list[View] = []
+    tried = 0
+    while len(views) < count and left and tried < BENIGN_TRIED:
+        hazard = catalog.hazards[int(rng.integers(len(catalog.hazards)))]
+        for object_id in _like(hazard, left, likes, rng)[:CLASS_TRIED]:
+            del left[object_id]
+            tried += 1
+            view = sight.near(object_id)
+            if view is not None:
+                views.append(view)
+                break
+    return views
+
+
+def _like(hazard: Hazard, left: Mapping[int, str], likes: Mapping[int, str], rng: Rng) -> list[int]:
+    """Benign things in the order in which they stand in for an anomaly of this class.
+
+    First those of its anomalies' categories, which follow the recipes' weights as anomalies do;
+    then its lookalikes, then anything.
+    """
+    weight: dict[str, float] = {}
+    for recipe in hazard.anomalies:
+        for category in recipe.categories:
+            weight[category] = weight.get(category, 0.0) + max(recipe.weight, 1e-9)
+    lookalikes_first = rng.random() < LOOKALIKE_SHARE
+    ids = sorted(left)
+    drawn = dict(zip(ids, rng.random(len(ids)).tolist(), strict=True))
+    # Sorting by u^(1/w) draws without replacement by weight (Efraimidis and Spirakis 2006).
+    names = sorted(weight)
+    keys = dict(zip(names, rng.random(len(names)).tolist(), strict=True))
+
+    def rank(object_id: int) -> tuple[float, ...]:
+        category = left[object_id]
+        alike = category in weight
+        if alike:
+            first = -(keys[category] ** (1.0 / weight[category]))
+            plain = (object_id not in likes) == lookalikes_first
+            return (0, first, float(plain), drawn[object_id])
+        own = likes.get(object_id) == hazard.id
+        return (1 if own else 2, 0.0, 0.0, drawn[object_id])
+
+    return sorted(ids, key=rank)

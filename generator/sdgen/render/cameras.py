@@ -41,17 +41,18 @@ _DISTANCE_PER_SIZE = 0.6
 # What stands on the floor is seen with the floor around it: whether it is in the way depends on
 # where it lies. Small things and narrow things would be lost from there.
 _FLOOR_FURTHER_M = 0.9
+_FLOOR_LOW_M = 0.1
 _FLOOR_TOP_M = 0.5
 _FLOOR_WIDTH_M = 0.12
 _FLOOR_ENOUGH_PIXELS = 2500.0
 _NEAR_CANDIDATES = 32
 # Few rays choose among candidates, many count the pixels of the best until one is enough.
-_ROUGH_GRID = 8
+_ROUGH_GRID = 6
 _FINALISTS = 8
 _NEAR_DRAWS = 40 * _NEAR_CANDIDATES
 # Beyond this many pixels, or half of the most, more is not better, so that near views differ.
 _ENOUGH_PIXELS = 12000.0
-_ROOM_CANDIDATES = 14
+_ROOM_CANDIDATES = 10
 _CLEARANCE_M = 0.3
 _HEIGHT_JITTER_M = 0.1
 
@@ -90,12 +91,15 @@ def best_near_pose(
     """
     item = scene.object(target.object_id)
     points = part_points(library, item, target.parts)
-    centre = (points.min(axis=0) + points.max(axis=0)) / 2
     free = free_area(scene)
+    # Aimed at the whole object whatever its parts: a lit burner must not be more central than
+    # a cold one is.
     whole = part_points(library, item, ())
+    centre = (whole.min(axis=0) + whole.max(axis=0)) / 2
     _, width, size = np.sort(np.ptp(whole, axis=0)).tolist()
     further = _DISTANCE_PER_SIZE * max(size - 1.0, 0.0)
-    on_floor = float(whole[:, 2].max()) < _FLOOR_TOP_M and width > _FLOOR_WIDTH_M
+    low, top = float(whole[:, 2].min()), float(whole[:, 2].max())
+    on_floor = low < _FLOOR_LOW_M and top < _FLOOR_TOP_M and width > _FLOOR_WIDTH_M
     if on_floor:
         further += _FLOOR_FURTHER_M
     eyes = _eyes_around(free, (float(centre[0]), float(centre[1])), further, rng)
@@ -115,8 +119,10 @@ def best_near_pose(
     promise = np.minimum(rough, enough) * fade * clear
     promise *= [_framing(pose, whole, item) for pose in poses]
     for first in np.argsort(-promise, kind="stable")[:_FINALISTS].tolist():
+        if promise[first] <= 0:
+            break
         (pixels,) = estimate_pixels(cast, [poses[first]], points, item.id, numbers)
-        if promise[first] > 0 and pixels >= pixels_needed:
+        if pixels >= pixels_needed:
             room_id = _room_at(scene, eyes[first], item.room_id)
             return View("near", room_id, poses[first], float(pixels))
     return None

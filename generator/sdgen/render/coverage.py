@@ -50,6 +50,16 @@ def covered(
     triangles: Array, k: Array, width: int, height: int, near_m: float
 ) -> npt.NDArray[np.bool_]:
     """Pixels (H, W) that front faces of camera-frame triangles (N, 3, 3) cover."""
+    mask = np.zeros((height, width), dtype=bool)
+    part, rows, columns = coverage(triangles, k, width, height, near_m)
+    mask[rows, columns] = part
+    return mask
+
+
+def coverage(
+    triangles: Array, k: Array, width: int, height: int, near_m: float
+) -> tuple[npt.NDArray[np.bool_], slice, slice]:
+    """The same, cut out: the smallest mask that holds all covered pixels, its rows and columns."""
     seen = clip_near(triangles, near_m)
     x = k[0, 0] * seen[:, :, 0] / seen[:, :, 2] + k[0, 2]
     y = k[1, 1] * seen[:, :, 1] / seen[:, :, 2] + k[1, 2]
@@ -66,10 +76,19 @@ def covered(
     start = np.maximum(np.ceil(left), 0).astype(np.int64)
     stop = np.minimum(np.floor(right), width - 1).astype(np.int64) + 1
     kept = stop > start
-    cells = height * (width + 1)
-    change = np.bincount(row[kept] * (width + 1) + start[kept], minlength=cells)
-    change = change - np.bincount(row[kept] * (width + 1) + stop[kept], minlength=cells)
-    return np.asarray(change.reshape(height, width + 1).cumsum(axis=1)[:, :width] > 0)
+    row, start, stop = row[kept], start[kept], stop[kept]
+    if len(row) == 0:
+        return np.zeros((0, 0), dtype=bool), slice(0, 0), slice(0, 0)
+    first_row, first_column = int(row.min()), int(start.min())
+    down, across = int(row.max()) + 1 - first_row, int(stop.max()) - first_column
+    # A run adds one where it begins and takes it away behind its end; one column more for that.
+    base = (row - first_row) * (across + 1) - first_column
+    cells = down * (across + 1)
+    change = np.bincount(base + start, minlength=cells)
+    change -= np.bincount(base + stop, minlength=cells)
+    mask = change.reshape(down, across + 1).cumsum(axis=1)[:, :across] > 0
+    rows_cut = slice(first_row, first_row + down)
+    return np.asarray(mask), rows_cut, slice(first_column, first_column + across)
 
 
 def _span(x: Array, y: Array, row: Array) -> tuple[Array, Array]:

@@ -15,7 +15,7 @@ from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.bullet import pb, quiet
 from sdgen.render.backend import Choice, Kind, choose_renderer, start_egl
-from sdgen.render.coverage import covered
+from sdgen.render.coverage import coverage
 from sdgen.render.projection import (
     depth_from_buffer,
     projection_matrix,
@@ -107,6 +107,8 @@ class Renderer:
         if not sensors or not cameras:
             return
         owner = self.load(library, scene)
+        # The mask's background, -1, reads the last row.
+        ids, parts = owner[:, 0].astype(np.uint16), owner[:, 1].astype(np.uint8)
         shift = drawing_shift(scene)
         triangles: dict[int, Array] = {}
         objects = {item.id: item for item in scene.objects}
@@ -119,24 +121,24 @@ class Renderer:
                     camera, shift, scaled(k, supersample), supersample, mask=False
                 )
                 rgb = _box_filter(large, supersample)
-            pair = owner[body]
-            instance = pair[..., 0].astype(np.uint16)
+            instance = ids[body]
             depth = depth_from_buffer(buffer, camera.near_m, camera.far_m)
             if self._egl:
                 _fill_ceilings(depth, instance, camera, ceilings)
             alone: dict[int, int] = {}
-            for key in np.unique(instance).tolist():
+            pixels = np.bincount(instance.ravel())
+            for key in np.flatnonzero(pixels).tolist():
                 if key not in objects:
                     continue
                 if key not in triangles:
                     triangles[key] = world_triangles(library, objects[key])
-                alone[key] = _alone(triangles[key], camera, instance == key)
+                alone[key] = int(pixels[key]) + _hidden(triangles[key], camera, instance, key)
             yield Frame(
                 camera=camera,
                 rgb=rgb,
                 depth_mm=to_millimetres(depth, instance > 0),
                 instance=instance,
-                part=pair[..., 1].astype(np.uint8),
+                part=parts[body],
                 alone_pixels=alone,
             )
 
@@ -304,12 +306,15 @@ def world_triangles(library: Library, item: ObjectInstance) -> Array:
     return np.concatenate(out)
 
 
-def _alone(triangles: Array, camera: Camera, seen: npt.NDArray[np.bool_]) -> int:
-    """Pixels the object covers with nothing in front of it, those it is ``seen`` in included."""
+def _hidden(
+    triangles: Array, camera: Camera, instance: npt.NDArray[np.uint16], object_id: int
+) -> int:
+    """Pixels an object would cover with nothing in front of it, beyond those it is seen in."""
     camera_from_world = inverse(np.asarray(camera.world_from_camera))
     local = apply(camera_from_world, triangles.reshape(-1, 3)).reshape(-1, 3, 3)
-    mask = covered(local, np.asarray(camera.K), camera.width, camera.height, camera.near_m)
-    return int((mask | seen).sum())
+    k = np.asarray(camera.K)
+    mask, rows, columns = coverage(local, k, camera.width, camera.height, camera.near_m)
+    return int((mask & (instance[rows, columns] != object_id)).sum())
 
 
 def _fill_ceilings(

@@ -11,10 +11,22 @@ from pathlib import Path
 import numpy as np
 
 from sdgen.geometry import Array
-from sdgen.scene import Box, Structure
+from sdgen.scene import Structure
 
 #: Outward normals of a box's six faces.
 _NORMALS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+
+
+def _corners(index: int) -> Array:
+    """Corners (4, 3) of one face of a box from -1 to 1, counter-clockwise seen from outside."""
+    normal = np.asarray(_NORMALS[index], dtype=float)
+    first = np.eye(3)[(index // 2 + 1) % 3]
+    second = np.cross(normal, first)
+    turns = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    return np.array([normal + a * first + b * second for a, b in turns])
+
+
+_CORNERS = [_corners(index) for index in range(len(_NORMALS))]
 
 #: Where the light stands, from the world's origin. Almost overhead and far away: soft shadows
 #: where things touch, and walls, which must be opaque to hide what is behind them, throw a strip
@@ -56,16 +68,17 @@ def structure_faces(structure: Structure, tile_m: float) -> list[Face]:
     Floors show their top and ceilings their underside only: nothing sees the rest.
     """
     wanted = {"floor": (4,), "ceiling": (5,), "wall": (0, 1, 2, 3, 4, 5)}[structure.category]
-    low = min(piece.center_m[2] - piece.size_m[2] / 2 for piece in structure.pieces)
-    high = max(piece.center_m[2] + piece.size_m[2] / 2 for piece in structure.pieces)
+    boxes = np.array([(piece.center_m, piece.size_m) for piece in structure.pieces])
+    centres, halves = boxes[:, 0], boxes[:, 1] / 2
+    low = float((centres - halves)[:, 2].min())
+    high = float((centres + halves)[:, 2].max())
     slopes = _slopes(low, high)
+    sliced = _cut(centres, halves, slopes[:, 0])
     out = []
     for index in wanted:
         side = structure.category == "wall" and index < 4
-        pieces = structure.pieces
-        if side:
-            pieces = tuple(part for piece in pieces for part in _cut(piece, slopes[:, 0]))
-        quads = np.concatenate([_quad(piece, index) for piece in pieces])
+        middles, reaches = sliced if side else (centres, halves)
+        quads = (middles[:, None] + reaches[:, None] * _CORNERS[index]).reshape(-1, 3)
         normals = np.repeat([_NORMALS[index]], len(quads), axis=0).astype(np.float64)
         middle = np.array(_NORMALS[index], dtype=float)
         if side:
@@ -85,12 +98,16 @@ def _slopes(low_m: float, high_m: float) -> Array:
     return np.array(sorted(rows))
 
 
-def _cut(piece: Box, heights_m: Array) -> list[Box]:
-    """The box sliced at those of the heights that it spans."""
-    (x, y, z), (dx, dy, dz) = piece.center_m, piece.size_m
-    low, high = z - dz / 2, z + dz / 2
-    levels = [low, *(h for h in heights_m.tolist() if low + 1e-6 < h < high - 1e-6), high]
-    return [Box(center_m=(x, y, (a + b) / 2), size_m=(dx, dy, b - a)) for a, b in pairwise(levels)]
+def _cut(centres: Array, halves: Array, heights_m: Array) -> tuple[Array, Array]:
+    """Boxes, as middles and half sizes (N, 3), sliced at those of the heights that they span."""
+    out = []
+    for (x, y, z), (dx, dy, dz) in zip(centres.tolist(), halves.tolist(), strict=True):
+        low, high = z - dz, z + dz
+        inner = [h for h in heights_m.tolist() if low + 1e-6 < h < high - 1e-6]
+        for a, b in pairwise([low, *inner, high]):
+            out.append(((x, y, (a + b) / 2), (dx, dy, (b - a) / 2)))
+    boxes = np.array(out)
+    return boxes[:, 0], boxes[:, 1]
 
 
 def _shade(normal: Array) -> float:
@@ -100,26 +117,12 @@ def _shade(normal: Array) -> float:
     return 0.5 + 0.5 * half_lambert * (0.7 if half_lambert < 0.5 else 1.0)
 
 
-def _quad(piece: Box, index: int) -> Array:
-    """Corners of one face, counter-clockwise seen from outside."""
-    centre, half = np.asarray(piece.center_m), np.asarray(piece.size_m) / 2
-    normal = np.asarray(_NORMALS[index], dtype=float)
-    axis = index // 2
-    first = np.eye(3)[(axis + 1) % 3]
-    second = np.cross(normal, first)
-    corners = [
-        centre + half * (normal + a * first + b * second)
-        for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))
-    ]
-    return np.array(corners)
-
-
 def face_obj(face: Face, mtl: str) -> str:
     """The face group as a Wavefront OBJ of triangles."""
     lines = [f"mtllib {mtl}", "usemtl m"]
-    lines += [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in face.vertices_m]
-    lines += [f"vt {u:.5f} {v:.5f}" for u, v in face.uvs]
-    lines += [f"vn {x:.4f} {y:.4f} {z:.4f}" for x, y, z in face.normals]
+    lines += [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in face.vertices_m.tolist()]
+    lines += [f"vt {u:.5f} {v:.5f}" for u, v in face.uvs.tolist()]
+    lines += [f"vn {x:.4f} {y:.4f} {z:.4f}" for x, y, z in face.normals.tolist()]
     for base in range(1, len(face.vertices_m) + 1, 4):
         for triangle in ((base, base + 1, base + 2), (base, base + 2, base + 3)):
             lines.append("f " + " ".join(f"{k}/{k}/{k}" for k in triangle))

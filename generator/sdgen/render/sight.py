@@ -44,6 +44,19 @@ def part_points(library: Library, item: ObjectInstance, parts: Collection[str]) 
     )
 
 
+def part_area(library: Library, item: ObjectInstance, parts: Collection[str]) -> float:
+    """Surface of the drawn ``parts`` of an object (all when empty), square metres."""
+    drawn = library.info(item.asset).variants[item.variant]
+    wanted = [name for name in drawn if name in parts] or list(drawn)
+    total = 0.0
+    for name in wanted:
+        mesh = library.mesh(item.asset)[name]
+        corners = mesh.vertices[mesh.faces]
+        sides = corners[:, 1:] - corners[:, :1]
+        total += float(np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1).sum()) / 2
+    return total
+
+
 def part_numbers(library: Library, item: ObjectInstance, parts: Collection[str]) -> Ints:
     """1-based numbers of the drawn ``parts`` (all when none of them is drawn)."""
     drawn = library.info(item.asset).variants[item.variant]
@@ -119,7 +132,7 @@ def estimate_pixels(
     return np.array([n * r[2] for n, r in zip(counts, rays, strict=True)])
 
 
-def overview_rays(world_from_camera: Array, across: int = 24) -> tuple[Array, Array]:
+def overview_rays(world_from_camera: Array, across: int = 20) -> tuple[Array, Array]:
     """A coarse grid of rays over the whole picture."""
     down = across * HEIGHT // WIDTH
     u = (np.arange(across) + 0.5) * WIDTH / across - 0.5

@@ -1,0 +1,211 @@
+"""Where a piece of furniture may stand in a room: poses proposed, best first; nothing is checked.
+
+A piece faces +X; its origin is the middle of its bottom. Poses are (x, y, z, yaw).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
+
+from sdgen.freespace import polygons
+from sdgen.geometry import Vec2, yaw_of
+from sdgen.library.records import AssetInfo
+from sdgen.scene import ObjectInstance
+from sdgen.seeding import Rng
+
+#: Between a back and the wall; a hung piece touches it.
+BACK_GAP_M = 0.03
+HUNG_GAP_M = 0.005
+SIDE_GAP_M = 0.02
+SNAP_CHANCE = 0.65
+DRAWS_A_WALL = 3
+#: A piece a chair stands at is reached under by this much.
+TUCKED_M = 0.08
+
+PlacedAt = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class Side:
+    """An inner wall of a room: from ``start`` along ``along`` for ``length_m``; ``inward`` points
+    into the room (unit vectors)."""
+
+    start: Vec2
+    along: Vec2
+    inward: Vec2
+    length_m: float
+
+    @property
+    def yaw(self) -> float:
+        """Heading of a piece with its back to this wall."""
+        return math.atan2(self.inward[1], self.inward[0])
+
+    def at(self, t: float, off_m: float) -> Vec2:
+        """The point ``t`` along the wall and ``off_m`` away from it."""
+        return (
+            self.start[0] + self.along[0] * t + self.inward[0] * off_m,
+            self.start[1] + self.along[1] * t + self.inward[1] * off_m,
+        )
+
+    def measure(self, point: Vec2) -> tuple[float, float]:
+        """(along, away) coordinates of a point."""
+        dx, dy = point[0] - self.start[0], point[1] - self.start[1]
+        return (
+            dx * self.along[0] + dy * self.along[1],
+            dx * self.inward[0] + dy * self.inward[1],
+        )
+
+
+def sides_of(polygon_m: Sequence[Vec2]) -> tuple[Side, ...]:
+    """Inner walls of a counter-clockwise room outline."""
+    out = []
+    for (x0, y0), (x1, y1) in pairwise([*polygon_m, polygon_m[0]]):
+        length = math.hypot(x1 - x0, y1 - y0)
+        along = ((x1 - x0) / length, (y1 - y0) / length)
+        out.append(Side((x0, y0), along, (-along[1], along[0]), length))
+    return tuple(out)
+
+
+def against_walls(
+    sides: Sequence[Side], size: Vec2, z: float, rng: Rng, snap: float = SNAP_CHANCE
+) -> list[PlacedAt]:
+    """Poses with the back to a wall: at its ends mostly, and anywhere. ``size`` (depth, width)."""
+    gap = HUNG_GAP_M if z > 0 else BACK_GAP_M
+    depth, width = size
+    out: list[PlacedAt] = []
+    lengths = np.array([side.length_m for side in sides])
+    order = rng.choice(len(sides), len(sides), replace=False, p=lengths / lengths.sum())
+    for k in order.tolist():
+        side = sides[k]
+        low, high = width / 2 + SIDE_GAP_M, side.length_m - width / 2 - SIDE_GAP_M
+        ends = [low, high] if rng.random() < 0.5 else [high, low]
+        spots = [float(t) for t in rng.uniform(low, max(low, high), DRAWS_A_WALL)]
+        first = rng.random() < snap
+        if low > high:
+            continue
+        for t in (*ends, *spots) if first else (*spots, *ends):
+            out.append((*side.at(t, depth / 2 + gap), z, side.yaw))
+    return out
+
+
+def in_corners(sides: Sequence[Side], size: Vec2, rng: Rng) -> list[PlacedAt]:
+    """Poses in the room's outward corners, back to one of the two walls."""
+    depth, width = size
+    out: list[PlacedAt] = []
+    for k in rng.permutation(len(sides)).tolist():
+        side, before = sides[k], sides[k - 1]
+        turn = before.along[0] * side.along[1] - before.along[1] * side.along[0]
+        if turn <= 0:
+            continue
+        gap = BACK_GAP_M + 0.02
+        out.append((*side.at(width / 2 + gap, depth / 2 + gap), 0.0, side.yaw))
+    return out
+
+
+def in_middle(room: Polygon, taken: BaseGeometry, rng: Rng) -> list[PlacedAt]:
+    """Poses about the middle of the largest free part of the floor, square to the room."""
+    free = polygons(room.buffer(-0.4, join_style="mitre").difference(taken))
+    out: list[PlacedAt] = []
+    x0, y0, x1, y1 = room.bounds
+    long_y = y1 - y0 > x1 - x0
+    for part in free[:2]:
+        middle = shapely.maximum_inscribed_circle(part, tolerance=0.05).coords[0]
+        for _ in range(6):
+            x = float(middle[0] + rng.normal(0.0, 0.15))
+            y = float(middle[1] + rng.normal(0.0, 0.15))
+            across = rng.random() < 0.25
+            # A piece is wider (y) than deep, so it lies along the room at yaw 0 if that is y.
+            yaw = 0.0 if long_y != across else math.pi / 2
+            out.append((x, y, 0.0, yaw))
+    return out
+
+
+def beside(target: ObjectInstance, info: AssetInfo, size: Vec2, rng: Rng) -> list[PlacedAt]:
+    """Poses to the left and right of a piece, backs in line."""
+    depth, width = size
+    x = -info.extents_m[0] / 2 + depth / 2
+    y = info.extents_m[1] / 2 + width / 2 + SIDE_GAP_M
+    both = [_from(target, x, y), _from(target, x, -y)]
+    return both if rng.random() < 0.5 else both[::-1]
+
+
+def before(target: ObjectInstance, info: AssetInfo, size: Vec2, gap_m: float) -> list[PlacedAt]:
+    """The pose in front of a piece, facing it."""
+    x = info.extents_m[0] / 2 + gap_m + size[0] / 2
+    return [_from(target, x, dy, turn=math.pi) for dy in (0.0, 0.1, -0.1)]
+
+
+def around(target: ObjectInstance, info: AssetInfo, size: Vec2, rng: Rng) -> list[PlacedAt]:
+    """Poses around a table, facing it: along its long sides first, across from each other."""
+    deep, wide = info.extents_m[0] / 2, info.extents_m[1] / 2
+    away = size[0] / 2 - TUCKED_M
+    seats = (-wide * 0.5, wide * 0.5) if wide > 0.55 else (0.0,)
+    out: list[PlacedAt] = []
+    for y in seats:
+        out.append(_from(target, deep + away, y, turn=math.pi))
+        out.append(_from(target, -deep - away, y, turn=0.0))
+    ends = [
+        _from(target, 0.0, wide + away, turn=-math.pi / 2),
+        _from(target, 0.0, -wide - away, turn=math.pi / 2),
+    ]
+    return [*[out[k] for k in rng.permutation(len(out)).tolist()], *ends]
+
+
+def opposite(target: ObjectInstance, sides: Sequence[Side], size: Vec2, rng: Rng) -> list[PlacedAt]:
+    """Poses against the wall a piece faces, right across first."""
+    yaw = yaw_of(target.pose.quat_xyzw)
+    x, y, _ = target.pose.position_m
+    depth, width = size
+    out: list[PlacedAt] = []
+    for side in sides:
+        facing = math.cos(yaw) * side.inward[0] + math.sin(yaw) * side.inward[1]
+        t, away = side.measure((x, y))
+        if facing > -0.9 or not 1.6 < away < 6.0:
+            continue
+        low, high = width / 2 + SIDE_GAP_M, side.length_m - width / 2 - SIDE_GAP_M
+        for shift in (0.0, *rng.uniform(-0.6, 0.6, 4).tolist()):
+            if low <= high:
+                spot = min(max(t + shift, low), high)
+                out.append((*side.at(spot, depth / 2 + BACK_GAP_M), 0.0, side.yaw))
+    return out
+
+
+def above(target: ObjectInstance, info: AssetInfo, size: Vec2, z: float) -> list[PlacedAt]:
+    """The pose on the wall above a piece that stands against it."""
+    x = -info.extents_m[0] / 2 - BACK_GAP_M + HUNG_GAP_M + size[0] / 2
+    return [(*_from(target, x, 0.0)[:2], z, yaw_of(target.pose.quat_xyzw))]
+
+
+def on_top(
+    target: ObjectInstance, info: AssetInfo, size: Vec2, top_m: float, rng: Rng
+) -> list[PlacedAt]:
+    """Poses on a piece, square to it: shallow things at its back, others in its middle."""
+    depth, width = size
+    x = 0.0
+    if depth < 0.7 * info.extents_m[0]:
+        x = -info.extents_m[0] / 2 + 0.04 + depth / 2
+    slack = max(0.0, (info.extents_m[1] - width) / 2 - 0.04)
+    spots = (float(rng.uniform(-slack, slack)) * 0.8 for _ in range(4))
+    return [(*_from(target, x, y)[:2], top_m, yaw_of(target.pose.quat_xyzw)) for y in spots]
+
+
+def under(target: ObjectInstance) -> list[PlacedAt]:
+    """The pose in the middle under a piece."""
+    x, y, _ = target.pose.position_m
+    return [(x, y, 0.0, yaw_of(target.pose.quat_xyzw))]
+
+
+def _from(target: ObjectInstance, x: float, y: float, turn: float = 0.0) -> PlacedAt:
+    """A pose given in a piece's own frame."""
+    yaw = yaw_of(target.pose.quat_xyzw)
+    px, py, pz = target.pose.position_m
+    c, s = math.cos(yaw), math.sin(yaw)
+    return px + c * x - s * y, py + s * x + c * y, pz, yaw + turn

@@ -1,0 +1,39 @@
+"""Generated homes: a floor plan with openings, to be furnished by the rooms' rules."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sdgen.catalog.records import BaseHome, BaseRoom, Catalog
+from sdgen.errors import UsageError
+from sdgen.home.plan import plan_random
+from sdgen.home.plan_openings import openings_random
+from sdgen.seeding import Rng
+
+HEIGHTS_M = (2.4, 2.5, 2.6, 2.7)
+TRIES = 6
+
+
+def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> BaseHome | None:
+    """A home of one of the catalogue's mixes of rooms; None when no plan came out valid."""
+    if not catalog.mixes:
+        raise UsageError("the catalogue has no mix of rooms to generate homes from (plans.yaml)")
+    weights = np.array([mix.weight for mix in catalog.mixes])
+    for _ in range(TRIES):
+        mix = catalog.mixes[int(rng.choice(len(weights), p=weights / weights.sum()))]
+        plan = plan_random(mix, catalog.room_types, rng)
+        openings = None if plan is None else openings_random(plan, rng)
+        if plan is None or openings is None:
+            continue
+        return BaseHome(
+            id=home_id,
+            title=f"generated home of {len(plan.rooms)} rooms ({mix.name})",
+            kind="procedural",
+            height_m=HEIGHTS_M[int(rng.integers(len(HEIGHTS_M)))],
+            rooms=tuple(
+                BaseRoom(name=room.name, type=room.type, rectangles_m=room.rectangles_m)
+                for room in plan.rooms
+            ),
+            openings=openings,
+        )
+    return None

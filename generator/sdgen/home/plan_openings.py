@@ -1,0 +1,112 @@
+"""Doors and windows of a floor plan: every room opens to the hub, one front door, daylight."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from sdgen.catalog.records import BaseOpening
+from sdgen.geometry import Vec2
+from sdgen.home.plan import DOOR_WALL_M, FRONT_DOOR_WALL_M, Plan
+from sdgen.home.walls import Wall
+from sdgen.seeding import Rng
+
+#: From a corner (walls' middle lines) to the middle of a door, a front door, a window.
+DOOR_MARGIN_M = 0.72
+FRONT_DOOR_MARGIN_M = 0.8
+WINDOW_MARGIN_M = 0.8
+SMALL_WINDOW_MARGIN_M = 0.5
+#: Doors whose middles are nearer than this would open into each other.
+DOORS_APART_M = 1.25
+NEAR_CORNER_CHANCE = 0.7
+SECOND_WINDOW_CHANCE = 0.5
+SECOND_WINDOW_AREA_M2 = 11.0
+TRIES = 12
+#: Pairs of rooms that often have a door between them besides those to the hub.
+ALSO_JOINED = (("kitchen", "living_room"), ("kitchen", "dining_room"))
+ALSO_JOINED_CHANCE = 0.5
+
+
+def openings_random(plan: Plan, rng: Rng) -> tuple[BaseOpening, ...] | None:
+    """Openings of a plan, doors first; None when some door finds no place."""
+    doors: list[BaseOpening] = []
+    front = _door(plan.outer(0), "front_door", doors, FRONT_DOOR_WALL_M, rng)
+    if front is None:
+        return None
+    doors.append(front)
+    for room in range(1, len(plan.rooms)):
+        door = _door(plan.between(0, room), "door", doors, DOOR_WALL_M, rng)
+        if door is None:
+            return None
+        # The leaf opens away from the hub, which comes first in the list of rooms.
+        doors.append(door.model_copy(update={"hinge_flip": True}))
+    for a, b in _also_joined(plan):
+        wanted = rng.random() < ALSO_JOINED_CHANCE
+        door = _door(plan.between(a, b), "door", doors, DOOR_WALL_M, rng)
+        if wanted and door is not None:
+            doors.append(door)
+    return (*doors, *_windows(plan, doors, rng))
+
+
+def _also_joined(plan: Plan) -> list[tuple[int, int]]:
+    types = [room.type for room in plan.rooms]
+    return [
+        (a, b)
+        for first, second in ALSO_JOINED
+        for a in range(1, len(types))
+        for b in range(1, len(types))
+        if types[a] == first and types[b] == second
+    ]
+
+
+def _door(
+    walls: Sequence[Wall], kind: str, others: Sequence[BaseOpening], least_m: float, rng: Rng
+) -> BaseOpening | None:
+    margin = FRONT_DOOR_MARGIN_M if kind == "front_door" else DOOR_MARGIN_M
+    fitting = [w for w in walls if w.length_m >= max(least_m, 2 * margin)]
+    for _ in range(TRIES if fitting else 0):
+        wall = fitting[int(rng.integers(len(fitting)))]
+        spare = wall.length_m - 2 * margin
+        t = float(rng.uniform(0.0, min(spare, 0.3)))
+        if rng.random() >= NEAR_CORNER_CHANCE:
+            t = float(rng.uniform(0.0, spare))
+        t = wall.low_m + margin + t if rng.random() < 0.5 else wall.high_m - margin - t
+        center = _rounded(wall.point(t))
+        if all(math.dist(center, other.center_m) >= DOORS_APART_M for other in others):
+            return BaseOpening.model_validate(
+                {"kind": kind, "center_m": center, "along": wall.along}
+            )
+    return None
+
+
+def _windows(plan: Plan, doors: Sequence[BaseOpening], rng: Rng) -> list[BaseOpening]:
+    out: list[BaseOpening] = []
+    for index, room in enumerate(plan.rooms):
+        if room.type == "hall":
+            continue
+        small = room.type in ("bathroom", "laundry")
+        area = sum((c - a) * (d - b) for a, b, c, d in room.rectangles_m)
+        second = rng.random() < SECOND_WINDOW_CHANCE and area > SECOND_WINDOW_AREA_M2
+        margin = SMALL_WINDOW_MARGIN_M if small else WINDOW_MARGIN_M
+        walls = [w for w in plan.outer(index) if w.length_m >= 2 * margin]
+        order = rng.permutation(len(walls)).tolist()
+        for k in order[: 2 if second and not small else 1]:
+            wall = walls[k]
+            spare = wall.length_m - 2 * margin
+            t = wall.low_m + margin + spare * float(rng.uniform(0.25, 0.75))
+            sill = 1.5 if small else (1.1 if room.type == "kitchen" else 0.9)
+            window = BaseOpening(
+                kind="window",
+                center_m=_rounded(wall.point(t)),
+                along=wall.along,
+                sill_m=sill,
+                small=small,
+            )
+            near = [math.dist(window.center_m, other.center_m) for other in (*doors, *out)]
+            if min(near, default=9.0) >= DOORS_APART_M:
+                out.append(window)
+    return out
+
+
+def _rounded(point: Vec2) -> Vec2:
+    return round(point[0], 3) + 0.0, round(point[1], 3) + 0.0

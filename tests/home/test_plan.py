@@ -1,0 +1,110 @@
+"""Floor plans: rooms apart, joined to the hub by walls a door fits in, lit, of the size asked."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sdgen.catalog.load import load_catalog
+from sdgen.home import plan as planning
+from sdgen.home.plan import DARK, DOOR_WALL_M, FRONT_DOOR_WALL_M, LARGEST_M, Plan, plan_random
+from sdgen.home.plan_openings import openings_random
+from sdgen.home.walls import Owners, shared_walls
+from sdgen.seeding import lane
+from shapely import box
+from shapely.ops import unary_union
+
+CATALOG = load_catalog()
+MIXES = {mix.name: mix for mix in CATALOG.mixes}
+TYPES = {t.name: t for t in CATALOG.room_types}
+
+
+def shape(plan: Plan, room: int):
+    return unary_union([box(*r) for r in plan.rooms[room].rectangles_m])
+
+
+@pytest.mark.parametrize("name", sorted(MIXES))
+@settings(max_examples=15, deadline=None)
+@given(seed=st.integers(0, 10_000))
+def test_a_plan_holds_the_mix(name, seed):
+    mix = MIXES[name]
+    plan = plan_random(mix, CATALOG.room_types, lane(seed, 0, "plan"))
+    assert plan is not None
+    assert [room.type for room in plan.rooms] == [mix.hub, *mix.rooms]
+    assert 3 <= len(plan.rooms) <= 6
+    shapes = [shape(plan, k) for k in range(len(plan.rooms))]
+    for a, b in combinations(shapes, 2):
+        assert a.intersection(b).area < 1e-9
+    for k, room in enumerate(plan.rooms):
+        assert shapes[k].geom_type == "Polygon"
+        x0, y0, x1, y1 = room.rectangles_m[0]
+        assert min(x1 - x0, y1 - y0) >= TYPES[room.type].narrowest_m - 1e-6
+        if k:
+            low, high = TYPES[room.type].area_m2
+            assert 0.8 * low <= shapes[k].area <= 1.2 * high
+            assert max(w.length_m for w in plan.between(0, k)) >= DOOR_WALL_M
+        if room.type not in DARK:
+            assert max(w.length_m for w in plan.outer(k)) >= 1.9
+    assert max(w.length_m for w in plan.outer(0)) >= FRONT_DOOR_WALL_M
+    x0, y0, x1, y1 = unary_union(shapes).bounds
+    assert max(x1 - x0, y1 - y0) <= LARGEST_M
+    assert max(abs(v) for v in (x0, y0, x1, y1)) <= LARGEST_M / 2 + 0.2
+
+
+def test_the_same_lane_gives_the_same_plan_and_another_a_different_one():
+    mix = CATALOG.mixes[0]
+    one, two = (plan_random(mix, CATALOG.room_types, lane(3, 1, "plan")) for _ in range(2))
+    other = plan_random(mix, CATALOG.room_types, lane(3, 2, "plan"))
+    assert one == two
+    assert one != other
+
+
+def test_plans_are_of_many_shapes():
+    corners = set()
+    for seed in range(40):
+        plan = plan_random(MIXES["living_hub_5"], CATALOG.room_types, lane(seed, 0, "plan"))
+        assert plan is not None
+        corners.add(len(shape(plan, 0).exterior.coords))
+    assert len(corners) > 1  # rectangles and L-shapes
+
+
+@settings(max_examples=40, deadline=None)
+@given(seed=st.integers(0, 10_000), k=st.integers(0, len(CATALOG.mixes) - 1))
+def test_openings_sit_in_walls_clear_of_corners_and_of_each_other(seed, k):
+    plan = plan_random(CATALOG.mixes[k], CATALOG.room_types, lane(seed, 0, "plan"))
+    assert plan is not None
+    openings = openings_random(plan, lane(seed, 0, "openings"))
+    if openings is None:
+        return
+    doors = [o for o in openings if o.kind == "door"]
+    assert [o.kind for o in openings].count("front_door") == 1
+    assert len(doors) >= len(plan.rooms) - 1
+    for opening in openings:
+        x, y = opening.center_m
+        walls = [
+            w
+            for w in plan.walls
+            if w.along == opening.along
+            and abs((y if w.along == "x" else x) - w.at_m) < 1e-6
+            and w.low_m + 0.3 < (x if w.along == "x" else y) < w.high_m - 0.3
+        ]
+        assert len(walls) == 1, opening
+        outdoors = planning.OUTSIDE in (walls[0].first, walls[0].second)
+        assert outdoors == (opening.kind != "door")
+
+
+def test_shared_walls_of_a_known_grid():
+    import numpy as np
+
+    cells = np.full((5, 4), -1)
+    cells[1:3, 1:3] = 0
+    cells[3:4, 1:3] = 1
+    walls = shared_walls(Owners(cells, 1.0))
+    between = [w for w in walls if {w.first, w.second} == {0, 1}]
+    assert len(between) == 1
+    assert between[0].along == "y"
+    assert between[0].length_m == 2.0
+    around = sum(w.length_m for w in walls if -1 in (w.first, w.second))
+    assert around == pytest.approx(2 * (3 + 2))

@@ -98,7 +98,7 @@ def test_nonsense_is_a_usage_error(
     assert asked == []
 
 
-@pytest.mark.parametrize("feature", ["--engine ray", "--homes procedural"])
+@pytest.mark.parametrize("feature", ["--engine ray"])
 def test_what_is_not_there_yet_is_refused(
     feature: str, asked: list[Any], capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -135,7 +135,7 @@ def test_a_hazard_that_is_never_proved_ends_the_build_early(tools, tmp_path, mon
     catalog = catalog.model_copy(
         update={"hazards": tuple(never if h.id == hazard.id else h for h in catalog.hazards)}
     )
-    options = BuildOptions(n=40, seed=7, views=1, sensors=(), hazards_min=0, hazards_max=1)
+    options = BuildOptions(n=40, seed=7, views=1, sensors=(), hazards_min=1, hazards_max=2)
     monkeypatch.setattr("sdgen.engines.local.SceneWorker", ImpatientWorker)
     with pytest.raises(SdgenError, match=r"'sharp_object' fits nowhere: never made in \d+ tries"):
         local.build(options, tmp_path / "set", catalog, tools["library"], workers=2)

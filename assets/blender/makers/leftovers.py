@@ -168,7 +168,7 @@ MODELS = {
     "leftovers_box": Maker(
         leftovers_box,
         leftovers_box_random,
-        count=3,
-        presets=[{"dish": "pasta"}, {"dish": "rice"}, {"dish": "closed"}],
+        count=2,
+        presets=[{"dish": "rice"}, {"dish": "closed"}],
     ),
 }

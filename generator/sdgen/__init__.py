@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from sdgen.options import BuildOptions as BuildOptions
     from sdgen.pipeline import make_scene as make_scene
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "BuildOptions",

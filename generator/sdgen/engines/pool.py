@@ -31,7 +31,7 @@ class Limits:
     """When a worker is given up: seconds a job, megabytes it holds after a job or within one."""
 
     timeout_s: float = 900.0
-    memory_mb: float = 1100.0
+    memory_mb: float = 1350.0
     bloat_mb: float = 4000.0
 
 

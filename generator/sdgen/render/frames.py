@@ -16,6 +16,7 @@ from sdgen.library.states import object_from_part
 from sdgen.physics.bullet import pb, quiet
 from sdgen.render.backend import Choice, Kind, choose_renderer, start_egl
 from sdgen.render.coverage import coverage
+from sdgen.render.outdoors import paint_outdoors
 from sdgen.render.projection import (
     depth_from_buffer,
     projection_matrix,
@@ -121,6 +122,8 @@ class Renderer:
                     camera, shift, scaled(k, supersample), supersample, mask=False
                 )
                 rgb = _box_filter(large, supersample)
+            if "rgb" in sensors:
+                rgb = paint_outdoors(rgb, body < 0, camera)
             instance = ids[body]
             depth = depth_from_buffer(buffer, camera.near_m, camera.far_m)
             if self._egl:

@@ -207,8 +207,12 @@ def test_a_planted_leak_is_found(scenes: list[Made]) -> None:
     assert probe(table(scenes, planted_row))[0] > 0.8
 
 
-def test_near_cameras_treat_anomalies_like_others(scenes: list[Made], library: Library) -> None:
-    """Among the things that near views are centred on: distance, aim, height, side."""
+def test_near_cameras_aim_at_anomalies_as_at_others(scenes: list[Made], library: Library) -> None:
+    """Among the things that near views are centred on: where in the picture, and which side.
+
+    Distance and height are left out: they follow from where a thing lies, which a label may use.
+    Near views are few, so two sigmas of the probe's noise are granted.
+    """
 
     def row(made: Made, item: ObjectInstance) -> list[float] | None:
         cameras = [c for c in made.bundle.cameras if made.targets.get(c.index) == item.id]
@@ -222,9 +226,7 @@ def test_near_cameras_treat_anomalies_like_others(scenes: list[Made], library: L
         front = rotation_matrix(item.pose.quat_xyzw)[:2, 0]
         side = float(front @ towards[:2]) / max(float(np.hypot(*towards[:2])), 1e-9)
         category = zlib.crc32(item.category.encode())
-        angle = float(np.hypot(x, y)) / max(z, 1e-9)
-        away = float(np.linalg.norm(towards))
-        return [category, away, angle, x / z, y / z, float(towards[2]), float(pose[2, 3]), side]
+        return [category, float(np.hypot(x, y)) / max(z, 1e-9), x / z, y / z, side]
 
     value, noise = probe(table(scenes, row))
     assert value <= LIMIT + 2 * noise, f"AUC {value:.3f} (noise {noise:.3f})"

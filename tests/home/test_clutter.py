@@ -1,0 +1,28 @@
+"""Everyday things: a small home is lived in as well."""
+
+from __future__ import annotations
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.hazards.splits import SplitModels
+from sdgen.home.clutter import LEAST_THINGS, add_clutter
+from sdgen.library import load_library
+from sdgen.pipeline.stage import Stage, stage_home
+from sdgen.seeding import lane
+
+
+@pytest.mark.parametrize("home", ["three_room_flat_2", "apartment_1"])
+def test_every_home_holds_sixty_things(home):
+    catalog, library = load_catalog(), load_library([])
+    models = SplitModels(library, "test")
+    base = next(h for h in catalog.homes if h.id == home)
+    for seed in range(3):
+        ids = iter(range(1, 60000))
+        stage = stage_home(base, catalog, library, models, ids, lane(seed, 0, "furnish"))
+        assert isinstance(stage, Stage)
+        layout = stage.layout.copy()
+        add_clutter(
+            layout, stage.site.home, stage.site.zones, catalog, models, lane(seed, 0, "place")
+        )
+        small = [item for item in layout.items.values() if not item.fixed]
+        assert len(small) >= LEAST_THINGS > 60

@@ -6,7 +6,7 @@ import math
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.freespace import opening_rectangle
+from sdgen.freespace import free_shape, opening_rectangle, rounded_rings
 from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
@@ -15,6 +15,7 @@ from sdgen.library import load_library
 from sdgen.options import BuildOptions
 from sdgen.pipeline.stage import Stage, pick_home, stage_home
 from sdgen.seeding import lane
+from sdgen.zones import derive_zones, floor_obstacles
 from shapely.geometry import Polygon
 
 CATALOG = load_catalog()
@@ -117,3 +118,13 @@ def test_a_generated_home_keeps_its_id_and_split_through_attempts():
     assert second is not None
     assert first.id == second.id == choice.id
     assert first.rooms != second.rooms
+
+
+def test_what_is_left_free_is_what_a_reader_of_the_scene_finds(stages):
+    for made in stages:
+        scene = made.scene(0, made.layout)
+        free = free_shape(scene.home, floor_obstacles(scene.objects, LIBRARY.infos))
+        assert rounded_rings(free) == made.free_space
+        traits = {c.name: c.properties for c in CATALOG.categories}
+        zones = derive_zones(scene.home, scene.objects, LIBRARY.infos, traits)
+        assert zones == tuple(made.site.zones)

@@ -1,5 +1,7 @@
 """visibility.json: boxes, pixels and evidence, against masks small enough to count by hand."""
 
+from dataclasses import replace
+
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -60,6 +62,15 @@ def test_structures_are_left_out_and_fraction_is_visible_over_alone() -> None:
     assert [item.object_id for item in view.objects] == [item.id for item in made.scene.objects]
     for item in view.objects:
         assert item.fraction == round(item.pixels / frame.alone_pixels[item.object_id], 4)
+
+
+def test_a_sliver_of_something_large_is_more_than_nothing() -> None:
+    made = toy.bundle(3)
+    frame = toy.frame(made, 0)
+    one = min(frame.alone_pixels)
+    huge = replace(frame, alone_pixels={**frame.alone_pixels, one: 10**9})
+    view = toy.visibility(made, [huge]).views[0]
+    assert {item.object_id: item.fraction for item in view.objects}[one] == 1e-4
 
 
 def test_evidence_counts_the_evidence_parts_only() -> None:

@@ -109,7 +109,8 @@ def stage_home(
     if failed is not None:
         return f"home: no place for {failed}"
     home = _sorted(home)
-    furniture = list(layout.items.values())
+    # By id, as anyone has it who reads the scene: a union's last digits depend on the order.
+    furniture = [layout.items[k] for k in sorted(layout.items)]
     properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
     infos: Mapping[str, AssetInfo] = library.infos
     free = free_shape(home, floor_obstacles(furniture, infos))

@@ -21,6 +21,8 @@ from sdgen.scene import (
 #: Pixels of evidence a 640x480 view must show; other sizes in proportion.
 EVIDENCE_PIXELS = 100
 REFERENCE_PIXELS = 640 * 480
+#: What is seen at all is never written as nothing: one pixel of a wall that fills the view.
+LEAST_FRACTION = 1e-4
 
 Box = tuple[int, int, int, int]
 
@@ -89,7 +91,7 @@ def view_visibility(frame: Frame, parts_of: Mapping[int, Sequence[str]]) -> View
                 object_id=node_id,
                 bbox=box,
                 pixels=pixels,
-                fraction=round(pixels / alone, 4),
+                fraction=max(round(pixels / alone, 4), LEAST_FRACTION),
                 parts=parts,
             )
         )

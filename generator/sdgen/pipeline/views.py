@@ -31,6 +31,13 @@ NEAR_SHARE = 2 / 3
 LOOKALIKE_SHARE = 0.5
 SMALL_M2 = 0.02
 GLANCE_MOST = 6000.0
+#: Anomalies lie lower than this, and so must the benign things that share their near views: else
+#: upturned cameras would tell how few anomalies a scene has. One more near view, the same in every
+#: scene, is for what lies higher: knives on a shelf, open wall cabinets.
+LOW_M = 1.25
+HIGH_TRIED = 8
+#: Overviews that a scene keeps when it gets that view.
+OVERVIEWS_KEPT = 2
 #: Things looked for: like one class's anomalies, and in all before near views are given up.
 CLASS_TRIED = 4
 BENIGN_TRIED = 40
@@ -40,6 +47,11 @@ def near_count(options: BuildOptions) -> int:
     """Near views of every scene: two thirds, enough for the most anomalies, one overview left."""
     wanted = max(round(options.views * NEAR_SHARE), options.hazards_max)
     return max(0, min(options.views - 1, wanted))
+
+
+def high_count(options: BuildOptions) -> int:
+    """Near views of things above a child's reach in every scene."""
+    return 1 if options.views - near_count(options) > OVERVIEWS_KEPT else 0
 
 
 def glance_pixels(surface_m2: float) -> float:
@@ -131,6 +143,8 @@ def choose_views(
         if view is not None:
             views.append(view)
     views += _benign_views(sight, catalog, anomalies, lookalikes, wanted - len(views), rng)
+    if high_count(options):
+        views += _high_view(sight, lookalikes, rng)
     views += sight.rooms(options.views - len(views), rng)
     return to_cameras(views, (options.width, options.height), rng)
 
@@ -144,7 +158,9 @@ def _benign_views(
     rng: Rng,
 ) -> list[View]:
     """Near views of ``count`` benign things, each like the anomalies of a drawn class."""
-    left = {item.id: item.category for item in sight.scene.objects}
+    left = {
+        item.id: item.category for item in sight.scene.objects if item.pose.position_m[2] <= LOW_M
+    }
     for anomaly in anomalies:
         left.pop(anomaly.object_id, None)
     likes = {one.object_id: one.near_miss_of for one in lookalikes}
@@ -160,6 +176,19 @@ def _benign_views(
                 views.append(view)
                 break
     return views
+
+
+def _high_view(sight: Sight, lookalikes: Sequence[Lookalike], rng: Rng) -> list[View]:
+    """A near view of something that lies high, a lookalike if there is one; none if none shows."""
+    high = [item.id for item in sight.scene.objects if item.pose.position_m[2] > LOW_M]
+    order = [high[k] for k in rng.permutation(len(high)).tolist()]
+    likes = {one.object_id for one in lookalikes}
+    order.sort(key=lambda object_id: object_id not in likes)
+    for object_id in order[:HIGH_TRIED]:
+        view = sight.near(object_id)
+        if view is not None:
+            return [view]
+    return []
 
 
 def _like(hazard: Hazard, left: Mapping[int, str], likes: Mapping[int, str], rng: Rng) -> list[int]:

@@ -41,7 +41,8 @@ def kills():
 
 def test_killed_five_times_at_random_moments_it_ends_in_the_same_bytes(tmp_path):
     options = ["--n=6", "--seed=7", "--views=1", "--sensors=none", "--workers=2"]
-    differing, _ = kills().compare(tmp_path, options, kills=5, seed=1)
+    differing, hits = kills().compare(tmp_path, options, kills=5, seed=1)
+    assert hits >= 2
     assert differing == []
 
 
@@ -57,11 +58,12 @@ def test_killed_in_the_middle_it_goes_on_where_it_was(tmp_path):
             time.sleep(0.05)
         assert list(out.glob("scenes/*"))
         # Meanwhile a second build on the same folder says so, and leaves it be.
+        # (The first is held still, or it might end before the second looks.)
+        os.kill(build.pid, signal.SIGSTOP)
         second = run(out, SMALL)
-        if build.poll() is None:
-            assert second.returncode == 1
-            assert "another build is writing here" in second.stderr
-            assert len(second.stderr.strip().splitlines()) == 3
+        assert build.poll() is None
+        assert second.returncode == 1
+        assert "another build is writing here" in second.stderr
     finally:
         os.kill(build.pid, signal.SIGKILL)
         build.wait()

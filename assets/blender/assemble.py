@@ -1,6 +1,7 @@
 """Merge build/assets/*.json into assets/manifest.yaml and write the hulls (no Blender needed).
 
-Entries not rebuilt are kept. `--remove ID...` drops entries and their files.
+Entries not rebuilt are kept. `--remove ID...` drops entries and their files. Models of a category
+with the same geometry (skins of one shape) share one mesh and one set of hulls.
 Needs numpy, trimesh with scipy, coacd and PyYAML.
 """
 
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import fcntl
+import hashlib
 import json
 import os
 import sys
@@ -21,6 +23,49 @@ ASSETS = Path(__file__).resolve().parent.parent
 RECORDS = ASSETS.parent / "build" / "assets"
 MAX_VERTICES = 32
 HEAD = "# Written by blender/assemble.py; see README.md for the fields.\n"
+
+
+def geometry_digest(glb: Path) -> str:
+    """Digest of a GLB without the name of its texture."""
+    raw = glb.read_bytes()
+    length = int.from_bytes(raw[12:16], "little")
+    document = json.loads(raw[20 : 20 + length])
+    document.pop("images", None)
+    text = json.dumps(document, sort_keys=True).encode()
+    return hashlib.sha256(text + raw[28 + length :]).hexdigest()
+
+
+def store_meshes(built: dict[str, dict], entries: dict[str, dict]) -> list[str]:
+    """Copy the meshes of the models just built, one for each geometry of a category.
+
+    Sets their `mesh` and `hulls`. Returns ids that were not built but show a mesh that changed.
+    """
+    first: dict[tuple[str, str], str] = {}
+    stale: list[str] = []
+    for asset_id in sorted(built):
+        entry, glb = built[asset_id], RECORDS / "meshes" / f"{asset_id}.glb"
+        digest = geometry_digest(glb)
+        owner = first.setdefault((entry["category"], digest), asset_id)
+        entry["mesh"], entry["hulls"] = f"meshes/{owner}.glb", f"meshes/{owner}.hulls.json"
+        target = ASSETS / entry["mesh"]
+        if owner == asset_id and not (target.exists() and target.read_bytes() == glb.read_bytes()):
+            if target.exists() and geometry_digest(target) != digest:
+                users = (i for i, e in entries.items() if e["mesh"] == entry["mesh"])
+                stale += [i for i in users if i not in built]
+            target.parent.mkdir(exist_ok=True)
+            target.write_bytes(glb.read_bytes())
+    return stale
+
+
+def delete_unnamed(entries: dict[str, dict], surfaces: dict[str, dict]) -> None:
+    """Remove files of ours that no record names any more."""
+    named = {e[k] for e in entries.values() for k in ("mesh", "hulls", "texture")}
+    named |= {s["texture"] for s in surfaces.values()}
+    for path in (*(ASSETS / "meshes").iterdir(), *(ASSETS / "textures").iterdir()):
+        name = path.relative_to(ASSETS).as_posix()
+        owner = path.name.split(".")[0]
+        if name not in named and (path.parent.name == "meshes" or owner in entries):
+            path.unlink()
 
 
 def part_mesh(glb: Path, name: str) -> trimesh.Trimesh:
@@ -95,6 +140,18 @@ def hull_pieces(entry: dict, collision: dict) -> list[dict]:
     return pieces
 
 
+def hulls_text(entry: dict, collision: dict) -> str:
+    """The hulls file of a model; kept in the build folder, for decomposing takes seconds."""
+    key = geometry_digest(ASSETS / entry["mesh"]) + json.dumps(collision, sort_keys=True)
+    kept = RECORDS / "hulls" / f"{hashlib.sha256(key.encode()).hexdigest()}.json"
+    if not kept.exists():
+        pieces = hull_pieces(entry, collision)
+        print(f"{entry['id']}: {len(pieces)} convex pieces", flush=True)
+        kept.parent.mkdir(exist_ok=True)
+        kept.write_text(json.dumps({"pieces": pieces}, separators=(",", ":")) + "\n")
+    return kept.read_text()
+
+
 def check(entry: dict) -> list[str]:
     problems = []
     total = sum(p["faces"] for p in entry["parts"] if p["name"] in entry["variants"]["default"])
@@ -136,7 +193,6 @@ def dump(entries: list[dict], surfaces: list[dict]) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--remove", nargs="*", default=[], metavar="ID")
-    parser.add_argument("--hulls", action="store_true", help="make all hulls anew")
     options = parser.parse_args()
     RECORDS.mkdir(parents=True, exist_ok=True)
     target = ASSETS / "manifest.yaml"
@@ -150,26 +206,30 @@ def main() -> int:
         for asset_id in options.remove:
             entry = entries.pop(asset_id, None)
             (RECORDS / f"{asset_id}.json").unlink(missing_ok=True)
-            for key in ("mesh", "hulls", "texture") if entry else ():
-                (ASSETS / entry[key]).unlink(missing_ok=True)
+            if entry:
+                (ASSETS / entry["texture"]).unlink(missing_ok=True)
         failures = 0
+        built: dict[str, dict] = {}
         for path in sorted(RECORDS.glob("*.json")):
+            entry = json.loads(path.read_text())
+            if (RECORDS / "meshes" / f"{entry['id']}.glb").exists():
+                built[entry["id"]] = entry
+        for asset_id in store_meshes(built, entries):
+            failures += 1
+            print(f"FAILED {asset_id}: its mesh was rebuilt under another skin; build it, too")
+        for asset_id, entry in built.items():
             try:
-                entry = json.loads(path.read_text())
                 collision = entry.pop("collision")
-                hulls = ASSETS / entry["hulls"]
-                if (
-                    options.hulls
-                    or not hulls.exists()
-                    or hulls.stat().st_mtime < path.stat().st_mtime
-                ):
-                    pieces = hull_pieces(entry, collision)
-                    hulls.write_text(json.dumps({"pieces": pieces}, separators=(",", ":")) + "\n")
-                    print(f"{entry['id']}: {len(pieces)} convex pieces")
-                entries[entry["id"]] = entry
+                if entry.pop("draft", False):
+                    print(f"DRAFT {asset_id}: build it again without SDGEN_DRAFT")
+                if entry["hulls"] == f"meshes/{asset_id}.hulls.json":  # not another skin's
+                    text = hulls_text(entry, collision)
+                    (ASSETS / entry["hulls"]).write_text(text)
+                entries[asset_id] = entry
             except Exception as error:  # one bad record must not stop the others
                 failures += 1
-                print(f"FAILED {path.name}: {error!r}")
+                print(f"FAILED {asset_id}: {error!r}")
+        delete_unnamed(entries, surfaces)
         ordered = [entries[k] for k in sorted(entries)]
         temporary = target.with_suffix(".tmp")
         temporary.write_text(dump(ordered, [surfaces[k] for k in sorted(surfaces)]))

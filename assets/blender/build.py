@@ -1,7 +1,8 @@
 """Build models: `blender --background --factory-startup --python build.py -- [--all] WORD...`
 
-A word is a model's id (mug_01), a category (mug) or a family (crockery). Writes meshes and
-textures under assets/ and a record into build/assets/; run assemble.py afterwards.
+A word is a model's id (mug_01), a category (mug) or a family (crockery). Writes textures under
+assets/, meshes and records into build/assets/; run assemble.py afterwards. With SDGEN_DRAFT=1 in
+the environment the occlusion is coarse and quick.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ def build_one(family: str, category: str, maker: Maker, index: int) -> str:
 
 
 def main(words: list[str]) -> int:
-    for folder in (ASSETS / "meshes", ASSETS / "textures", RECORDS):
+    for folder in (RECORDS / "meshes", ASSETS / "textures"):
         folder.mkdir(parents=True, exist_ok=True)
     failures = matched = 0
     for family, models in families().items():

@@ -8,7 +8,7 @@ from pathlib import Path
 from .export import Frame, record, triangles, write_glb, write_png
 from .model import Model
 from .prune import prune_hidden
-from .uv_bake import bake_texture, join, unwrap
+from .uv_bake import DRAFT, bake_texture, join, unwrap
 
 
 def finish(
@@ -34,7 +34,9 @@ def finish(
     unwrap(obj)
     groups = list(grouped.values())
     ground = list(grouped).index("fixed") if model.ground_shadow else None
-    pixels = bake_texture(obj, groups, model.texture_size, ground, model.occlusion_strength)
+    pixels = bake_texture(
+        obj, groups, model.texture_size, ground, model.occlusion_strength, records / "occlusion"
+    )
     write_png(assets / "textures" / f"{asset_id}.png", pixels)
     data = triangles(obj)
     data["p"] = frame.points(data["p"])
@@ -42,11 +44,14 @@ def finish(
     split = {
         name: {k: v[data["part"] == i] for k, v in data.items()} for i, name in enumerate(names)
     }
-    write_glb(assets / "meshes" / f"{asset_id}.glb", split, f"../textures/{asset_id}.png")
+    # Into the build folder: assemble.py stores a mesh that several skins share only once.
+    write_glb(records / "meshes" / f"{asset_id}.glb", split, f"../textures/{asset_id}.png")
     faces = {name: len(d["p"]) for name, d in split.items()}
     if not all(faces.values()):
         raise RuntimeError(f"{asset_id}: a part without faces: {faces}")
     entry = record(model, frame, asset_id, category, source, faces)
+    if DRAFT:
+        entry["draft"] = True
     (records / f"{asset_id}.json").write_text(json.dumps(entry))
     size = " x ".join(f"{e:.3f}" for e in frame.extents)
     return f"{asset_id}: {sum(faces.values())} faces {faces}, {size} m"

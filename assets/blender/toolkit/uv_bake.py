@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
+import os
+from pathlib import Path
 
 import bmesh
 import bpy
@@ -12,7 +15,8 @@ from PIL import Image, ImageDraw
 from .mesh import Mesh
 
 SUPERSAMPLING = 2  # the colour is baked larger and averaged down
-OCCLUSION_SAMPLES = 64  # 16 is visibly blotchy
+DRAFT = bool(os.environ.get("SDGEN_DRAFT"))  # a quick look while a maker is being written
+OCCLUSION_SAMPLES = 8 if DRAFT else 64  # 16 is visibly blotchy
 OCCLUSION_FLOOR = 0.08
 
 
@@ -200,12 +204,18 @@ def _masks(obj, size: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def bake_texture(
-    obj, groups: list[list[int]], size: int, ground_group: int | None = None, strength: float = 1.0
+    obj,
+    groups: list[list[int]],
+    size: int,
+    ground_group: int | None = None,
+    strength: float = 1.0,
+    cache: Path | None = None,
 ) -> np.ndarray:
     """The finished texture: colour times occlusion, gutters filled. uint8, (size, size, 3).
 
     groups: lists of part numbers that shade one another; each group is baked without the
     others, so that the inside of a cupboard is not black behind its shut door.
+    cache: folder that keeps the occlusion of each geometry; skins of one shape share it.
     """
     big = _bake(obj, "EMIT", size * SUPERSAMPLING, 2)
     valid = (big.sum(-1) > 0)[..., None]  # baked alpha is 1 everywhere: black means nothing there
@@ -214,13 +224,35 @@ def bake_texture(
     covered = weight[..., 0] > 0
     if len(np.unique((colour[covered] * 255).astype(int))) < 2:
         raise RuntimeError("the bake is blank")
-    occlusion = _bake_occlusion(obj, groups, size, ground_group)
+    occlusion = _occlusion(obj, groups, size, ground_group, cache)
     _, sensitivity = _masks(obj, size)
     occlusion = OCCLUSION_FLOOR + (1 - OCCLUSION_FLOOR) * _blur(occlusion, covered)
     # bright surfaces darken less: light bounces between them, and white must not turn grey
     exponent = strength * sensitivity[..., None] * (1 - 0.6 * colour)
     result = _fill_gutters(colour * occlusion[..., None] ** exponent, covered)
     return (result.clip(0, 1) * 255 + 0.5).astype(np.uint8)
+
+
+def _occlusion(
+    obj, groups: list[list[int]], size: int, ground_group: int | None, cache: Path | None
+) -> np.ndarray:
+    """The occlusion, from the cache where the same geometry has been baked before."""
+    if cache is None:
+        return _bake_occlusion(obj, groups, size, ground_group)
+    data = obj.data
+    corners = np.array([v for p in data.polygons for v in (*p.vertices, -1)])
+    points = np.zeros(len(data.vertices) * 3, np.float32)
+    data.vertices.foreach_get("co", points)
+    key = hashlib.sha256(repr((groups, size, ground_group, OCCLUSION_SAMPLES)).encode())
+    for array in (corners, points, _read_uv(data), face_attribute(data, "part")):
+        key.update(array.tobytes())
+    path = cache / f"{key.hexdigest()}.npy"
+    if not path.exists():
+        cache.mkdir(parents=True, exist_ok=True)
+        temporary = cache / f"{os.getpid()}.tmp.npy"
+        np.save(temporary, _bake_occlusion(obj, groups, size, ground_group).astype(np.float32))
+        os.replace(temporary, path)
+    return np.load(path).astype(float)
 
 
 def _bake_occlusion(

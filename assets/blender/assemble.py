@@ -2,7 +2,7 @@
 
 Entries not rebuilt are kept. `--remove ID...` drops entries and their files. Models of a category
 with the same geometry (skins of one shape) share one mesh and one set of hulls.
-Needs numpy, trimesh with scipy, coacd and PyYAML.
+Needs sdgen, trimesh with scipy, and coacd.
 """
 
 from __future__ import annotations
@@ -18,6 +18,9 @@ from pathlib import Path
 import numpy as np
 import trimesh
 import yaml
+from compact import compact
+from sdgen.library.poses import resting_poses
+from sdgen.library.shape import centre_of_mass
 
 ASSETS = Path(__file__).resolve().parent.parent
 RECORDS = ASSETS.parent / "build" / "assets"
@@ -48,24 +51,40 @@ def store_meshes(built: dict[str, dict], entries: dict[str, dict]) -> list[str]:
         owner = first.setdefault((entry["category"], digest), asset_id)
         entry["mesh"], entry["hulls"] = f"meshes/{owner}.glb", f"meshes/{owner}.hulls.json"
         target = ASSETS / entry["mesh"]
-        if owner == asset_id and not (target.exists() and target.read_bytes() == glb.read_bytes()):
-            if target.exists() and geometry_digest(target) != digest:
+        if owner != asset_id:
+            continue
+        small = RECORDS / "compact" / f"{owner}-{digest}.glb"
+        if not small.exists():
+            small.parent.mkdir(exist_ok=True)
+            small.write_bytes(compact(glb.read_bytes()))
+        if not target.exists() or target.read_bytes() != small.read_bytes():
+            if target.exists():
                 users = (i for i, e in entries.items() if e["mesh"] == entry["mesh"])
                 stale += [i for i in users if i not in built]
             target.parent.mkdir(exist_ok=True)
-            target.write_bytes(glb.read_bytes())
+            target.write_bytes(small.read_bytes())
     return stale
 
 
-def delete_unnamed(entries: dict[str, dict], surfaces: dict[str, dict]) -> None:
-    """Remove files of ours that no record names any more."""
+def delete_unnamed(
+    entries: dict[str, dict], surfaces: dict[str, dict], read: dict[str, float]
+) -> None:
+    """Remove files that no record names any more.
+
+    `read` is when each record that was read had been written: a file newer than that belongs to
+    a build that goes on meanwhile.
+    """
     named = {e[k] for e in entries.values() for k in ("mesh", "hulls", "texture")}
     named |= {s["texture"] for s in surfaces.values()}
     for path in (*(ASSETS / "meshes").iterdir(), *(ASSETS / "textures").iterdir()):
-        name = path.relative_to(ASSETS).as_posix()
-        owner = path.name.split(".")[0]
-        if name not in named and (path.parent.name == "meshes" or owner in entries):
+        stale = path.stat().st_mtime < read.get(path.name.split(".")[0], 0.0)
+        if path.relative_to(ASSETS).as_posix() not in named and stale:
             path.unlink()
+
+
+def built_mesh(entry: dict) -> Path:
+    """The mesh of a model just built, as export.py wrote it."""
+    return RECORDS / entry["mesh"]
 
 
 def part_mesh(glb: Path, name: str) -> trimesh.Trimesh:
@@ -124,25 +143,28 @@ def decompose(mesh: trimesh.Trimesh) -> list[np.ndarray]:
 
 
 def hull_pieces(entry: dict, collision: dict) -> list[dict]:
+    """Convex pieces of all parts, as the hulls file holds them."""
     pieces = []
     for part, wish in collision.items():
         if wish == "none":
             continue
         if wish == "hull":
-            found = [part_mesh(ASSETS / entry["mesh"], part).vertices]
+            found = [part_mesh(built_mesh(entry), part).vertices]
         elif wish == "coacd":
-            found = decompose(part_mesh(ASSETS / entry["mesh"], part))
+            found = decompose(part_mesh(built_mesh(entry), part))
         else:
             found = [np.array(p) for p in wish]
         for points in found:
-            corners = simplify_hull(points)
-            pieces.append({"part": part, "vertices_m": np.round(corners, 4).tolist()})
+            corners = np.round(simplify_hull(points), 4)
+            # Slices of a lying thing can be flat: nothing to stand on.
+            if np.linalg.matrix_rank(corners - corners[0], tol=1e-3) == 3:
+                pieces.append({"part": part, "vertices_m": corners.tolist()})
     return pieces
 
 
 def hulls_text(entry: dict, collision: dict) -> str:
     """The hulls file of a model; kept in the build folder, for decomposing takes seconds."""
-    key = geometry_digest(ASSETS / entry["mesh"]) + json.dumps(collision, sort_keys=True)
+    key = geometry_digest(built_mesh(entry)) + json.dumps(collision, sort_keys=True)
     kept = RECORDS / "hulls" / f"{hashlib.sha256(key.encode()).hexdigest()}.json"
     if not kept.exists():
         pieces = hull_pieces(entry, collision)
@@ -150,6 +172,24 @@ def hulls_text(entry: dict, collision: dict) -> str:
         kept.parent.mkdir(exist_ok=True)
         kept.write_text(json.dumps({"pieces": pieces}, separators=(",", ":")) + "\n")
     return kept.read_text()
+
+
+def resting(entry: dict) -> list[dict]:
+    """The model's stable poses, from the hulls of its default variant; kept like the hulls."""
+    text = (ASSETS / entry["hulls"]).read_text()
+    drawn = entry["variants"]["default"]
+    key = hashlib.sha256((text + repr(drawn)).encode()).hexdigest()
+    kept = RECORDS / "resting" / f"{key}.json"
+    if not kept.exists():
+        pieces = [
+            np.array(piece["vertices_m"])
+            for piece in json.loads(text)["pieces"]
+            if piece["part"] in drawn
+        ]
+        poses = resting_poses(pieces, centre_of_mass(pieces))
+        kept.parent.mkdir(exist_ok=True)
+        kept.write_text(json.dumps([pose.model_dump(mode="json") for pose in poses]))
+    return json.loads(kept.read_text())
 
 
 def check(entry: dict) -> list[str]:
@@ -167,8 +207,13 @@ def dump(entries: list[dict], surfaces: list[dict]) -> str:
     """Block style for the records, one flow line for each thing inside them."""
 
     def flow(value) -> str:
-        text = yaml.safe_dump(
-            value, default_flow_style=True, width=10**9, sort_keys=False, allow_unicode=True
+        text = yaml.dump(
+            value,
+            Dumper=yaml.CSafeDumper,
+            default_flow_style=True,
+            width=10**9,
+            sort_keys=False,
+            allow_unicode=True,
         )
         return text.strip().removesuffix("...").strip()
 
@@ -176,7 +221,7 @@ def dump(entries: list[dict], surfaces: list[dict]) -> str:
     for entry in entries:
         lead = "- "
         for key, value in entry.items():
-            if key in ("parts", "joints", "states", "supports", "containers") and value:
+            if key in ("parts", "joints", "states", "supports", "containers", "resting") and value:
                 lines.append(f"{lead}{key}:")
                 lines += [f"    - {flow(item)}" for item in value]
             elif key == "variants":
@@ -198,7 +243,7 @@ def main() -> int:
     target = ASSETS / "manifest.yaml"
     with open(RECORDS / ".lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # two people may assemble at once
-        old = yaml.safe_load(target.read_text()) if target.exists() else {}
+        old = yaml.load(target.read_text(), yaml.CSafeLoader) if target.exists() else {}
         entries = {e["id"]: e for e in (old or {}).get("assets") or []}
         surfaces = {s["id"]: s for s in (old or {}).get("surfaces") or []}
         for path in sorted((RECORDS / "surfaces").glob("*.json")):
@@ -210,7 +255,9 @@ def main() -> int:
                 (ASSETS / entry["texture"]).unlink(missing_ok=True)
         failures = 0
         built: dict[str, dict] = {}
+        read: dict[str, float] = {}
         for path in sorted(RECORDS.glob("*.json")):
+            read[path.stem] = path.stat().st_mtime
             entry = json.loads(path.read_text())
             if (RECORDS / "meshes" / f"{entry['id']}.glb").exists():
                 built[entry["id"]] = entry
@@ -225,15 +272,19 @@ def main() -> int:
                 if entry["hulls"] == f"meshes/{asset_id}.hulls.json":  # not another skin's
                     text = hulls_text(entry, collision)
                     (ASSETS / entry["hulls"]).write_text(text)
+                entry["resting"] = resting(entry)
                 entries[asset_id] = entry
             except Exception as error:  # one bad record must not stop the others
                 failures += 1
                 print(f"FAILED {asset_id}: {error!r}")
-        delete_unnamed(entries, surfaces)
+        for entry in entries.values():
+            if "resting" not in entry:
+                entry["resting"] = resting(entry)
         ordered = [entries[k] for k in sorted(entries)]
         temporary = target.with_suffix(".tmp")
         temporary.write_text(dump(ordered, [surfaces[k] for k in sorted(surfaces)]))
         os.replace(temporary, target)
+        delete_unnamed(entries, surfaces, read)
     problems = [p for e in ordered for p in check(e)]
     print(
         "\n".join([*problems, f"{len(ordered)} models, {len(surfaces)} surfaces in {target.name}"])

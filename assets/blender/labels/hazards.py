@@ -8,14 +8,18 @@ from PIL import Image, ImageDraw
 from toolkit.labels import small_print
 from toolkit.labels import text as fit_text
 
+from labels import motifs
 from labels.drawing import drop, ink_on, shade, star
 
 Box = tuple[float, float, float, float]
 
 
 def _warning(canvas: ImageDraw.ImageDraw, cx: float, cy: float, r: float, sign: str) -> None:
-    """The red-framed square on its point, with '!' or the corrosive tilted vessel."""
+    """The red-framed square on its point, with '!', a flame or the corrosive tilted vessel."""
     square = [(cx, cy - r), (cx + r, cy), (cx, cy + r), (cx - r, cy)]
+    if sign == "flame":
+        motifs.flame(canvas, (cx - r, cy - r, cx + r, cy + r), "#111111")
+        return
     canvas.polygon(square, fill="#ffffff", outline="#d01818", width=max(3, int(r * 0.16)))
     if sign == "!":
         fit_text(
@@ -83,7 +87,17 @@ def _pod(canvas: ImageDraw.ImageDraw, box: Box, colour: str) -> None:
     canvas.pieslice(inner, 240, 420, fill="#f08a1c")
 
 
-MOTIFS = {"pipe": _pipe, "toilet": _toilet, "shirt": _shirt, "tablet": _tablet, "pod": _pod}
+MOTIFS = {
+    "pipe": _pipe,
+    "toilet": _toilet,
+    "shirt": _shirt,
+    "tablet": _tablet,
+    "pod": _pod,
+    "insect": motifs.insect,
+    "window": motifs.window,
+    "plate": motifs.plate,
+    "oven": motifs.oven,
+}
 
 
 def cleaner_front(

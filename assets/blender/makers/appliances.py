@@ -9,7 +9,18 @@ from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe
 
+from .designs import extend
+from .fridges import round_fridge, small_fridge, wide_fridge
 from .joinery import Assembly, bar_handle, front, hinge, open_closed, steel, surface
+from .microwaves import (
+    GLOW,
+    NAMES,
+    SWITCHED,
+    dial_microwave,
+    drop_microwave,
+    retro_microwave,
+    window_light,
+)
 
 Offset = tuple[float, float, float]
 LINER = (1.3, 1.3, 1.33, 1.0)
@@ -278,6 +289,7 @@ def microwave(
     front(asm, "door", case_front + 0.001, (y0, y1), (z0, z1), shell, "slab", 0.022)
     low, high = (case_front + 0.02, y0 + 0.035, z0 + 0.04), (x1, y1 - 0.05, z1 - 0.04)
     asm.board("door", low, high, dark, 0.003, {"+x": label(window)}, 1.5, solid=False)
+    window_light(asm, "light", x1, (y0 + 0.035, y1 - 0.05), (z0 + 0.04, z1 - 0.04))
     back_window = (
         (case_front - 0.005, y0 + 0.04, z0 + 0.045),
         (case_front + 0.002, y1 - 0.055, z1 - 0.045),
@@ -298,11 +310,12 @@ def microwave(
     center = ((low[0] + high[0]) / 2, centre_y, (z0 + z1) / 2)
     size = (high[0] - low[0], high[1] - low[1], z1 - z0 - 2 * w)
     return Model(
-        title="microwave oven",
-        parts=asm.parts(door={"joint": "door"}),
+        title=f"{NAMES.get(colour, 'coloured')} microwave oven",
+        parts=asm.parts(door={"joint": "door"}, light={"joint": "door", "rgba": GLOW}),
         mass=12.0,
+        variants={"default": ["body", "door"], "on": ["body", "door", "light"]},
         joints={"door": hinge(x1 - 0.007, -half)},
-        states=open_closed("door", "door"),
+        states=SWITCHED + open_closed("door", "door"),
         supports=[surface("top", (x0, -half), (case_front, half), height), support],
         containers=[Container("inside", center, size, "body", "door")],
     )
@@ -319,35 +332,65 @@ def microwave_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "fridge": Maker(
-        fridge,
-        fridge_random,
-        3,
+    "fridge": extend(
+        Maker(
+            fridge,
+            fridge_random,
+            3,
+            [
+                {
+                    "colour": "#f1f2f0",
+                    "freezer": "top",
+                    "height": 1.72,
+                    "shelves": 3,
+                    "right_hung": False,
+                },
+                {
+                    "colour": "steel",
+                    "freezer": "bottom",
+                    "height": 1.84,
+                    "shelves": 4,
+                    "right_hung": False,
+                },
+                {
+                    "colour": "#9fc3bb",
+                    "freezer": None,
+                    "height": 1.46,
+                    "shelves": 4,
+                    "right_hung": False,
+                },
+            ],
+        ),
         [
-            {
-                "colour": "#f1f2f0",
-                "freezer": "top",
-                "height": 1.72,
-                "shelves": 3,
-                "right_hung": False,
-            },
-            {
-                "colour": "steel",
-                "freezer": "bottom",
-                "height": 1.84,
-                "shelves": 4,
-                "right_hung": False,
-            },
-            {
-                "colour": "#9fc3bb",
-                "freezer": None,
-                "height": 1.46,
-                "shelves": 4,
-                "right_hung": False,
-            },
+            (
+                fridge,
+                {
+                    "colour": "#f1f2f0",
+                    "freezer": "bottom",
+                    "height": 1.84,
+                    "shelves": 4,
+                    "width": 0.58,
+                    "right_hung": False,
+                },
+            ),
+            (wide_fridge, {"style": "side_by_side", "colour": "steel"}),
+            (wide_fridge, {"style": "french", "colour": "steel"}),
+            (wide_fridge, {"style": "french", "colour": "#2b2d30"}),
+            (round_fridge, {"colour": "#b03a30"}),
+            (round_fridge, {"colour": "#eee3c8"}),
+            (small_fridge, {"colour": "#f1f2f0"}),
+            (small_fridge, {"colour": "steel"}),
         ],
     ),
-    "microwave": Maker(
-        microwave, microwave_random, 2, [{"colour": "#e9eaea"}, {"colour": "#2c2e31"}]
+    "microwave": extend(
+        Maker(microwave, microwave_random, 2, [{"colour": "#e9eaea"}, {"colour": "#2c2e31"}]),
+        [
+            (microwave, {"colour": "#b9bdc0", "width": 0.5, "clock": "18:30"}),
+            (retro_microwave, {"colour": "#efe4cb"}),
+            (retro_microwave, {"colour": "#a8322c"}),
+            (drop_microwave, {"colour": "steel"}),
+            (drop_microwave, {"colour": "#26282b"}),
+            (dial_microwave, {"colour": "#f1f1ee"}),
+        ],
     ),
 }

@@ -1,4 +1,4 @@
-"""Backpacks and handbags."""
+"""A school backpack and a framed handbag (the categories: bags_more.py)."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from toolkit.labels import canvas, text
 from toolkit.materials import Material, metal, plain, shade
 from toolkit.materials import label as printed
 from toolkit.model import (
-    Maker,
     Model,
     Part,
     box_piece,
@@ -26,7 +25,7 @@ from toolkit.shapes import (
 from makers.convex import few_corners
 
 
-def _woven(colour: str, offset: tuple[float, float, float], fineness: float = 420) -> Material:
+def woven(colour: str, offset: tuple[float, float, float], fineness: float = 420) -> Material:
     """Coarse nylon or canvas."""
     m = Material()
     weave = m.noise(fineness, 2, offset=offset)
@@ -43,7 +42,7 @@ def backpack(height: float, colour: str, second: str, trim: str, seed: int) -> M
     """A school backpack standing on its base, its front pocket to +X."""
     rng = np.random.default_rng(seed)
     s = height / 0.44
-    body_cloth, pocket_cloth = _woven(colour, noise_offset(rng)), _woven(second, noise_offset(rng))
+    body_cloth, pocket_cloth = woven(colour, noise_offset(rng)), woven(second, noise_offset(rng))
     dark, zip_mat, steel = plain(trim, 0.05), plain("#1d1e21", 0.0), metal("b9bdc2", "6a7076")
     shape = [
         (0, 0.9, 0.86),
@@ -61,7 +60,7 @@ def backpack(height: float, colour: str, second: str, trim: str, seed: int) -> M
 
     rings = []
     for z, w, d in shape:
-        ring = superellipse(0.085 * d, 0.15 * w, 3.2, 20, z)
+        ring = superellipse(0.085 * d, 0.15 * w, 3.2, 14, z)
         ring[:, 0] = [lean(x, z) for x in ring[:, 0]]
         rings.append(ring * s)
     body = loft(rings, mat=body_cloth)
@@ -75,7 +74,7 @@ def backpack(height: float, colour: str, second: str, trim: str, seed: int) -> M
     ]
     pocket = loft(
         [
-            (superellipse(0.045 * d, 0.118 * w, 3.5, 16, z) + np.array([0.078 - 0.06 * z, 0, 0]))
+            (superellipse(0.045 * d, 0.118 * w, 3.5, 12, z) + np.array([0.078 - 0.06 * z, 0, 0]))
             * s
             for z, w, d in pocket_shape
         ],
@@ -96,9 +95,9 @@ def backpack(height: float, colour: str, second: str, trim: str, seed: int) -> M
     ]
     meshes.append(
         tube(
-            spline([(lean(x, z) + 0.004, y, z) for x, y, z in arch], 2) * s,
+            np.array([(lean(x, z) + 0.004, y, z) for x, y, z in arch]) * s,
             0.0055 * s,
-            5,
+            3,
             mat=zip_mat,
             weight=0.6,
         )
@@ -107,13 +106,13 @@ def backpack(height: float, colour: str, second: str, trim: str, seed: int) -> M
         tube(
             np.array([(0.112, -0.1, 0.172), (0.117, 0, 0.178), (0.112, 0.1, 0.172)]) * s,
             0.005 * s,
-            5,
+            3,
             mat=zip_mat,
             weight=0.6,
         )
     )
-    meshes.append(box(0.006, 0.012, 0.032, (0.119 * s, 0.05 * s, 0.145 * s), steel, 0.002))
-    meshes.append(box(0.006, 0.01, 0.03, (0.06 * s, -0.121 * s, 0.335 * s), steel, 0.002))
+    meshes.append(box(0.006, 0.012, 0.032, (0.119 * s, 0.05 * s, 0.145 * s), steel))
+    meshes.append(box(0.006, 0.01, 0.03, (0.06 * s, -0.121 * s, 0.335 * s), steel))
     badge, draw = canvas(128, 80, second)
     draw.rounded_rectangle((4, 4, 123, 75), 18, fill="#f4f2ea")
     text(draw, "NORDO", (14, 20, 114, 60), "oblique", "#1d1e21")
@@ -135,7 +134,7 @@ def backpack(height: float, colour: str, second: str, trim: str, seed: int) -> M
         (-0.075, 0.026, 0.455),
         (-0.07, 0.03, 0.415),
     ]
-    meshes.append(tube(spline(handle, 2) * s, 0.008 * s, 6, mat=dark, flatten=0.6, up=(1, 0, 0)))
+    meshes.append(tube(np.array(handle) * s, 0.008 * s, 5, mat=dark, flatten=0.6, up=(1, 0, 0)))
     for q in (-1, 1):
         strap = [
             (-0.09, q * 0.055, 0.4),
@@ -146,10 +145,10 @@ def backpack(height: float, colour: str, second: str, trim: str, seed: int) -> M
         ]
         meshes.append(
             tube(
-                spline(strap, 3) * s,
-                np.interp(np.linspace(0, 1, 13), [0, 0.6, 0.75, 1], [0.024, 0.024, 0.012, 0.011])
+                spline(strap, 2) * s,
+                np.interp(np.linspace(0, 1, 9), [0, 0.6, 0.75, 1], [0.024, 0.024, 0.012, 0.011])
                 * s,
-                6,
+                5,
                 mat=dark,
                 flatten=0.32,
                 up=(1, 0, 0.1),
@@ -157,7 +156,7 @@ def backpack(height: float, colour: str, second: str, trim: str, seed: int) -> M
         )
         side = loft(
             [
-                (superellipse(0.05 * d, 0.022 * d, 2.6, 10, z) + np.array([-0.006, q * 0.148, 0]))
+                (superellipse(0.05 * d, 0.022 * d, 2.6, 8, z) + np.array([-0.006, q * 0.148, 0]))
                 * s
                 for z, d in ((0.015, 0.8), (0.06, 1.05), (0.13, 1.0), (0.135, 0.9))
             ],
@@ -253,7 +252,7 @@ def handbag(width: float, leather: str, trim: str, flap: bool) -> Model:
             (q * 0.036, 0.07, 0.26),
             (q * 0.034, 0.078, foot),
         ]
-        meshes.append(tube(spline(arch, 2) * s, 0.0065 * s, 7, mat=edge))
+        meshes.append(tube(spline(arch, 2) * s, 0.0065 * s, 6, mat=edge))
         for y in (-0.078, 0.078):
             meshes.append(
                 box(0.008, 0.016 * s, 0.018 * s, (q * 0.034 * s, y * s, 0.19 * s), gold, 0.002)
@@ -276,27 +275,3 @@ def handbag_random(rng: np.random.Generator) -> dict:
         rng, [("#a8502c", "#6a2f18"), ("#26282c", "#3c3e44"), ("#b8304a", "#7a1c2e")]
     )
     return {"width": uniform(rng, 0.27, 0.33), "leather": leather, "trim": trim, "flap": True}
-
-
-MODELS = {
-    "backpack": Maker(
-        backpack,
-        backpack_random,
-        3,
-        [
-            {"colour": "#2f5fa8", "second": "#f08a2c", "trim": "#1d2e50"},
-            {"colour": "#3a3d44", "second": "#6a707a", "trim": "#1c1d20"},
-            {"colour": "#c8304a", "second": "#3a3d55", "trim": "#5a1422"},
-        ],
-    ),
-    "handbag": Maker(
-        handbag,
-        handbag_random,
-        3,
-        [
-            {"leather": "#a8502c", "trim": "#6a2f18"},
-            {"leather": "#26282c", "trim": "#3c3e44", "flap": False},
-            {"leather": "#b8304a", "trim": "#7a1c2e"},
-        ],
-    ),
-}

@@ -6,12 +6,15 @@ import math
 
 import numpy as np
 from toolkit import labels
-from toolkit.materials import Material, blend, label, plain, shade
+from toolkit.materials import Material, blend, plain, shade
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part, box_piece, prism_piece
+from toolkit.model import Maker, Model, Part
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import box, extrude, loft
 
+from makers.breads import bread_served, croissant
+from makers.cheeses import cheese_served
+from makers.produce_kit import baked_good, one_hull, rot
 from makers.spoilage import MOULD, MOULD_GREEN, SPOILED, on_table
 
 
@@ -172,6 +175,9 @@ def bread_model(title: str, fresh: list[Mesh], rotten: list[Mesh], mass: float) 
 
 
 def bread(style="loaf", **parameters) -> Model:
+    if style.startswith("more:"):
+        return bread_served(style[5:], parameters.get("tone", "golden"), parameters["seed"])
+    parameters.pop("tone", None)
     return (loaf if style == "loaf" else sandwich_bread)(**parameters)
 
 
@@ -188,66 +194,88 @@ def bread_random(rng: np.random.Generator) -> dict:
     }
 
 
-def cheese(
+def cheese(style="wedge", **parameters) -> Model:
+    """A wedge or a wrapped block, or one of the other forms (style more:...)."""
+    if style.startswith("more:"):
+        return cheese_served(style[5:], parameters["seed"])
+    return old_cheese(style=style, **parameters)
+
+
+def old_cheese(
     style="wedge", radius=0.1, height=0.06, angle_deg=42.0, colour="#f4c93e", rind="#d99a1c", seed=0
 ) -> Model:
     """A wedge of holed cheese, or a wrapped block (style block)."""
     rng = np.random.default_rng(seed)
     o = noise_offset(rng)
     if style == "block":
-        top, d = labels.canvas(256, 170, colour)
-        d.rectangle((0, 0, 256, 60), fill="#c3262c")
-        labels.text(d, "GOUDA", (30, 6, 226, 54))
-        labels.text(d, "young & mild", (40, 66, 216, 92), "italic", "#7a1712")
-        for x, y, r in ((60, 130, 18), (120, 118, 12), (180, 138, 20), (215, 110, 9)):
-            d.ellipse(
-                (x - r, y - r, x + r, y + r), fill=tuple(int(255 * v) for v in shade(colour, 0.75))
-            )
-        skin = plain(colour, 0.06, 60, o)
-        sx, sy, sz = radius * 0.75, radius * 1.35, height * 0.75
-        mesh = box(
-            sx,
-            sy,
-            sz,
-            mat=skin,
-            bevel_width=0.004,
-            labels={"+z": label(top), "+x": (label(top), (0, 0.6, 1, 1))},
-        )
-        return Model(
-            title="block of cheese",
-            mass=0.4,
-            friction=0.6,
-            parts={"body": Part([mesh], collision=[box_piece((0, 0, sz / 2), (sx, sy, sz))])},
-        )
-    inside = Material(occlusion=0.8)
-    base = inside.mottle(colour, 0.05, 40, o)
-    for scale, size in ((45, 0.3), (80, 0.24)):
-        holes = inside.voronoi(scale, (o[0], o[1], scale))
-        base = inside.mix(inside.remap(holes, size, size + 0.05, 1, 0), base, shade(colour, 0.72))
-        base = inside.mix(inside.remap(holes, size * 0.6, size, 0.8, 0), base, shade(colour, 0.55))
-    inside.colour(base)
-    wax = plain(rind, 0.06, 60, o)
+        return wrapped_block((radius * 0.75, radius * 1.35, height * 0.75), colour, o)
     half = math.radians(angle_deg) / 2
     arc = [(radius * math.cos(a), radius * math.sin(a)) for a in np.linspace(-half, half, 8)]
     outline = [(0, 0), *arc]
-    mesh = extrude(outline, height, inside, bevel_width=0.0015)
-    mesh.mats = [inside, wax]
-    for i, face in enumerate(mesh.f):  # the arc is rind
-        centre = mesh.v[list(face)].mean(0)
-        if math.hypot(*centre[:2]) > radius * 0.985:
-            mesh.mi[i] = 1
-    # turned so that a cut face looks to the front
-    turn = math.radians(100)
-    mesh.turn(rz=turn)
-    c, s = math.cos(turn), math.sin(turn)
-    turned = [(x * c - y * s, x * s + y * c) for x, y in outline]
-    return Model(
-        title="wedge of cheese",
-        mass=0.25,
-        friction=0.7,
-        parts={"body": Part([mesh], collision=[prism_piece(turned, 0, height)])},
-        texture_size=128,
-    )
+    spots = [
+        (radius * 0.75, radius * 0.22, height * 0.7),
+        (radius * 0.45, 0.0, height),
+        (radius * 0.85, -radius * 0.2, height, 0.9),
+        (radius * 0.4, radius * 0.16, height * 0.25, 0.8),
+        (radius * 0.6, -radius * 0.24, height * 0.5, 0.9),
+    ]
+
+    def wedge(rotten: bool) -> list[Mesh]:
+        inside = Material(occlusion=0.8)
+        base = inside.mottle(colour, 0.05, 40, o)
+        for scale, size in ((45, 0.3), (80, 0.24)):
+            holes = inside.voronoi(scale, (o[0], o[1], scale))
+            base = inside.mix(
+                inside.remap(holes, size, size + 0.05, 1, 0), base, shade(colour, 0.72)
+            )
+            base = inside.mix(
+                inside.remap(holes, size * 0.6, size, 0.8, 0), base, shade(colour, 0.55)
+            )
+        inside.colour(rot(inside, base, 0.024, spots, o, "5c5234", 0.15) if rotten else base)
+        wax = plain(rind, 0.06, 60, o)
+        mesh = extrude(outline, height, inside, bevel_width=0.0015)
+        mesh.mats = [inside, wax]
+        for i, face in enumerate(mesh.f):  # the arc is rind
+            centre = mesh.v[list(face)].mean(0)
+            if math.hypot(*centre[:2]) > radius * 0.985:
+                mesh.mi[i] = 1
+        # turned so that a cut face looks to the front
+        return [mesh.keep_pattern().turn(rz=math.radians(100))]
+
+    return baked_good("wedge of cheese", wedge, 0.25, one_hull, 128)
+
+
+def wrapped_block(size: tuple[float, float, float], colour: str, o) -> Model:
+    """A block in printed film."""
+    top, d = labels.canvas(256, 170, colour)
+    d.rectangle((0, 0, 256, 60), fill="#c3262c")
+    labels.text(d, "GOUDA", (30, 6, 226, 54))
+    labels.text(d, "young & mild", (40, 66, 216, 92), "italic", "#7a1712")
+    for x, y, r in ((60, 130, 18), (120, 118, 12), (180, 138, 20), (215, 110, 9)):
+        tone = tuple(int(255 * v) for v in shade(colour, 0.75))
+        d.ellipse((x - r, y - r, x + r, y + r), fill=tone)
+    sx, sy, sz = size
+    spots = [
+        (sx * 0.4, sy * 0.3, sz),
+        (-sx * 0.2, -sy * 0.3, sz, 0.9),
+        (sx * 0.5, -sy * 0.2, sz * 0.4),
+    ]
+
+    def block(rotten: bool) -> list[Mesh]:
+        def worn(m: Material, c) -> Material:
+            return m.colour(rot(m, c, 0.026, spots, o, "5c5234", 0.15) if rotten else c)
+
+        skin, print_ = Material(), Material()
+        worn(skin, skin.mottle(colour, 0.06, 60, o))
+        worn(print_, print_.image(top))
+        sides = {"+z": print_, "+x": (print_, (0, 0.6, 1, 1))}
+        return [box(sx, sy, sz, mat=skin, bevel_width=0.004, labels=sides)]
+
+    return baked_good("block of cheese", block, 0.4, one_hull)
+
+
+def croissant_random(rng: np.random.Generator) -> dict:
+    return {"seed": seed_of(rng)}
 
 
 def cheese_random(rng: np.random.Generator) -> dict:
@@ -261,9 +289,48 @@ def cheese_random(rng: np.random.Generator) -> dict:
 
 MODELS = {
     "bread": Maker(
-        bread, bread_random, count=2, presets=[{"style": "loaf"}, {"style": "sandwich"}]
+        bread,
+        bread_random,
+        count=9,
+        presets=[
+            {"style": "loaf"},
+            {"style": "sandwich"},
+            {"style": "more:baguette", "seed": 3},
+            {"style": "more:rolls", "seed": 4},
+            {"style": "more:boule", "tone": "rye", "seed": 5},
+            {"style": "more:toast", "seed": 6},
+            {"style": "more:bag", "seed": 7},
+            {"style": "more:cut_baguette", "seed": 8},
+            {"style": "more:bun", "seed": 9},
+        ],
+    ),
+    "croissant": Maker(
+        croissant,
+        croissant_random,
+        count=7,
+        presets=[
+            {"form": "one", "seed": 1},
+            {"form": "pair"},
+            {"form": "plate"},
+            {"form": "one", "bend": 0.02},
+            {"form": "basket"},
+            {"form": "three"},
+            {"form": "one", "drizzle": True, "seed": 1},
+        ],
     ),
     "cheese": Maker(
-        cheese, cheese_random, count=2, presets=[{"style": "wedge"}, {"style": "block"}]
+        cheese,
+        cheese_random,
+        count=8,
+        presets=[
+            {"style": "wedge"},
+            {"style": "block"},
+            {"style": "more:wheel", "seed": 3},
+            {"style": "more:holed", "seed": 4},
+            {"style": "more:slices", "seed": 5},
+            {"style": "more:red", "seed": 6},
+            {"style": "more:soft", "seed": 7},
+            {"style": "more:cubes", "seed": 8},
+        ],
     ),
 }

@@ -8,8 +8,10 @@ import numpy as np
 from toolkit.materials import Material, plain
 from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
-from toolkit.shapes import box, lathe, loft, rounded_rectangle, superellipse, tube
+from toolkit.shapes import lathe, loft, rounded_rectangle, superellipse, tube
 
+from .bath_forms import ceramic_basin, oval_tub, vessel_basin
+from .designs import extend
 from .joinery import (
     Assembly,
     bar_handle,
@@ -21,7 +23,7 @@ from .joinery import (
     steel,
     surface,
 )
-from .kitchen import basin, tap
+from .kitchen import basin, stream, switched, tap
 
 Offset = tuple[float, float, float]
 
@@ -39,99 +41,8 @@ def _egg(length: float, width: float, n: int = 24) -> np.ndarray:
     return np.c_[x, y]
 
 
-def toilet(lid: str = "#f6f6f4", button: bool = True, offset: Offset = (0, 0, 0)) -> Model:
-    """A close-coupled toilet: cistern, hollow bowl, seat and a raised lid."""
-    asm, china = Assembly(), _ceramic(offset)
-    centre = 0.08
-
-    def ring(length: float, width: float, z: float, x: float = centre) -> np.ndarray:
-        outline = _egg(length, width)
-        return np.c_[np.add(outline, [x, 0]), np.full(len(outline), z)]
-
-    rings = [
-        ring(0.34, 0.22, 0, 0.0),
-        ring(0.33, 0.21, 0.02, 0.0),
-        ring(0.30, 0.19, 0.12, 0.0),
-        ring(0.36, 0.26, 0.24, 0.04),
-        ring(0.47, 0.36, 0.36),
-        ring(0.48, 0.37, 0.39),
-        ring(0.47, 0.36, 0.40),
-        ring(0.36, 0.27, 0.40),
-        ring(0.33, 0.24, 0.36),
-        ring(0.24, 0.17, 0.26),
-        ring(0.14, 0.11, 0.215),
-    ]
-    asm.add("body", loft(rings, china))
-    water = lathe(
-        [(0, 0.235), (0.09, 0.235), (0.09, 0.24), (0, 0.24)], 18, mat=plain("#bcd6dd", 0.05, 30)
-    )
-    asm.add("body", water.scale(1, 0.75, 1).move(centre, 0, 0))
-    # seat: a flat ring; lid: leaning against the cistern
-    seat = plain(lid, 0.012, 8)
-    outer, inner = ring(0.46, 0.37, 0), ring(0.30, 0.22, 0)
-    parts = []
-    for a, z in ((outer, 0.403), (outer, 0.418), (inner, 0.42), (inner, 0.403)):
-        layer = a.copy()
-        layer[:, 2] = z
-        parts.append(layer)
-    asm.add("body", loft([*parts, parts[0]], seat, caps=(False, False)).outward())
-    lid_rings = []
-    for shrink, z in ((0.0, 0.0), (0.0, 0.012), (0.02, 0.02)):
-        outline = _egg(0.44 - shrink, 0.36 - shrink)
-        lid_rings.append(np.c_[outline, np.full(len(outline), z)])
-    raised = loft(lid_rings, seat).turn(ry=-math.pi / 2 - 0.12).move(-0.145, 0, 0.64)
-    asm.add("body", raised)
-    # cistern
-    for low, high, r in (
-        ((-0.345, -0.19, 0.39), (-0.175, 0.19, 0.74), 0.02),
-        ((-0.352, -0.2, 0.74), (-0.168, 0.2, 0.775), 0.012),
-    ):
-        asm.board("body", low, high, china, r, segments=2)
-    asm.board("body", (-0.33, -0.11, 0.02), (-0.1, 0.11, 0.395), china, 0.02, segments=2)
-    metal = steel(30)
-    if button:
-        knob = lathe(
-            [(0, 0.775), (0.026, 0.775), (0.026, 0.782), (0.02, 0.786), (0, 0.786)], 16, mat=metal
-        )
-        asm.add("body", knob.move(-0.26, 0, 0))
-    else:
-        asm.add(
-            "body",
-            tube(
-                [(-0.172, -0.13, 0.69), (-0.155, -0.13, 0.69), (-0.15, -0.07, 0.685)],
-                0.008,
-                6,
-                mat=metal,
-            ),
-        )
-    for x in (-0.155,):
-        for y in (-0.07, 0.07):
-            asm.add("body", box(0.03, 0.035, 0.018, (x, y, 0.402), metal, 0.003))
-    # collision: foot, and the rim as eight pieces round the hollow
-    asm.solid("body", (-0.16, -0.11, 0), (0.16, 0.11, 0.2))
-    outline_out, outline_in = _egg(0.48, 0.37, 8), _egg(0.30, 0.22, 8)
-    for k in range(8):
-        j = (k + 1) % 8
-        quad = [outline_out[k], outline_out[j], outline_in[j], outline_in[k]]
-        asm.piece("body", np.array([(q[0] + centre, q[1], z) for q in quad for z in (0.2, 0.42)]))
-    asm.solid("body", (-0.17, -0.17, 0.42), (-0.11, 0.17, 0.85))
-    return Model(
-        title="toilet",
-        parts=asm.parts(),
-        mass=32.0,
-        supports=[surface("top", (-0.352, 0.03), (-0.168, 0.2), 0.775)],
-        containers=[Container("bowl", (centre, 0, 0.32), (0.26, 0.18, 0.16))],
-        ground_shadow=True,
-    )
-
-
-def toilet_random(rng: np.random.Generator) -> dict:
-    """Parameters of a random toilet."""
-    return {
-        "lid": pick(rng, ["#f6f6f4", "#f6f6f4", "#b98a56"]),
-        "button": bool(rng.random() < 0.6),
-        "offset": noise_offset(rng),
-    }
+def _tone(colour: str) -> str:
+    return {"#e9e8e4": "white", "#8fa3a8": "blue-grey"}.get(colour, colour)
 
 
 def washbasin(
@@ -170,6 +81,7 @@ def washbasin(
         asm.board("body", (*low, height - 0.03), (*high, height), board)
     basin(asm, (cx, cy), (sx, sy), height, 0.13, _ceramic(offset), 0.037, 0.08)
     tap(asm, x0 + 0.055, cy, height, 0.13, 0.17, metal)
+    stream(asm, x0 + 0.185, cy, height + 0.105, height - 0.128, 0.011)
     states, joints, settings = [], {}, {}
     for door, y0, y1 in (("door_left", -half + 0.01, 0.0), ("door_right", 0.0, half - 0.01)):
         z = (floor + 0.002, height - 0.034)
@@ -183,11 +95,12 @@ def washbasin(
     room = height - 0.15 - floor - 0.018
     center = ((low[0] + high[0]) / 2, 0, floor + 0.018 + room / 2)
     return Model(
-        title=f"washbasin on a {'white' if colour.startswith('#e') else 'wooden'} cabinet",
-        parts=asm.parts(**settings),
+        title=f"washbasin on a {_tone(colour)} cabinet",
+        parts=asm.parts(**settings, water={"rgba": (1.15, 1.15, 1.15, 1.0)}),
         mass=36.0,
         joints=joints,
-        states=states,
+        variants=switched(asm, "water")["variants"],
+        states=switched(asm, "water")["states"] + states,
         supports=[
             surface("top", (x0, -half), (x1, c - 0.02), height),
             surface("inside_floor", low, high, floor + 0.018, room, "inside"),
@@ -305,10 +218,14 @@ def bathtub(
             (0, height + 0.056),
         ]
         asm.add("body", lathe(knob, 10, mat=metal).move(x, y, 0))
+    stream(asm, 0, y + 0.135, height + 0.12, floor, 0.016)
+    switch = switched(asm, "water")
     inside = (width - 0.26, length - 0.34)
     return Model(
         title="bathtub, boxed in" if panelled else "free-standing bathtub",
-        parts=asm.parts(),
+        parts=asm.parts(water={"rgba": (1.15, 1.15, 1.15, 1.0)}),
+        variants=switch["variants"],
+        states=switch["states"],
         mass=60.0,
         supports=[
             surface(
@@ -340,20 +257,32 @@ def bathtub_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "toilet": Maker(
-        toilet,
-        toilet_random,
-        2,
-        [{"lid": "#f6f6f4", "button": True}, {"lid": "#b98a56", "button": False}],
-    ),
-    "washbasin": Maker(
-        washbasin,
-        washbasin_random,
-        2,
+    "washbasin": extend(
+        Maker(
+            washbasin,
+            washbasin_random,
+            2,
+            [
+                {"width": 0.8, "colour": "#e9e8e4", "top": "oak"},
+                {"width": 1.0, "colour": "walnut", "top": "#f2f2ef"},
+            ],
+        ),
         [
-            {"width": 0.8, "colour": "#e9e8e4", "top": "oak"},
-            {"width": 1.0, "colour": "walnut", "top": "#f2f2ef"},
+            (washbasin, {"width": 0.8, "colour": "#8fa3a8", "top": "#f2f2ef"}),
+            (ceramic_basin, {"stand": "pedestal"}),
+            (ceramic_basin, {"stand": "legs"}),
+            (vessel_basin, {"wood": "oak", "bowl": "round"}),
+            (vessel_basin, {"wood": "walnut", "bowl": "square"}),
         ],
     ),
-    "bathtub": Maker(bathtub, bathtub_random, 2, [{"panelled": True}, {"panelled": False}]),
+    "bathtub": extend(
+        Maker(bathtub, bathtub_random, 2, [{"panelled": True}, {"panelled": False}]),
+        [
+            (oval_tub, {"style": "modern"}),
+            (oval_tub, {"style": "modern", "colour": "#4c5357"}),
+            (oval_tub, {"style": "slipper"}),
+            (oval_tub, {"style": "slipper", "colour": "#5f7f86"}),
+            (oval_tub, {"style": "corner"}),
+        ],
+    ),
 }

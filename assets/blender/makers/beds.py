@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from toolkit.materials import Material
-from toolkit.mesh import Mesh, cube_project
 from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
-from toolkit.shapes import loft
 
+from .bed_forms import BEDS
+from .bedding import bedspread
+from .designs import extend
 from .joinery import Assembly, cushion, fabric, finish, leg, surface
 
 Offset = tuple[float, float, float]
@@ -73,7 +73,7 @@ def bed(
     else:
         asm.board("body", (x0, -half, 0.06), (x0 + 0.05, half, head_z), cross, 0.012, segments=2)
     white = fabric(sheet, offset, 0.025)
-    mattress_low = rail_z + 0.09
+    mattress_low = rail_z + 0.078
     size = (length - 0.1, width - 0.08, mattress_top - mattress_low)
     mattress = cushion(size, (0.025, 0, mattress_low), white, 0.06, 0.01, 0.05)
     asm.add("body", mattress, solid=True)
@@ -109,14 +109,14 @@ def bed(
         y = (k - (count - 1) / 2) * (width * 0.47)
         wide = min(0.68, width * 0.78)
         pillow = cushion((0.42, wide, 0.07), (0, 0, 0), white, 0.09, 0.035, 0.045)
-        pillow.turn(ry=-0.28).move(x0 + 0.33, y, mattress_top + 0.055)
+        pillow.turn(ry=-0.45).move(x0 + 0.31, y, mattress_top + 0.09)
         asm.add("body", pillow)
         asm.solid(
             "body",
             (x0 + 0.12, y - wide / 2, mattress_top),
             (x0 + 0.54, y + wide / 2, mattress_top + 0.12),
         )
-    low, high = (cover_x0 + 0.25, -half + 0.1), (x1 - 0.1, half - 0.1)
+    low, high = (cover_x0 + 0.18, -half + 0.1), (x1 - 0.1, half - 0.1)
     asm.solid(
         "body",
         (cover_x0, -half + 0.02, mattress_top),
@@ -129,58 +129,6 @@ def bed(
         supports=[surface("top", low, high, mattress_top + 0.033)],
         ground_shadow=True,
     )
-
-
-def bedspread(
-    x0: float,
-    x1: float,
-    width: float,
-    hem: float,
-    top: float,
-    mat: Material,
-    offset: Offset,
-    drop: bool = False,
-) -> Mesh:
-    """Cloth over the mattress, rounded and softly waved; `drop` hangs it over the foot."""
-    half, thick = width / 2, 0.03
-    across = [
-        (-half - 0.008, hem),
-        (-half - 0.014, (hem + top) / 2),
-        (-half + 0.004, top - 0.01),
-        (-half + 0.05, top + thick * 0.8),
-    ]
-    across += [(y, top + thick) for y in np.linspace(-half + 0.2, half - 0.2, 5)]
-    across += [(-y, z) for y, z in across[3::-1]]
-    phase = np.array(offset[:2]) % 6.28
-    # (x, how high the cloth may reach): level along the bed, then down over the foot
-    stations = [(x, top + thick) for x in np.linspace(x0, x1, 8)]
-    if drop:
-        stations += [(x1 + 0.03, top + 0.012), (x1 + 0.042, top - 0.03), (x1 + 0.046, hem + 0.004)]
-    rings = []
-    for x, roof in stations:
-        wave = [
-            0.004 * np.sin(9 * x + 3 * y + phase[0]) + 0.003 * np.sin(7 * y - 5 * x + phase[1])
-            for y, _ in across
-        ]
-        outer = [
-            (
-                x,
-                y + 1.5 * w * np.sign(y) * (abs(y) > half - 0.02),
-                min(z + w * (abs(y) < half), roof),
-            )
-            for (y, z), w in zip(across, wave, strict=True)
-        ]
-        lining = roof - 0.016 if roof > top else roof - 0.002
-        inner = [
-            (
-                x - 0.018 * (roof <= top + 0.02),
-                y * (half - 0.018) / half,
-                max(min(z - 0.016, lining), hem),
-            )
-            for y, z in across
-        ]
-        rings.append(np.array(outer + inner[::-1]))
-    return cube_project(loft(rings, mat))
 
 
 def bed_random(rng: np.random.Generator) -> dict:
@@ -196,32 +144,35 @@ def bed_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "bed": Maker(
-        bed,
-        bed_random,
-        3,
-        [
-            {
-                "width": 1.6,
-                "wood": "oak",
-                "headboard": "panel",
-                "blanket": "#7f93a8",
-                "throw": "#d3b56a",
-            },
-            {
-                "width": 1.0,
-                "wood": "#e9e7e1",
-                "headboard": "slats",
-                "blanket": "#8fa184",
-                "throw": None,
-            },
-            {
-                "width": 1.4,
-                "wood": "walnut",
-                "headboard": "padded",
-                "blanket": "#b59a8a",
-                "throw": None,
-            },
-        ],
+    "bed": extend(
+        Maker(
+            bed,
+            bed_random,
+            3,
+            [
+                {
+                    "width": 1.6,
+                    "wood": "oak",
+                    "headboard": "panel",
+                    "blanket": "#7f93a8",
+                    "throw": "#d3b56a",
+                },
+                {
+                    "width": 1.0,
+                    "wood": "#e9e7e1",
+                    "headboard": "slats",
+                    "blanket": "#8fa184",
+                    "throw": None,
+                },
+                {
+                    "width": 1.4,
+                    "wood": "walnut",
+                    "headboard": "padded",
+                    "blanket": "#b59a8a",
+                    "throw": None,
+                },
+            ],
+        ),
+        BEDS,
     ),
 }

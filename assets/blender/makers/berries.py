@@ -2,16 +2,29 @@
 
 from __future__ import annotations
 
+import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
 from toolkit.materials import Material, blend, plain, shade
 from toolkit.mesh import Mesh
 from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, seed_of, uniform
-from toolkit.shapes import ellipsoid, lathe, tube
+from toolkit.shapes import ellipsoid, tube
 
+from makers.clusters import dull, fur, grapes_served, strawberries_served, strawberry
 from makers.spoilage import age, aged
+
+
+def served(make: Callable[..., Model], other: Callable[..., Model]) -> Callable[..., Model]:
+    """`make`, or `other` where a preset says `serve`."""
+
+    @functools.wraps(make)
+    def maker(serve: dict | None = None, **parameters) -> Model:
+        return other(**serve) if serve else make(**parameters)
+
+    return maker
 
 
 def strawberries(count=6, size=1.0, seed=0) -> Model:
@@ -30,37 +43,13 @@ def strawberries(count=6, size=1.0, seed=0) -> Model:
     heap = [(0.0, 0.0)]
     places += [(x, y, r * 1.35) for x, y in heap[: count - len(places)]]
     angles = rng.uniform(0, math.tau, (count, 3))
-    spots = [(x + r * 0.4, y, z + r * 1.7) for x, y, z in places[::2]]
-    spots += [(x, y - r * 0.5, z + r * 1.7, 0.6) for x, y, z in places[1::4]]
-
-    def skin(look: str) -> Material:
-        m = Material()
-        c = m.mix(m.remap(m.noise(60, 2, offset=o), 0.35, 0.65), "b8141c", "d8242a")
-        c = m.mix(m.remap(m.voronoi(300, o), 0.1, 0.2, 0.9, 0), c, "f2c860")
-        return m.colour(age(look, m, c, r * 1.5, spots, o, "38101a", 0.4))
 
     def shape(look: str) -> list[Mesh]:
-        mat, out = skin(look), []
-        leaf = plain({"fresh": "4a8f2a", "overripe": "8a7f34", "rotten": "4a3a1c"}[look], 0.2, 200)
-        k = {"fresh": 1.0, "overripe": 0.95, "rotten": 0.86}[look]
-        profile = [
-            (0, -0.021),
-            (0.0075, -0.017),
-            (0.0135, -0.006),
-            (0.0165, 0.006),
-            (0.012, 0.014),
-            (0, 0.015),
-        ]
+        out = []
         for (x, y, z), (a, tilt, spin) in zip(places, angles, strict=True):
             if x or y:  # tips outwards, more or less
                 a = math.atan2(y, x) + math.pi + 0.3 * (a - math.pi)
-            berry = lathe([(q * s * k, w * s * k) for q, w in profile], 7, mat=mat, discs=False)
-            star = lathe(
-                [(0, 0.0125 * s), (0.0145 * s, 0.013 * s), (0, 0.0175 * s)],
-                10,
-                mat=leaf,
-                rib=lambda k, i: 1 - 0.6 * (i % 2),
-            )
+            berry, star = strawberry(look, s, o, True)
             for mesh in (berry, star):
                 mesh.turn(rz=spin).turn(ry=1.25 + 0.5 * math.sin(tilt)).turn(rz=a)
                 mesh.move(x, y, z + r)
@@ -118,10 +107,16 @@ def grapes(kind="green", size=1.0, seed=0) -> Model:
         return m.colour(age(look, m, c, r * 3.4, spots, o, shade("3b200e", 0.8), 0.45))
 
     def shape(look: str) -> list[Mesh]:
-        mat, out = skin(look), []
-        k = {"fresh": 1.0, "overripe": 0.93, "rotten": 0.82}[look]
-        for (x, y, z), (a, b, c) in zip(places, jitter, strict=True):
-            shrunk = k * (1 - (0.16 if look == "rotten" else 0.06 * (look == "overripe")) * (a > 0))
+        mats, out = [skin(look)] * 2, []
+        if look == "rotten":
+            mats = [dull(o, "6a4424"), fur(o)]
+        k = {"fresh": 1.0, "overripe": 0.93, "rotten": 0.84}[look]
+        for i, ((x, y, z), (a, b, c)) in enumerate(zip(places, jitter, strict=True)):
+            furred = i in (4, 5, 7, 8, 12, 13, 16, 17)
+            shrunk = k * (1 - 0.06 * (look == "overripe") * (a > 0))
+            if look == "rotten" and furred:
+                shrunk *= 1.1
+            mat = mats[furred]
             berry = ellipsoid((r * shrunk, r * 1.12 * shrunk, r * shrunk), n=6, m=4, mat=mat)
             berry.keep_faces(range(6, len(berry.f)))  # nobody sees it from below
             out.append(berry.turn(rz=b * 200).move(x + a, y + b, r * k + (z - r) * k + c * 0.3))
@@ -155,7 +150,30 @@ def grapes_random(rng: np.random.Generator) -> dict:
 
 MODELS = {
     "strawberries": Maker(
-        strawberries, strawberries_random, count=2, presets=[{"count": 6}, {"count": 7}]
+        served(strawberries, strawberries_served),
+        strawberries_random,
+        count=6,
+        presets=[
+            {"count": 6},
+            {"count": 7},
+            {"serve": {"form": "punnet", "seed": 3}},
+            {"serve": {"form": "three", "size": 1.25, "seed": 4}},
+            {"serve": {"form": "halves", "size": 1.25, "seed": 5}},
+            {"serve": {"form": "one", "size": 1.4, "seed": 6}},
+        ],
     ),
-    "grapes": Maker(grapes, grapes_random, count=2, presets=[{"kind": "green"}, {"kind": "blue"}]),
+    "grapes": Maker(
+        served(grapes, grapes_served),
+        grapes_random,
+        count=7,
+        presets=[
+            {"kind": "green"},
+            {"kind": "blue"},
+            {"serve": {"form": "long", "kind": "red", "seed": 3}},
+            {"serve": {"form": "wide", "kind": "green", "seed": 4}},
+            {"serve": {"form": "small", "kind": "blue", "seed": 5}},
+            {"serve": {"form": "loose", "kind": "green", "seed": 6}},
+            {"serve": {"form": "wide", "kind": "blue", "seed": 4}},
+        ],
+    ),
 }

@@ -1,4 +1,4 @@
-"""Cardboard boxes and laundry baskets."""
+"""Shipping boxes and oblong laundry baskets (the categories: boxes_more.py)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from toolkit.materials import Material, plain, shade
 from toolkit.materials import label as printed
 from toolkit.model import (
     Container,
-    Maker,
     Model,
     Part,
     Support,
@@ -153,7 +152,7 @@ def cardboard_box_random(rng: np.random.Generator) -> dict:
     }
 
 
-def _basket_wall(style: str, colour: str):
+def basket_wall(style: str, colour: str):
     """The wall of a basket unrolled, and its rim's colour: slots in plastic, or wicker."""
 
     def tone(factor: float) -> str:
@@ -183,7 +182,7 @@ def _basket_wall(style: str, colour: str):
 def laundry_basket(style: str, width: float, height: float, colour: str) -> Model:
     """An open basket, tapered, of slotted plastic or woven wicker."""
     depth, wall = width * 0.72, 0.008
-    picture, rim_colour = _basket_wall(style, colour)
+    picture, rim_colour = basket_wall(style, colour)
     outside, inside, rim_mat = printed(picture), printed(picture), plain(rim_colour, 0.08, 90)
     levels = [(0, 0.78), (0.01, 0.8), (height * 0.5, 0.91), (height - 0.025, 1.0)]
 
@@ -279,24 +278,3 @@ def laundry_basket_random(rng: np.random.Generator) -> dict:
         "height": uniform(rng, 0.26, 0.32),
         "colour": pick(rng, ["#f2f2ef", "#7fb4d0", "#b8a0c8"]),
     }
-
-
-MODELS = {
-    "cardboard_box": Maker(
-        cardboard_box,
-        cardboard_box_random,
-        4,
-        [
-            {},
-            {"is_open": True},
-            {"marking": "shipping", "length": 0.24, "width": 0.3, "height": 0.16},
-            {"is_open": True, "marking": "shipping", "length": 0.28, "width": 0.36, "height": 0.2},
-        ],
-    ),
-    "laundry_basket": Maker(
-        laundry_basket,
-        laundry_basket_random,
-        3,
-        [{"colour": "#f2f2ef"}, {"style": "wicker", "colour": "#c09558"}, {"colour": "#7fb4d0"}],
-    ),
-}

@@ -8,6 +8,7 @@ from toolkit.model import Container, Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, tube
 
+from .designs import extend
 from .joinery import (
     Assembly,
     bar_handle,
@@ -19,6 +20,7 @@ from .joinery import (
     steel,
     surface,
 )
+from .larders import larder
 
 Offset = tuple[float, float, float]
 
@@ -218,23 +220,70 @@ def utility_cupboard_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "bathroom_cabinet": Maker(
-        bathroom_cabinet,
-        bathroom_cabinet_random,
-        3,
+    "bathroom_cabinet": extend(
+        Maker(
+            bathroom_cabinet,
+            bathroom_cabinet_random,
+            3,
+            [
+                {"layout": "one", "width": 0.5, "height": 0.66, "colour": "#f1f1ee", "depth": 0.15},
+                {"layout": "two", "width": 0.66, "height": 0.62, "colour": "oak", "depth": 0.16},
+                {
+                    "layout": "niche",
+                    "width": 0.8,
+                    "height": 0.7,
+                    "colour": "#8fa3a8",
+                    "depth": 0.17,
+                },
+            ],
+        ),
         [
-            {"layout": "one", "width": 0.5, "height": 0.66, "colour": "#f1f1ee", "depth": 0.15},
-            {"layout": "two", "width": 0.66, "height": 0.62, "colour": "oak", "depth": 0.16},
-            {"layout": "niche", "width": 0.8, "height": 0.7, "colour": "#8fa3a8", "depth": 0.17},
+            (
+                bathroom_cabinet,
+                {"layout": "one", "width": 0.5, "height": 0.66, "colour": "oak", "depth": 0.15},
+            ),
+            (
+                bathroom_cabinet,
+                {
+                    "layout": "two",
+                    "width": 0.66,
+                    "height": 0.62,
+                    "colour": "#f1f1ee",
+                    "depth": 0.16,
+                },
+            ),
+            (
+                bathroom_cabinet,
+                {"layout": "one", "width": 0.42, "height": 0.8, "colour": "walnut", "depth": 0.24},
+            ),
+            (
+                bathroom_cabinet,
+                {
+                    "layout": "two",
+                    "width": 0.84,
+                    "height": 0.52,
+                    "colour": "#f1f1ee",
+                    "depth": 0.14,
+                },
+            ),
         ],
     ),
-    "utility_cupboard": Maker(
-        utility_cupboard,
-        utility_cupboard_random,
-        2,
+    "utility_cupboard": extend(
+        Maker(
+            utility_cupboard,
+            utility_cupboard_random,
+            2,
+            [
+                {"width": 0.8, "height": 1.9, "wood": "#e7e8e6", "depth": 0.44},
+                {"width": 0.55, "height": 1.84, "wood": "oak", "depth": 0.5},
+            ],
+        ),
         [
-            {"width": 0.8, "height": 1.9, "wood": "#e7e8e6", "depth": 0.44},
-            {"width": 0.55, "height": 1.84, "wood": "oak", "depth": 0.5},
+            (utility_cupboard, {"width": 0.8, "height": 1.9, "wood": "oak", "depth": 0.44}),
+            (utility_cupboard, {"width": 0.55, "height": 1.84, "wood": "#e7e8e6", "depth": 0.5}),
+            (utility_cupboard, {"width": 0.45, "height": 2.05, "wood": "#b7c0bd", "depth": 0.38}),
+            (larder, {"wood": "#e7e8e6"}),
+            (larder, {"wood": "#93a68f"}),
         ],
     ),
 }

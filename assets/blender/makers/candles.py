@@ -37,11 +37,11 @@ def flame_mesh(z: float, height: float = 0.034):
         (0.0026, 0.028),
         (0, 0.034),
     ]
-    mesh = lathe([(r, q * height / 0.034) for r, q in profile], 12, mat=m, discs=False)
+    mesh = lathe([(r, q * height / 0.034) for r, q in profile], 8, mat=m, discs=False)
     return mesh.warp(lambda x, y, q: (x + 0.0015 * math.sin(q / height * 2.5), y, q + z))
 
 
-def molten(colour, z: float, radius: float):
+def molten(colour, z: float, radius: float, n: int = 16):
     """A glowing pool of wax just above the solid top."""
     m = glowing("ffffff")
     m.colour(
@@ -52,7 +52,7 @@ def molten(colour, z: float, radius: float):
     )
     return lathe(
         [(0, z - 0.002), (radius, z - 0.0005), (radius * 0.9, z + 0.0006), (0, z + 0.0006)],
-        16,
+        n,
         mat=m,
     )
 
@@ -67,7 +67,7 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
     meshes, pieces, wick_at, pool = [], [], h - 0.006, r * 0.72
     if style == "jar":
         big, rim = r * 1.25, h
-        wick_at = h * 0.7
+        wick_at = h * 0.85  # so near the rim that the flame shows above it
         pool = big - 0.004
         art, d = labels.canvas(768, 256)
         for cx in (0, 384, 768):
@@ -84,8 +84,8 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
                 [
                     (0, "9fb2b8"),
                     (0.05, filled),
-                    (0.69, filled),
-                    (0.72, "cfdde0"),
+                    (0.84, filled),
+                    (0.86, "cfdde0"),
                     (0.97, "e4eef0"),
                     (1, "f6fbfc"),
                 ],
@@ -96,7 +96,7 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
             (big * 0.93, 0),
             (big, 0.004),
             (big, 0.01),
-            (big, wick_at * 0.94),
+            (big, wick_at * 0.92),
             (big, rim - 0.001),
             (big - 0.001, rim),
             (big - 0.003, rim - 0.001),
@@ -107,10 +107,10 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
         meshes.append(
             lathe(
                 profile,
-                26,
+                20,
                 mats=mats,
                 mat_of_segment=[0, 0, 0, 1, 0, 0, 0, 0, 2],
-                label_z=(0.01, wick_at * 0.94),
+                label_z=(0.01, wick_at * 0.92),
                 start=-math.pi,
             )
         )
@@ -132,7 +132,7 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
             (r * 0.5, h - 0.006),
             (0, h - 0.0065),
         ]
-        n = 22 if style == "pillar" else 12
+        n = 22 if style == "pillar" else 10
         body = lathe(
             profile, n, mats=[wax, top_wax], mat_of_segment=[0] * (len(profile) - 4) + [1] * 3
         )
@@ -144,7 +144,7 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
             return x * f, y * f, z + up * (math.hypot(x, y) > r * 0.3)
 
         meshes.append(body.warp(soften))
-        for _ in range(int(2 + melt * 5)):
+        for _ in range(int(2 + melt * 3) if style == "pillar" else 2):
             a, long = uniform(rng, 0, 2 * math.pi), uniform(rng, 0.15, 0.6) * h
             path = [
                 (r * 0.985 * math.cos(a), r * 0.985 * math.sin(a), h - 0.004 - long * t)
@@ -189,8 +189,14 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
             cylinder_piece(0.045, 0, 0.006),
             cylinder_piece(0.014, 0.006, 0.054, 8),
         ]
+    title = f"{style} candle" if style != "taper" else "taper candle on a brass stick"
+    return lit_model(title, meshes, fire, glow, pieces, 128 if style != "jar" else 256)
+
+
+def lit_model(title: str, meshes, fire, glow, pieces, size: int = 128) -> Model:
+    """A candle that may burn."""
     return Model(
-        title=f"{style} candle" if style != "taper" else "taper candle on a brass stick",
+        title=title,
         parts={
             "wax": Part(meshes, collision=pieces),
             "flame": Part(fire, rgba=SHINE, collision="none"),
@@ -203,8 +209,143 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
         ],
         mass=0.3,
         friction=0.6,
-        texture_size=128 if style != "jar" else 256,
+        texture_size=size,
     )
+
+
+def stick(r: float, h: float, z: float, wax, top, n: int = 12) -> list:
+    """A plain body of wax with its wick, standing on z."""
+    profile = [(0, z), (r, z), (r, z + h - 0.003), (0.85 * r, z + h), (0.5 * r, z + h - 0.002)]
+    mats = [0, 0, 0, 1, 1]
+    body = lathe([*profile, (0, z + h - 0.003)], n, mats=[wax, top], mat_of_segment=mats)
+    wick = tube(
+        [(0, 0, z + h - 0.004), (0, 0, z + h + 0.004), (0.0012, 0, z + h + 0.009)],
+        0.0012,
+        4,
+        mat=plain("2a2320", 0.2, 300),
+    )
+    return [body, wick]
+
+
+def small_flame(z: float, height: float, n: int = 6):
+    """A flame of fewer faces, for things with several."""
+    mesh = flame_mesh(z, height)
+    levels = [(0, 0), (0.0052, 0.15), (0.0066, 0.34), (0.004, 0.7), (0, 1)]
+    profile = [(r, z + height * share) for r, share in levels]
+    return lathe(profile, n, mats=mesh.mats, discs=False)
+
+
+def candles(style="trio", colour="#f3e7cf", second="#d8c48a", look=0) -> Model:
+    """style: "trio" on a dish, "tealight", "candelabra", "bowl" (three wicks) or "ball"."""
+    rng = np.random.default_rng(look)
+    o = noise_offset(rng)
+    wax, top = Material(occlusion=0.45), plain(shade(colour, 0.94), 0.03, 60, o, occlusion=0.5)
+    wax.colour(wax.mottle(colour, 0.05, 50, o))
+    warm = blend_warm(colour)
+    meshes, fire, glow, pieces = [], [], [], []
+
+    def burn(x: float, y: float, z: float, pool: float, high: float = 0.036) -> None:
+        fire.append(small_flame(z + 0.004, high).keep_pattern().move(x, y, 0))
+        glow.append(
+            molten(warm, z - 0.0012, pool, 10 if pool > 0.01 else 6).keep_pattern().move(x, y, 0)
+        )
+
+    if style == "trio":
+        slate = [(0, 0), (0.072, 0), (0.075, 0.004), (0.073, 0.008), (0, 0.008)]
+        meshes.append(lathe(slate, 24, mat=plain("4a4e54", 0.12, 60)))
+        pieces.append(cylinder_piece(0.074, 0, 0.008))
+        places = ((0.03, 0.024, 0.055), (-0.032, 0.018, 0.115), (0.004, -0.036, 0.085))
+        for x, y, h in places:
+            for mesh in stick(0.024, h, 0.008, wax, top, 14):
+                meshes.append(mesh.keep_pattern().move(x, y, 0))
+            pieces.append(cylinder_piece(0.024, 0.008, 0.008 + h, 10) + np.array([x, y, 0]))
+            burn(x, y, 0.008 + h, 0.016)
+        title = "three pillar candles on a dish"
+    elif style == "tealight":
+        tin = metal("d0d4d8", "80868c", (1, 1, 1), 60, o)
+        cup = [(0, 0), (0.0185, 0), (0.019, 0.002), (0.019, 0.0158), (0.0182, 0.0162)]
+        cup += [(0.0178, 0.013), (0, 0.013)]
+        kinds = [0, 0, 0, 0, 0, 1]
+        places = ((0, 0), (0.046, 0.01), (0.012, 0.047)) if second == "three" else ((0, 0),)
+        for x, y in places:
+            body = lathe(cup, 14, mats=[tin, top], mat_of_segment=kinds)
+            wick = tube(
+                [(0, 0, 0.012), (0, 0, 0.0185), (0.001, 0, 0.022)],
+                0.0011,
+                4,
+                mat=plain("2a2320", 0.2),
+            )
+            meshes += [m.keep_pattern().move(x, y, 0) for m in (body, wick)]
+            pieces.append(cylinder_piece(0.019, 0, 0.016, 12) + np.array([x, y, 0]))
+            burn(x, y, 0.0162, 0.0165, 0.026)
+        title = "tealight" if len(places) == 1 else "three tealights"
+    elif style == "candelabra":
+        brass = metal("d0a545", "8a6420")
+        foot = [(0, 0), (0.055, 0), (0.056, 0.005), (0.03, 0.012), (0.009, 0.024), (0.0075, 0.1)]
+        foot += [(0.013, 0.11), (0.0065, 0.12), (0.0065, 0.15), (0, 0.15)]
+        meshes.append(lathe(foot, 10, mat=brass))
+        pieces += [cylinder_piece(0.055, 0, 0.01), cylinder_piece(0.01, 0.01, 0.15, 8)]
+        arc = [(0, 0.0, 0.11), (0, 0.03, 0.09), (0, 0.062, 0.104), (0, 0.068, 0.14)]
+        for s in (-1, 1):
+            path = spline([(x, s * y, z) for x, y, z in arc], 2)
+            meshes.append(tube(path, 0.0048, 5, mat=brass, up=(1.0, 0, 0)))
+        for y, z in ((-0.068, 0.138), (0, 0.15), (0.068, 0.138)):
+            cup = [(0, z), (0.007, z), (0.017, z + 0.006), (0.0175, z + 0.008), (0, z + 0.009)]
+            meshes.append(lathe(cup, 8, mat=brass).move(y=y))
+            for mesh in stick(0.0092, 0.11, z + 0.008, wax, top, 6):
+                meshes.append(mesh.keep_pattern().move(y=y))
+            pieces.append(cylinder_piece(0.012, z - 0.02, z + 0.118, 8) + np.array([0, y, 0]))
+            burn(0, y, z + 0.118, 0.0065, 0.032)
+        title = "candelabra with three candles"
+    elif style == "bowl":
+        outer = [(0.05, 0), (0.066, 0.01), (0.072, 0.035), (0.07, 0.05)]
+        inner = [(0.066, 0.05), (0.066, 0.044), (0, 0.044)]
+        glaze = plain(second, 0.06, 50, o)
+        kinds = [0] * (len(outer)) + [0, 0, 1]
+        profile = [(0, 0), *outer, *inner]
+        meshes.append(
+            lathe(profile, 22, mats=[glaze, top], mat_of_segment=kinds[: len(profile) - 1])
+        )
+        pieces.append(cylinder_piece(0.06, 0, 0.05, 12, 0.071))
+        for k in range(3):
+            a = 2.1 * k
+            x, y = 0.03 * math.cos(a), 0.03 * math.sin(a)
+            wick = tube(
+                [(x, y, 0.042), (x, y, 0.05), (x + 0.001, y, 0.054)],
+                0.0012,
+                4,
+                mat=plain("2a2320", 0.2),
+            )
+            meshes.append(wick)
+            burn(x, y, 0.046, 0.022)
+        title = "candle with three wicks in a bowl"
+    else:  # a ball
+        r = 0.042
+        turns = np.linspace(0.35, 2.95, 9)
+        profile = [(0, 0.0018)] + [(r * math.sin(a), r * 0.94 - r * math.cos(a)) for a in turns]
+        profile.append((0, profile[-1][1]))
+        meshes.append(lathe(profile, 18, mats=[wax]))
+        z = profile[-1][1]
+        meshes.append(
+            tube(
+                [(0, 0, z - 0.002), (0, 0, z + 0.006), (0.0012, 0, z + 0.01)],
+                0.0013,
+                4,
+                mat=plain("2a2320", 0.2),
+            )
+        )
+        pieces.append(meshes[0].v.copy())
+        burn(0, 0, z + 0.002, 0.008)
+        title = "ball candle"
+    return lit_model(title, meshes, fire, glow, pieces)
+
+
+def any_candle(kind="candle", **parameters) -> Model:
+    """A single candle, or one of several (kind: "candles")."""
+    if kind == "candles":
+        keys = ("style", "colour", "second", "look")
+        return candles(**{k: v for k, v in parameters.items() if k in keys})
+    return candle(**{k: v for k, v in parameters.items() if k not in ("second", "look")})
 
 
 def blend_warm(colour) -> tuple[float, float, float]:
@@ -224,13 +365,18 @@ def candle_random(rng: np.random.Generator) -> dict:
 
 MODELS = {
     "candle": Maker(
-        candle,
+        any_candle,
         candle_random,
-        count=3,
+        count=8,
         presets=[
             {"style": "pillar", "colour": "#f3e7cf"},
-            {"style": "jar", "colour": "#a8262c"},
+            {"style": "jar", "colour": "#a8262c", "height": 0.09, "radius": 0.034},
             {"style": "taper", "colour": "#f3e7cf"},
+            {"kind": "candles", "style": "trio", "colour": "#e9dcc0"},
+            {"kind": "candles", "style": "candelabra", "colour": "#f6f0e2"},
+            {"kind": "candles", "style": "tealight", "colour": "#fbf8f0", "second": "three"},
+            {"kind": "candles", "style": "bowl", "colour": "#efe2c8", "second": "#3f6f6a"},
+            {"kind": "candles", "style": "ball", "colour": "#a8262c"},
         ],
     ),
 }

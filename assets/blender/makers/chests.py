@@ -12,6 +12,8 @@ from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe
 
 from .cabinets import round_knob
+from .designs import extend
+from .dressers import DRESSERS
 from .joinery import (
     Assembly,
     bar_handle,
@@ -23,6 +25,7 @@ from .joinery import (
     steel,
     surface,
 )
+from .toy_chests import TOY_BOXES
 
 Offset = tuple[float, float, float]
 
@@ -174,7 +177,7 @@ def toy_box(
     letters: bool = True,
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A chest for toys; its lid is hinged at the back."""
+    """A chest for toys; the lid is hinged to a fixed ledge at the back, where things may stand."""
     asm, half, t, foot = Assembly(), width / 2, 0.018, 0.02
     x0, x1, rim = -depth / 2, depth / 2 - 0.012, height - 0.022
     wall, cross = finish(wood, 2, offset), finish(wood, 1, offset)
@@ -215,10 +218,16 @@ def toy_box(
             spot = lathe(profile, 18, mat=plain(colour, 0.02, 20)).turn(ry=np.pi / 2)
             y = (i - 2) * width * 0.17
             asm.add("body", spot.move(x1 - 0.001, y, rim * 0.5 + 0.035 * (-1) ** i))
-    leaf = (x0, -half - 0.008, rim + 0.001), (depth / 2, half + 0.008, height)
+    ledge = x0 + 0.15
+    rest = (x0, -half - 0.008, rim), (ledge, half + 0.008, height)
+    asm.board("body", *rest, top, 0.004)
+    leaf = (ledge + 0.003, -half - 0.008, rim + 0.001), (depth / 2, half + 0.008, height)
     asm.board("lid", *leaf, top, 0.005, segments=2, weight=1.2)
+    for y in (-width / 6, width / 6):  # and on it: nothing stands on what will tilt
+        strip = (ledge + 0.003, y - 0.045, height - 0.001), (depth / 2, y + 0.045, height + 0.014)
+        asm.board("lid", *strip, top, 0.004, solid=False)
     for y in (-half + 0.1, half - 0.1):  # battens under the lid
-        low, high = (x0 + 0.06, y - 0.02, rim - 0.014), (x1 - 0.05, y + 0.02, rim + 0.002)
+        low, high = (ledge + 0.03, y - 0.02, rim - 0.014), (x1 - 0.05, y + 0.02, rim + 0.002)
         asm.board("lid", low, high, top, solid=False)
     inner = (x0 + t, -half + t), (x1 - t, half - t)
     floor, room = foot + t, rim - foot - t
@@ -227,13 +236,13 @@ def toy_box(
         title=f"{'painted' if letters else wood} toy box",
         parts=asm.parts(lid={"joint": "lid"}),
         mass=11.0,
-        joints={"lid": Joint("revolute", (x0, 0.0, height), (0, -1, 0), 0.0, 1.4)},
+        joints={"lid": Joint("revolute", (ledge + 0.003, 0.0, height), (0, -1, 0), 0.0, 1.4)},
         states=[
             {"state": "CLOSED", "joint": "lid", "max": 0.03, "parts": ["lid"]},
             {"state": "OPEN", "joint": "lid", "min": 0.5, "parts": ["lid"]},
         ],
         supports=[
-            surface("top", (x0, -half), (depth / 2, half), height, part="lid"),
+            surface("top", (x0, -half), (ledge, half), height, margin=0.008),
             surface("floor", *inner, floor, room - 0.015, "inside"),
         ],
         containers=[
@@ -260,51 +269,57 @@ def toy_box_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "dresser": Maker(
-        dresser,
-        dresser_random,
-        3,
-        [
-            {
-                "width": 0.9,
-                "height": 0.84,
-                "wood": "oak",
-                "rows": 3,
-                "columns": 1,
-                "moving": (0, 1, 2),
-                "legs": True,
-                "pulls": "bar",
-            },
-            {
-                "width": 1.18,
-                "height": 0.78,
-                "wood": "#eceae5",
-                "rows": 3,
-                "columns": 2,
-                "moving": (0, 1, 3),
-                "legs": False,
-                "pulls": "knobs",
-            },
-            {
-                "width": 0.8,
-                "height": 0.98,
-                "wood": "walnut",
-                "fronts": "#dfe3dc",
-                "rows": 4,
-                "columns": 1,
-                "moving": (0, 1, 2),
-                "legs": True,
-                "pulls": "groove",
-            },
-        ],
+    "dresser": extend(
+        Maker(
+            dresser,
+            dresser_random,
+            3,
+            [
+                {
+                    "width": 0.9,
+                    "height": 0.84,
+                    "wood": "oak",
+                    "rows": 3,
+                    "columns": 1,
+                    "moving": (0, 1, 2),
+                    "legs": True,
+                    "pulls": "bar",
+                },
+                {
+                    "width": 1.18,
+                    "height": 0.78,
+                    "wood": "#eceae5",
+                    "rows": 3,
+                    "columns": 2,
+                    "moving": (0, 1, 2, 3, 4, 5),
+                    "legs": False,
+                    "pulls": "knobs",
+                },
+                {
+                    "width": 0.8,
+                    "height": 0.98,
+                    "wood": "walnut",
+                    "fronts": "#dfe3dc",
+                    "rows": 4,
+                    "columns": 1,
+                    "moving": (0, 1, 2, 3),
+                    "legs": True,
+                    "pulls": "groove",
+                },
+            ],
+        ),
+        DRESSERS,
     ),
-    "toy_box": Maker(
-        toy_box,
-        toy_box_random,
-        2,
-        [
-            {"wood": "#f2ead8", "lid": "#4a90c4", "letters": True, "width": 0.72},
-            {"wood": "pine", "lid": "#d9534a", "letters": False, "width": 0.66},
-        ],
+    "toy_box": extend(
+        Maker(
+            toy_box,
+            toy_box_random,
+            2,
+            [
+                {"wood": "#f2ead8", "lid": "#4a90c4", "letters": True, "width": 0.72},
+                {"wood": "pine", "lid": "#d9534a", "letters": False, "width": 0.66},
+            ],
+        ),
+        TOY_BOXES,
     ),
 }

@@ -12,7 +12,9 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import extrude
 
-from .beds import bedspread
+from .bedding import bedspread
+from .child_bed_forms import CHILD_BEDS
+from .designs import extend
 from .joinery import Assembly, cushion, fabric, finish, leg, surface
 
 Offset = tuple[float, float, float]
@@ -118,8 +120,8 @@ def child_bed(
     )
     asm.board("body", low, high, cross)
     white = fabric("#f6f2ea", offset, 0.02)
-    size = (length - 0.1, width - 0.09, bed_z - rail_low - 0.08)
-    mattress = cushion(size, (0, 0, rail_low + 0.08), white, 0.05, 0.008, 0.04)
+    size = (length - 0.1, width - 0.09, bed_z - rail_low - 0.068)
+    mattress = cushion(size, (0, 0, rail_low + 0.068), white, 0.05, 0.008, 0.04)
     asm.add("body", mattress, solid=True)
     cloth = dotted(blanket, dots, offset)
     start, finish_x = x0 + 0.5, x1 - 0.085
@@ -139,10 +141,10 @@ def child_bed(
         0.025,
         0.035,
     )
-    asm.add("body", pillow.turn(ry=-0.2).move(x0 + 0.26, 0, bed_z + 0.03))
+    asm.add("body", pillow.turn(ry=-0.45).move(x0 + 0.24, 0, bed_z + 0.07))
     asm.solid("body", (x0 + 0.08, -half + 0.13, bed_z), (x0 + 0.42, half - 0.13, bed_z + 0.09))
     asm.solid("body", (start, -half + 0.04, bed_z), (finish_x, half - 0.04, bed_z + 0.03))
-    low_xy, high_xy = (start + 0.17, -half + 0.09), (finish_x - 0.06, half - 0.09)
+    low_xy, high_xy = (start + 0.13, -half + 0.09), (finish_x - 0.06, half - 0.09)
     return Model(
         title=f"child's bed, {style}",
         parts=asm.parts(),
@@ -166,28 +168,31 @@ def child_bed_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "child_bed": Maker(
-        child_bed,
-        child_bed_random,
-        2,
-        [
-            {
-                "style": "rainbow",
-                "length": 1.55,
-                "width": 0.82,
-                "wood": "#f3f1ec",
-                "boards": "#8cc3cf",
-                "blanket": "#f2a9a0",
-            },
-            {
-                "style": "crayons",
-                "length": 1.9,
-                "width": 0.94,
-                "wood": "pine",
-                "boards": "#d9534a",
-                "blanket": "#5b9bd0",
-                "dots": "#ffe08a",
-            },
-        ],
+    "child_bed": extend(
+        Maker(
+            child_bed,
+            child_bed_random,
+            2,
+            [
+                {
+                    "style": "rainbow",
+                    "length": 1.55,
+                    "width": 0.82,
+                    "wood": "#f3f1ec",
+                    "boards": "#8cc3cf",
+                    "blanket": "#f2a9a0",
+                },
+                {
+                    "style": "crayons",
+                    "length": 1.9,
+                    "width": 0.94,
+                    "wood": "pine",
+                    "boards": "#d9534a",
+                    "blanket": "#5b9bd0",
+                    "dots": "#ffe08a",
+                },
+            ],
+        ),
+        CHILD_BEDS,
     ),
 }

@@ -9,7 +9,7 @@ from labels import foods
 from toolkit import labels
 from toolkit.materials import Material, label, metal, plain
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part, box_piece, cylinder_piece
+from toolkit.model import Model, Part, box_piece, cylinder_piece
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import box, lathe, loft, rounded_rectangle, superellipse, tube
 
@@ -259,38 +259,3 @@ def pudding_cup_random(rng: np.random.Generator) -> dict:
         "brand": pick(rng, ["Cremosa", "Alba", "Dolcina"]),
         "seed": seed_of(rng),
     }
-
-
-MODELS = {
-    "sliced_ham": Maker(
-        sliced_ham,
-        sliced_ham_random,
-        count=3,
-        presets=[
-            {"kind": "HAM"},
-            {"kind": "SMOKED HAM", "colour": "#2a5a34"},
-            {"kind": "HAM", "colour": "#b01f2a"},
-        ],
-    ),
-    "sausage_pack": Maker(
-        sausage_pack,
-        sausage_pack_random,
-        count=2,
-        presets=[
-            {},
-            {"count": 6, "skin": "#d99a80", "word": "BRATWURST", "band": "#1f6a34"},
-        ],
-    ),
-    "fish_fillet": Maker(
-        fish_fillet,
-        fish_fillet_random,
-        count=2,
-        presets=[{"kind": "SALMON"}, {"kind": "COD", "dish": "#2f6fb8", "band": "#14508a"}],
-    ),
-    "pudding_cup": Maker(
-        pudding_cup,
-        pudding_cup_random,
-        count=2,
-        presets=[{"flavour": "CHOCOLATE"}, {"flavour": "VANILLA"}],
-    ),
-}

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from labels import bottles
 from toolkit.materials import label as printed
 from toolkit.materials import plain
 from toolkit.model import (
-    Maker,
     Model,
     Part,
     box_piece,
@@ -17,8 +14,6 @@ from toolkit.model import (
 )
 from toolkit.sampling import pick, uniform
 from toolkit.shapes import (
-    box,
-    extrude,
     lathe,
     spline,
     tube,
@@ -26,6 +21,7 @@ from toolkit.shapes import (
 
 from makers.bottle_shapes import cap, oval_body
 from makers.projection import project_label
+from makers.vessels import trigger_head
 
 
 def spray_cleaner(
@@ -68,48 +64,13 @@ def spray_cleaner(
             lambda c: 0.004 * s < c[2] < 0.14 * s and abs(c[1]) < 0.42 * width,
         )
     neck = 0.185 * s
-    white, red = plain(head, 0.02), plain(trigger, 0.02)
-    collar = lathe(
-        [(0, neck - 0.012), (0.0175, neck - 0.012), (0.0165, neck + 0.014), (0.0, neck + 0.016)],
-        14,
-        mat=white,
-        rib=lambda k, i: 1 - 0.07 * (i % 2) if k == 1 else 1,
-    )
-    outline = [
-        (-0.016, 0.012),
-        (0.012, 0.012),
-        (0.02, 0.034),
-        (0.052, 0.036),
-        (0.052, 0.056),
-        (0.044, 0.061),
-        (0, 0.063),
-        (-0.03, 0.058),
-        (-0.042, 0.048),
-        (-0.036, 0.038),
-        (-0.02, 0.03),
-    ]
-    hood = extrude(outline, 0.026, mat=white, axis="y", bevel_width=0.004).move(z=neck)
-    nozzle = box(0.013, 0.019, 0.019, (0.057, 0, neck + 0.0385), red, bevel_width=0.002)
-    lever_outline = [
-        (0.022, 0.036),
-        (0.036, 0.036),
-        (0.041, 0.024),
-        (0.038, 0.01),
-        (0.044, -0.006),
-        (0.056, -0.02),
-        (0.05, -0.025),
-        (0.038, -0.012),
-        (0.03, 0.004),
-    ]
-    lever = extrude(lever_outline, 0.014, mat=red, axis="y", bevel_width=0.002).move(z=neck)
-    for mesh in (hood, nozzle, lever):
-        mesh.turn(rz=-math.pi / 2)  # the nozzle points along -y, the label faces +x
+    head_meshes = trigger_head(neck, head, trigger)
     pieces = [
         box_piece((0, 0, 0.065 * s), (0.054, width * 0.96, 0.13 * s)),
         box_piece((0, 0, 0.157 * s), (0.036, width * 0.55, 0.056 * s)),
         box_piece((0, -0.01, neck + 0.04), (0.026, 0.1, 0.046)),
     ]
-    part = Part([bottle, collar, hood, nozzle, lever], collision=pieces)
+    part = Part([bottle, *head_meshes], collision=pieces)
     return Model(f"trigger bottle of {kind.lower()}", {"body": part}, mass=0.55, friction=0.5)
 
 
@@ -277,47 +238,3 @@ def dish_soap_random(rng: np.random.Generator) -> dict:
         "lid": pick(rng, ["#f5f5f5", "#e2402c", "#1f5fa8"]),
         "brand": pick(rng, ["Plinka", "Tellora", "Glanzy"]),
     }
-
-
-MODELS = {
-    "spray_cleaner": Maker(
-        spray_cleaner,
-        spray_cleaner_random,
-        3,
-        [
-            {
-                "body": "#2f7fd8",
-                "paper": "#dff0ff",
-                "accent": "#1f5fc4",
-                "ink": "#16305c",
-                "brand": "BRIZZO",
-            },
-            {
-                "body": "#f0d21e",
-                "paper": "#f7ffe8",
-                "accent": "#2d9a48",
-                "ink": "#14622a",
-                "brand": "Zappli",
-            },
-        ],
-    ),
-    "bleach_bottle": Maker(
-        bleach_bottle,
-        bleach_bottle_random,
-        3,
-        [
-            {"body": "#f6f6f2", "band": "#1f4fa8", "lid": "#1f4fa8"},
-            {"body": "#f2cf2a", "band": "#c4202c", "lid": "#c4202c"},
-        ],
-    ),
-    "dish_soap": Maker(
-        dish_soap,
-        dish_soap_random,
-        3,
-        [
-            {"liquid": "#8fc83a", "band": "#2c8f4a", "fruit": "#c8d838"},
-            {"liquid": "#f2c52a", "band": "#e2762a", "fruit": "#f2d23a"},
-            {"liquid": "#3aa0d8", "band": "#1f5fa8", "fruit": "#f08a3c"},
-        ],
-    ),
-}

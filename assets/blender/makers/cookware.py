@@ -1,11 +1,12 @@
-"""Pots, frying pans and kettles."""
+"""Pots: with soup in them, or dirty after cooking; the lid lies beside or on top."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
-from toolkit.materials import Material, metal, plain
+from toolkit.materials import metal, plain
+from toolkit.mesh import Mesh
 from toolkit.model import (
     Container,
     Maker,
@@ -17,11 +18,13 @@ from toolkit.model import (
     ring_pieces,
     round_polygon,
 )
-from toolkit.sampling import noise_offset, pick, seed_of, uniform
-from toolkit.shapes import box, ellipsoid, extrude, lathe, spline, tube
+from toolkit.sampling import noise_offset, pick, seed_of
+from toolkit.shapes import box, ellipsoid, lathe, spline, tube
+
+from makers.ware import DIRTY, FULL, remains, runs, smear, surface_of
 
 
-def vessel(radius, height, outer, inner, rim, wall=0.004, n=26, flare=1.0):
+def vessel(radius, height, outer, inner, rim, wall=0.004, n=18, flare=1.0) -> Mesh:
     """A pan's wall and floor; flare: top radius over bottom radius."""
     low = radius / flare
     profile = [
@@ -41,7 +44,7 @@ def vessel(radius, height, outer, inner, rim, wall=0.004, n=26, flare=1.0):
     return lathe(profile, n, mats=[outer, inner, rim], mat_of_segment=[0, 0, 0, 2, 2, 2, 1, 1, 1])
 
 
-def vessel_pieces(radius, height, wall=0.006, flare=1.0):
+def vessel_pieces(radius, height, wall=0.006, flare=1.0) -> list[np.ndarray]:
     low = radius / flare
     return [
         cylinder_piece(low, 0, 0.006),
@@ -62,334 +65,163 @@ def inside_of(radius: float, height: float, flare: float = 1.0) -> dict:
     }
 
 
+def loops(radius: float, z: float, mat, wide=0.045, out=0.042) -> tuple[list[Mesh], list]:
+    """Two loop handles at the sides."""
+    meshes, pieces = [], []
+    for side in (-1, 1):
+        path = [
+            (
+                wide * math.sin(a) / math.sin(1.2),
+                side * (radius - 0.004 + out * (math.cos(a) - 0.36) / 0.64),
+                z,
+            )
+            for a in np.linspace(-1.2, 1.2, 7)
+        ]
+        meshes.append(tube(path, 0.0065, 5, mat=mat, up=(0, 0, 1.0)))
+        pieces.append(
+            box_piece((0, side * (radius + 0.42 * out), z), (2 * wide, out * 0.86, 0.013))
+        )
+    return meshes, pieces
+
+
+def long_handle(radius: float, z: float, length: float, mat, rise=0.03) -> tuple[list[Mesh], list]:
+    """A long handle to +X."""
+    ends = [
+        (radius - 0.004, 0, z),
+        (radius + 0.3 * length, 0, z + 0.7 * rise),
+        (radius + length, 0, z + rise),
+    ]
+    radii = [0.006, 0.008, 0.009, 0.011, 0.012, 0.0125, 0.0105]
+    bar = tube(spline(ends, 3), radii, 8, mat=mat, up=(0, 0, 1.0), flatten=0.65)
+    corners = [
+        (x, y, q + dz)
+        for x, q in ((radius - 0.004, z), (radius + length, z + rise))
+        for y in (-0.011, 0.011)
+        for dz in (-0.008, 0.008)
+    ]
+    return [bar], [np.array(corners)]
+
+
+# radius, height, handles, flare
+POTS = {
+    "stock": (0.11, 0.14, "loops", 1.0),
+    "low": (0.125, 0.085, "loops", 1.03),
+    "saucepan": (0.085, 0.09, "long", 1.0),
+    "tall": (0.12, 0.205, "loops", 1.0),
+    "milk": (0.062, 0.085, "long", 1.1),
+    "dutch": (0.12, 0.115, "lugs", 1.06),
+}
+SOUPS = {"tomato": "c83a18", "pea": "7a9a34", "chicken": "e0b04a", "pumpkin": "e8871c"}
+
+
 def pot(
-    radius=0.11, height=0.13, colour="", handle="#1c1c1e", saucepan=False, lid=True, seed=0
+    shape="stock", colour="", handle="#1c1c1e", soup="tomato", lid="metal", dirt="soup", look=0
 ) -> Model:
-    """A stock pot (two loops) or a saucepan (one long handle to the front); `colour`: enamel."""
-    rng = np.random.default_rng(seed)
+    """A pot of a form of POTS; colour: enamel (steel without); lid: '', metal or glass."""
+    rng = np.random.default_rng(look)
+    radius, height, grips, flare = POTS[shape]
     steel = metal("c2c6ca", "7e848a", (1, 1, 14), 40, noise_offset(rng))
     outer = plain(colour, 0.05, 20, noise_offset(rng)) if colour else steel
     inner = plain("e9e6de", 0.04, 30) if colour else metal("b3b8bc", "858b90", (12, 12, 1), 40)
-    body = [vessel(radius, height, outer, inner, steel)]
+    body = [vessel(radius, height, outer, inner, steel, 0.004, 18, flare)]
     grip = plain(handle, 0.06, 120)
-    pieces = vessel_pieces(radius, height)
-    if saucepan:
-        path = spline(
-            [
-                (radius - 0.004, 0, height * 0.8),
-                (radius + 0.05, 0, height * 0.88),
-                (radius + 0.17, 0, height * 0.92),
-            ],
-            3,
+    pieces = vessel_pieces(radius, height, 0.006, flare)
+    if grips == "long":
+        meshes, more = long_handle(
+            radius, height * 0.82, 0.16 if radius > 0.07 else 0.12, grip, 0.012
         )
-        body.append(
-            tube(
-                path,
-                [0.006, 0.008, 0.009, 0.011, 0.012, 0.0125, 0.0105],
-                8,
-                mat=grip,
-                up=(0, 0, 1.0),
-                flatten=0.65,
-            )
-        )
-        pieces.append(box_piece((radius + 0.085, 0, height * 0.88), (0.17, 0.022, 0.02)))
+        body, pieces = body + meshes, pieces + more
+    elif grips == "loops":
+        meshes, more = loops(radius, height * 0.8, grip)
+        body, pieces = body + meshes, pieces + more
     else:
         for side in (-1, 1):
-            angles = np.linspace(-1.2, 1.2, 7)
-            path = [
-                (
-                    0.045 * math.sin(a) / math.sin(1.2),
-                    side * (radius - 0.012 + 0.042 * (math.cos(a) - 0.36) / 0.64 + 0.008),
-                    height * 0.8,
-                )
-                for a in angles
-            ]
-            body.append(tube(path, 0.0065, 7, mat=grip, up=(0, 0, 1.0)))
-            pieces.append(
-                box_piece((0, side * (radius + 0.018), height * 0.8), (0.09, 0.036, 0.013))
-            )
+            at = (0, side * (radius + 0.014), height * 0.8)
+            body.append(box(0.075, 0.036, 0.013, at, outer, 0.005))
+            pieces.append(box_piece((at[0], at[1], at[2] + 0.006), (0.075, 0.036, 0.013)))
     parts = {"body": Part(body, collision=pieces)}
     variants = {"default": ["body"]}
+    level = height * 0.82
+    broth = [surface_of(SOUPS[soup], radius * 0.985 - 0.004, level, 16)]
+    bits = ["d8702a", "4f8a34", "f0e2b0", "6f3a1a"]
+    for k in range(7):
+        a, far = 2.4 * k, radius * 0.82 * math.sqrt((k + 0.5) / 7)
+        at = (far * math.cos(a), far * math.sin(a), level + 0.001)
+        size = 0.075 * radius
+        lump = ellipsoid((1.4 * size, size, 0.5 * size), at, 6, 3, plain(bits[k % 4], 0.15))
+        broth.append(lump.turn(rz=0.8 * k, pivot=at))
+    parts["filling"] = Part(broth, collision="none")
+    dry = plain(
+        {"soup": "a8401c", "burnt": "2a1a10", "milk": "efe6cc"}.get(dirt, "7a4a22"), 0.25, 90
+    )
+    mess = remains(dirt, radius * 0.8 / flare, 0.0068, look, 0.8, 9)
+    mess.append(
+        smear(0, 0, 0.0066, radius * 0.74 / flare, rng, plain("2c1c12", 0.2, 60), 0.0008, 16)
+    )
+    straight = [(radius / flare, 0), (radius, height)]
+    mess += runs(straight, rng, 3, dry, -0.0055, 0.005) + runs(straight, rng, 3, dry, 0.0006, 0.005)
+    parts["remains"] = Part(mess, collision="none")
+    variants |= {"full": ["body", "filling"], "dirty": ["body", "remains"]}
     if lid:
+        z = height
         top = [
-            (0, height + 0.001),
-            (radius - 0.002, height + 0.001),
-            (radius + 0.004, height + 0.002),
-            (radius + 0.003, height + 0.006),
+            (0, z + 0.001),
+            (radius - 0.002, z + 0.001),
+            (radius + 0.004, z + 0.002),
+            (radius + 0.003, z + 0.006),
+            (radius * 0.75, z + 0.018),
+            (radius * 0.35, z + 0.025),
+            (0, z + 0.027),
         ]
-        top += [
-            (radius * 0.75, height + 0.018),
-            (radius * 0.35, height + 0.025),
-            (0, height + 0.027),
+        z += 0.026
+        knob = [
+            (0, z),
+            (0.009, z),
+            (0.007, z + 0.01),
+            (0.017, z + 0.016),
+            (0.016, z + 0.024),
+            (0, z + 0.026),
         ]
-        z = height + 0.026
-        knob = lathe(
-            [
-                (0, z),
-                (0.009, z),
-                (0.007, z + 0.01),
-                (0.017, z + 0.016),
-                (0.016, z + 0.024),
-                (0, z + 0.026),
-            ],
-            12,
-            mat=grip,
-        )
-        parts["lid"] = Part(
-            [
-                lathe(top, 24, mat=outer if colour else metal("c9cdd0", "8a9096", (9, 9, 1), 30)),
-                knob,
-            ],
-            collision="hull",
-        )
+        cover = outer if colour else metal("c9cdd0", "8a9096", (9, 9, 1), 30)
+        mats = [plain("c4dade", 0.05), steel] if lid == "glass" else [cover, cover]
+        meshes = [
+            lathe(top, 18, mats=mats, mat_of_segment=[0, 1, 1, 0, 0, 0]),
+            lathe(knob, 10, mat=grip),
+        ]
+        parts["lid"] = Part(meshes, collision="hull")
         variants["covered"] = ["body", "lid"]
-    kind = "saucepan" if saucepan else "cooking pot"
     return Model(
-        title=f"{'enamel' if colour else 'steel'} {kind}",
+        title=f"{'enamel' if colour else 'steel'} {shape} pot"
+        if shape != "saucepan"
+        else "saucepan",
         parts=parts,
         variants=variants,
-        mass=1.4,
+        states=[*FULL, *DIRTY],
+        mass=1.4 if shape != "dutch" else 3.2,
         texture_size=128,
-        **inside_of(radius, height),
+        **inside_of(radius, height, flare),
     )
 
 
 def pot_random(rng: np.random.Generator) -> dict:
-    return {
-        "radius": uniform(rng, 0.095, 0.125),
-        "height": uniform(rng, 0.11, 0.16),
-        "colour": pick(rng, ["", "", "#b3302c", "#2d5f6e", "#e8dcc0"]),
-        "saucepan": bool(rng.random() < 0.4),
-        "seed": seed_of(rng),
-    }
-
-
-def frying_pan(radius=0.13, height=0.045, outside="#2a2b2e", handle="#1c1c1e", seed=0) -> Model:
-    """A frying pan, its handle to the front."""
-    rng = np.random.default_rng(seed)
-    coated = Material()
-    ring = coated.noise(260, 3, offset=noise_offset(rng))
-    sheen = coated.remap(coated.distance((radius * 0.3, radius * 0.2, 0)), 0, radius * 0.9, 0.35, 0)
-    coated.colour(
-        coated.mix(sheen, coated.mix(coated.remap(ring, 0.35, 0.65), "232426", "2f3033"), "5a5d62")
-    )
-    outer = plain(outside, 0.05, 20, noise_offset(rng))
-    body = [vessel(radius, height, outer, coated, metal("b5b9bd", "7c8187"), 0.005, 28, 1.22)]
-    steel = metal("c2c6ca", "7e848a")
-    body.append(box(0.03, 0.02, 0.012, (radius + 0.006, 0, height - 0.018), steel, 0.003))
-    path = spline(
-        [
-            (radius + 0.012, 0, height - 0.012),
-            (radius + 0.07, 0, height + 0.008),
-            (radius + 0.18, 0, height + 0.016),
-        ],
-        3,
-    )
-    body.append(
-        tube(
-            path,
-            [0.008, 0.0095, 0.0105, 0.012, 0.0135, 0.0135, 0.011],
-            8,
-            mat=plain(handle, 0.06, 120),
-            up=(0, 0, 1.0),
-            flatten=0.65,
-        )
-    )
-    pieces = vessel_pieces(radius, height, 0.007, 1.22)
-    pieces.append(
-        np.array(
-            [
-                (x, y, z + dz)
-                for x, z in ((radius - 0.004, height - 0.012), (radius + 0.18, height + 0.016))
-                for y in (-0.012, 0.012)
-                for dz in (-0.008, 0.008)
-            ]
-        )
-    )
-    return Model(
-        title="frying pan",
-        parts={"body": Part(body, collision=pieces)},
-        mass=1.1,
-        texture_size=128,
-        **inside_of(radius, height, 1.22),
-    )
-
-
-def frying_pan_random(rng: np.random.Generator) -> dict:
-    return {
-        "radius": uniform(rng, 0.11, 0.145),
-        "height": uniform(rng, 0.04, 0.052),
-        "outside": pick(rng, ["#2a2b2e", "#9a2f2b", "#35536b"]),
-        "handle": pick(rng, ["#1c1c1e", "#6b3d1e"]),
-        "seed": seed_of(rng),
-    }
-
-
-def kettle(style="electric", colour="#d8dade", accent="#1c1c1e", height=0.2, seed=0) -> Model:
-    """An electric jug kettle on its base, or a whistling stove kettle; the spout to the front."""
-    rng = np.random.default_rng(seed)
-    shell = (
-        metal("c6cace", "80868c", (1, 1, 10), 40, noise_offset(rng))
-        if colour == "steel"
-        else plain(colour, 0.04, 15, noise_offset(rng))
-    )
-    black = plain(accent, 0.06, 120)
-    if style == "electric":
-        low, top, h = 0.075, 0.058, height
-        body = [lathe([(0, 0), (0.078, 0), (0.078, 0.016), (0.07, 0.02), (0, 0.02)], 24, mat=black)]
-        profile = [
-            (0, 0.021),
-            (low, 0.021),
-            (low + 0.001, 0.03),
-            (low * 0.96, h * 0.5),
-            (top + 0.002, h * 0.88),
-            (top, h * 0.92),
-            (0, h * 0.92),
-        ]
-        body.append(lathe(profile, 24, mat=shell))
-        body.append(
-            lathe(
-                [
-                    (0, h * 0.915),
-                    (top * 0.96, h * 0.915),
-                    (top * 0.9, h * 0.95),
-                    (top * 0.4, h * 0.975),
-                    (0, h * 0.98),
-                ],
-                24,
-                mat=black,
-            )
-        )
-        body.append(
-            lathe(
-                [(0, h * 0.97), (0.012, h * 0.97), (0.013, h * 1.0), (0, h * 1.01)], 12, mat=black
-            )
-        )
-        beak = [
-            (top * 0.8, h * 0.74),
-            (top + 0.032, h * 0.9),
-            (top + 0.03, h * 0.93),
-            (top * 0.7, h * 0.925),
-        ]
-        spout = extrude(beak, 0.034, shell, axis="y", bevel_width=0.006)
-        body.append(spout)
-        path = spline(
-            [
-                (-top * 0.8, 0, h * 0.92),
-                (-top - 0.045, 0, h * 0.9),
-                (-top - 0.06, 0, h * 0.6),
-                (-low - 0.03, 0, h * 0.24),
-                (-low * 0.95, 0, h * 0.2),
-            ],
-            3,
-        )
-        body.append(tube(path, 0.0105, 8, mat=black, up=(0, 1.0, 0), flatten=1.25))
-        level = plain("8fb4c4", 0.1, 50)
-        body.append(
-            box(0.006, 0.014, h * 0.4, (0, low * 0.93, h * 0.3), level, 0.002)
-            .turn(rx=0.0)
-            .move(0, -0.002)
-        )
-        switch = box(0.012, 0.018, 0.012, (-top - 0.052, 0, h * 0.34), plain("c0392b", 0.02), 0.003)
-        body.append(switch)
-        pieces = [
-            cylinder_piece(low + 0.003, 0, h * 0.98, 12, top),
-            box_piece((-top - 0.045, 0, h * 0.55), (0.035, 0.026, h * 0.72)),
-        ]
-        pieces.append(np.array([(x, y, z) for x, z in beak for y in (-0.017, 0.017)]))
-        mass, title = 1.1, "electric kettle"
-    else:
-        r, h = 0.1, height * 0.72
-        profile = [
-            (0, 0),
-            (r * 0.95, 0),
-            (r, 0.008),
-            (r, 0.022),
-            (r * 0.93, h * 0.42),
-            (r * 0.7, h * 0.72),
-            (r * 0.42, h * 0.86),
-            (0, h * 0.86),
-        ]
-        body = [lathe(profile, 24, mat=shell)]
-        body.append(
-            lathe(
-                [
-                    (0, h * 0.85),
-                    (r * 0.44, h * 0.85),
-                    (r * 0.42, h * 0.89),
-                    (r * 0.2, h * 0.95),
-                    (0, h * 0.96),
-                ],
-                16,
-                mat=shell,
-            )
-        )
-        body.append(ellipsoid((0.012, 0.012, 0.011), (0, 0, h * 1.02), 10, 6, black))
-        path = spline([(r * 0.72, 0, h * 0.4), (r * 1.05, 0, h * 0.62), (r * 1.38, 0, h * 0.92)], 3)
-        body.append(tube(path, [0.022, 0.021, 0.019, 0.017, 0.015, 0.013, 0.012], 10, mat=shell))
-        body.append(ellipsoid((0.014, 0.014, 0.012), (r * 1.39, 0, h * 0.93), 10, 6, black))
-        arc = [
-            (r * 0.72 * math.cos(a), 0, h * 0.72 + h * 0.72 * math.sin(a))
-            for a in np.linspace(0.1, math.pi - 0.1, 11)
-        ]
-        body.append(tube(arc, 0.005, 6, mat=metal("b5b9bd", "6d7278"), up=(0, 1.0, 0)))
-        body.append(tube(arc[3:8], 0.011, 8, mat=black, up=(0, 1.0, 0)))
-        pieces = [
-            cylinder_piece(r, 0, h * 0.42, 12, r * 0.93),
-            cylinder_piece(r * 0.93, h * 0.42, h * 0.9, 12, r * 0.4),
-        ]
-        pieces.append(
-            np.array(
-                [
-                    (x, y, z)
-                    for x, z in ((r * 0.8, h * 0.3), (r * 1.38, h * 0.98), (r * 0.75, h * 0.7))
-                    for y in (-0.018, 0.018)
-                ]
-            )
-        )
-        pieces.append(box_piece((0, 0, h * 1.4), (r, 0.022, 0.03)))
-        mass, title = 1.2, "stove kettle"
-    return Model(
-        title=title, parts={"body": Part(body, collision=pieces)}, mass=mass, texture_size=128
-    )
-
-
-def kettle_random(rng: np.random.Generator) -> dict:
-    return {
-        "height": uniform(rng, 0.19, 0.22),
-        "accent": pick(rng, ["#1c1c1e", "#3a3a3e"]),
-        "seed": seed_of(rng),
-    }
+    return {"soup": pick(rng, list(SOUPS)), "look": seed_of(rng)}
 
 
 MODELS = {
     "pot": Maker(
         pot,
         pot_random,
-        count=3,
+        count=8,
         presets=[
-            {"colour": "", "saucepan": False},
-            {"colour": "#b3302c", "saucepan": False},
-            {"colour": "", "saucepan": True, "radius": 0.085, "height": 0.09},
-        ],
-    ),
-    "frying_pan": Maker(
-        frying_pan,
-        frying_pan_random,
-        count=2,
-        presets=[
-            {"outside": "#2a2b2e", "handle": "#1c1c1e"},
-            {"outside": "#9a2f2b", "handle": "#6b3d1e"},
-        ],
-    ),
-    "kettle": Maker(
-        kettle,
-        kettle_random,
-        count=3,
-        presets=[
-            {"style": "electric", "colour": "steel"},
-            {"style": "stove", "colour": "#b3302c"},
-            {"style": "electric", "colour": "#eceae4", "accent": "#54585e"},
+            {"shape": "stock", "colour": "", "soup": "tomato", "dirt": "soup"},
+            {"shape": "low", "colour": "#b3302c", "soup": "pumpkin", "dirt": "burnt"},
+            {"shape": "saucepan", "colour": "", "soup": "pea", "dirt": "burnt"},
+            {"shape": "tall", "colour": "", "lid": "glass", "soup": "chicken", "dirt": "soup"},
+            {"shape": "milk", "colour": "#e8dcc0", "lid": "", "soup": "pumpkin", "dirt": "milk"},
+            {"shape": "dutch", "colour": "#2d5f6e", "handle": "#c8a050", "soup": "chicken"}
+            | {"dirt": "bones"},
+            {"shape": "stock", "colour": "#2f6a4a", "soup": "pea", "dirt": "peas"},
+            {"shape": "saucepan", "colour": "#d8702a", "soup": "tomato", "dirt": "soup"},
         ],
     ),
 }

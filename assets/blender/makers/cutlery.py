@@ -1,15 +1,14 @@
-"""Forks, spoons and scissors, lying as they rest: flat."""
+"""Handles of cutlery, and scissors (forks and spoons: table_tools.py)."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
-from toolkit.materials import Material, metal, plain
-from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part, box_piece, prism_piece
+from toolkit.materials import metal, plain
+from toolkit.model import Model, Part, box_piece, prism_piece
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
-from toolkit.shapes import extrude, lathe, loft, spline, tube
+from toolkit.shapes import extrude, lathe, spline, tube
 
 from makers.knives import NO_SHADOW
 
@@ -29,109 +28,6 @@ def handle_rings(stations: list[tuple[float, float, float]], thick: float) -> li
         section += [(-half, -t * 0.5), (-half * 0.6, -t), (half * 0.6, -t)]
         rings.append(np.array([(x, y, z + dz) for y, dz in section]))
     return rings
-
-
-STEM = [
-    (-0.095, 0.006, 0.004),
-    (-0.09, 0.0105, 0.004),
-    (-0.06, 0.0085, 0.005),
-    (-0.02, 0.0042, 0.008),
-    (0.02, 0.0038, 0.012),
-]
-
-
-def fork(length=0.2, handle="", seed=0) -> Model:
-    """A table fork, its tines up and towards +X; `handle`: colour of a plastic or wooden grip."""
-    steel = metal(
-        "c6cace", "858b91", (1, 12, 1), 60, noise_offset(np.random.default_rng(seed)), occlusion=0.5
-    )
-    neck = [
-        (0.035, 0.0055, 0.0105),
-        (0.045, 0.0115, 0.008),
-        (0.06, 0.0125, 0.006),
-        (0.066, 0.0125, 0.0055),
-    ]
-    meshes = [loft(handle_rings(STEM + neck, 0.0042), mat=steel)]
-    for i in range(4):
-        y = (i - 1.5) * 0.0066
-        path = [(0.063, y, 0.0055), (0.08, y, 0.005), (0.095, y, 0.007), (0.105, y * 0.96, 0.011)]
-        meshes.append(tube(path, [0.0025, 0.0025, 0.0023, 0.0014], 5, mat=steel, up=(0, 0, 1.0)))
-    return table_tool("fork", meshes, handle, length, steel)
-
-
-def spoon(length=0.2, handle="", seed=0) -> Model:
-    """A tablespoon lying bowl up, bowl towards +X."""
-    steel = metal(
-        "c6cace", "858b91", (1, 12, 1), 60, noise_offset(np.random.default_rng(seed)), occlusion=0.5
-    )
-    meshes = [loft(handle_rings([*STEM, (0.045, 0.005, 0.0105)], 0.0042), mat=steel)]
-    a, b, n = 0.03, 0.02, 20
-    angles = [2 * math.pi * i / n for i in range(n)]
-
-    def ring(k: float, z: float) -> list[tuple[float, float, float]]:
-        return [
-            (0.068 + a * k * math.cos(t), b * k * math.sin(t) * (1 - 0.12 * math.cos(t)), z)
-            for t in angles
-        ]
-
-    levels = [
-        (0.3, 0.0005),
-        (0.65, 0.003),
-        (0.9, 0.0072),
-        (1.0, 0.0115),
-        (0.96, 0.0122),
-        (0.85, 0.0086),
-        (0.6, 0.0052),
-        (0.25, 0.0038),
-    ]
-    bowl = loft([ring(k, z) for k, z in levels], mat=steel)
-    bowl.bake_uv = None
-    return table_tool("spoon", [*meshes, bowl], handle, length, steel)
-
-
-def table_tool(name: str, meshes: list[Mesh], handle: str, length: float, steel: Material) -> Model:
-    """Common end of fork and spoon: grip, size, collision."""
-    if handle:
-        grip = plain(handle, 0.06, 120)
-        stations = [
-            (-0.1, 0.008, 0.0045),
-            (-0.096, 0.0115, 0.0045),
-            (-0.05, 0.0095, 0.0055),
-            (-0.01, 0.007, 0.0085),
-        ]
-        meshes.append(loft(handle_rings(stations, 0.0085), mat=grip))
-    s = length / 0.2
-    for mesh in meshes:
-        mesh.scale(s)
-    points = np.concatenate([m.v for m in meshes])
-    low, high = points.min(0), points.max(0)
-    head = [
-        (0.04 * s, -0.02 * s),
-        (high[0], -0.016 * s),
-        (high[0], 0.016 * s),
-        (0.04 * s, 0.02 * s),
-    ]
-    head = [(x, np.clip(y, low[1], high[1])) for x, y in head]
-    grip_piece = prism_piece(
-        [(low[0], -0.01 * s), (0.045 * s, -0.005 * s), (0.045 * s, 0.005 * s), (low[0], 0.01 * s)],
-        low[2],
-        low[2] + 0.012,
-    )
-    return Model(
-        title=f"table {name}" + (", coloured handle" if handle else ""),
-        parts={"body": Part(meshes, collision=[prism_piece(head, low[2], high[2]), grip_piece])},
-        mass=0.05,
-        friction=0.5,
-        texture_size=128,
-    )
-
-
-def table_tool_random(rng: np.random.Generator) -> dict:
-    return {
-        "length": uniform(rng, 0.185, 0.21),
-        "handle": pick(rng, ["", "#b3302c", "#2a2a2e", "#2d6a9a"]),
-        "seed": seed_of(rng),
-    }
 
 
 def scissors(length=0.2, angle_deg=24.0, colour="#e8641e", seed=0) -> Model:
@@ -231,15 +127,3 @@ def scissors_random(rng: np.random.Generator) -> dict:
         "colour": pick(rng, ["#e8641e", "#d42a30", "#26262a", "#2b62c4", "#2f9a55"]),
         "seed": seed_of(rng),
     }
-
-
-MODELS = {
-    "fork": Maker(fork, table_tool_random, presets=[{"handle": ""}, {"handle": "#b3302c"}]),
-    "spoon": Maker(spoon, table_tool_random, presets=[{"handle": ""}, {"handle": "#2d6a9a"}]),
-    "scissors": Maker(
-        scissors,
-        scissors_random,
-        count=3,
-        presets=[{"colour": "#e8641e"}, {"colour": "#26262a"}, {"colour": "#2b62c4"}],
-    ),
-}

@@ -1,4 +1,4 @@
-"""Small things that stand or hang: photo frame, wall clock, tissues."""
+"""Small things that stand: tissues."""
 
 from __future__ import annotations
 
@@ -7,147 +7,19 @@ import math
 import numpy as np
 from labels import prints
 from toolkit.materials import label as printed
-from toolkit.materials import plain, shade, wood
+from toolkit.materials import plain
 from toolkit.model import (
     Maker,
     Model,
     Part,
     box_piece,
-    cylinder_piece,
 )
-from toolkit.sampling import pick, seed_of, uniform
+from toolkit.sampling import pick, seed_of
 from toolkit.shapes import (
     TAU,
     box,
-    extrude,
-    lathe,
     loft,
 )
-
-from makers.projection import project_label
-
-
-def photo_frame(
-    width: float, height: float, border: float, frame: str, wooden: bool, picture: str
-) -> Model:
-    """A framed photo leaning back on its stand."""
-    mat = wood(frame, shade(frame, 0.6), 1, 14) if wooden else plain(frame, 0.04)
-    photo = printed(prints.photo(picture))
-    depth, lean = 0.016, -0.22
-    w, h = width / 2, height / 2
-    meshes = []
-    for sx, sz, y, z in (
-        (width, border, 0, 0),
-        (width, border, 0, height - border),
-        (border, height - 2 * border, -w + border / 2, border),
-        (border, height - 2 * border, w - border / 2, border),
-    ):
-        meshes.append(box(depth, sx, sz, (0, y, z), mat, 0.003))
-    mount = box(
-        0.006,
-        width - 2 * border + 0.004,
-        height - 2 * border + 0.004,
-        (-0.004, 0, border - 0.002),
-        plain("#f7f4ea", 0.0),
-    )
-    print_face = box(
-        0.006,
-        width - 2 * border - 0.02,
-        height - 2 * border - 0.02,
-        (-0.003, 0, border + 0.01),
-        plain("#f7f4ea", 0.0),
-        labels={"+x": photo},
-        weight=1.6,
-    )
-    back = box(
-        0.005, width - border, height - border, (-0.0085, 0, border / 2), plain("#2c2a28", 0.05)
-    )
-    meshes += [mount, print_face, back]
-    for mesh in meshes:
-        mesh.turn(ry=lean)
-    hinge = (-math.sin(-lean) * h * 1.25 - 0.01, 0, math.cos(lean) * h * 1.25)
-    foot_x = -height * 0.52
-    stand = extrude(
-        [
-            (hinge[0], hinge[2]),
-            (foot_x, 0.002),
-            (foot_x - 0.006, 0.003),
-            (hinge[0] - 0.004, hinge[2] + 0.004),
-        ],
-        width * 0.28,
-        mat=plain("#2c2a28", 0.05),
-        axis="y",
-    )
-    meshes.append(stand)
-    turn = np.array(
-        [[math.cos(lean), 0, math.sin(lean)], [0, 1, 0], [-math.sin(lean), 0, math.cos(lean)]]
-    )
-    pieces = [
-        box_piece((0, 0, h), (depth, width, height)) @ turn.T,
-        np.array(
-            [
-                (x, y, z)
-                for x, z in ((hinge[0], hinge[2]), (foot_x, 0), (foot_x - 0.006, 0.002))
-                for y in (-width * 0.14, width * 0.14)
-            ]
-        ),
-    ]
-    return Model("photo in a frame", {"body": Part(meshes, collision=pieces)}, mass=0.35)
-
-
-def photo_frame_random(rng: np.random.Generator) -> dict:
-    return {
-        "width": uniform(rng, 0.14, 0.19),
-        "height": uniform(rng, 0.18, 0.23),
-        "border": uniform(rng, 0.014, 0.02),
-        "frame": pick(rng, ["#b98552", "#7a4a2a"]),
-        "wooden": True,
-        "picture": pick(rng, ["lake", "family", "dog"]),
-    }
-
-
-def wall_clock(radius: float, rim: str, paper: str, ink: str, hour: float) -> Model:
-    """A round clock to hang on a wall (back at its rear face)."""
-    paint = plain(rim, 0.04)
-    dial = printed(prints.clock_face(paper, ink, hour))
-    r = radius
-    case = lathe(
-        [
-            (0, 0),
-            (r, 0),
-            (r, 0.03),
-            (r - 0.008, 0.036),
-            (r - 0.018, 0.034),
-            (r - 0.02, 0.024),
-            (0, 0.024),
-        ],
-        32,
-        mats=[paint],
-    )
-    case.turn(ry=math.pi / 2).move(0, 0, r)
-    project_label(
-        case,
-        dial,
-        "+x",
-        (0, r),
-        (2 * r - 0.036, 2 * r - 0.036),
-        0.9,
-        lambda c: abs(c[0] - 0.024) < 0.001,
-    )
-    pieces = [
-        cylinder_piece(r, 0, 0.036, 16) @ np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]]) + [0, 0, r]
-    ]
-    return Model("wall clock", {"body": Part([case.weigh(1.2)], collision=pieces)}, mass=0.7)
-
-
-def wall_clock_random(rng: np.random.Generator) -> dict:
-    return {
-        "radius": uniform(rng, 0.13, 0.16),
-        "rim": pick(rng, ["#26282c", "#8a5a34", "#c8402c"]),
-        "paper": "#fbf8ee",
-        "ink": "#222222",
-        "hour": uniform(rng, 1, 11.9),
-    }
 
 
 def tissue_box(cube: bool, ground: str, accent: str, second: str, pattern: str, seed: int) -> Model:
@@ -227,17 +99,6 @@ def tissue_box_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "photo_frame": Maker(
-        photo_frame,
-        photo_frame_random,
-        3,
-        [
-            {"picture": "family"},
-            {"picture": "lake", "wooden": False, "frame": "#f2f0ea", "width": 0.22, "height": 0.17},
-            {"picture": "dog", "wooden": False, "frame": "#26282c"},
-        ],
-    ),
-    "wall_clock": Maker(wall_clock, wall_clock_random, 2, [{"rim": "#26282c"}, {"rim": "#8a5a34"}]),
     "tissue_box": Maker(
         tissue_box,
         tissue_box_random,

@@ -10,7 +10,9 @@ from toolkit.model import Maker, Model, Support, cylinder_piece, prism_piece, ro
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, loft, superellipse, tube
 
+from .designs import extend
 from .joinery import Assembly, finish, leg, surface
+from .low_tables import SIDE_TABLES
 
 Offset = tuple[float, float, float]
 
@@ -199,24 +201,17 @@ def side_table_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "dining_table": Maker(
-        dining_table,
-        dining_table_random,
-        3,
-        [
-            {"style": "round", "depth": 1.1, "wood": "walnut"},
-            {"style": "oval", "depth": 0.95, "length": 1.5, "wood": "oak", "frame": "#ebe9e3"},
-            {"style": "trestle", "depth": 0.9, "length": 1.65, "wood": "pine"},
-        ],
-    ),
-    "side_table": Maker(
-        side_table,
-        side_table_random,
-        3,
-        [
-            {"style": "tripod", "wood": "oak", "width": 0.46, "height": 0.5},
-            {"style": "shelf", "wood": "walnut", "width": 0.42, "height": 0.56},
-            {"style": "tray", "wood": "#3c5a50", "width": 0.44, "height": 0.5},
-        ],
+    "side_table": extend(
+        Maker(
+            side_table,
+            side_table_random,
+            3,
+            [
+                {"style": "tripod", "wood": "oak", "width": 0.46, "height": 0.5},
+                {"style": "shelf", "wood": "walnut", "width": 0.42, "height": 0.56},
+                {"style": "tray", "wood": "#3c5a50", "width": 0.44, "height": 0.5},
+            ],
+        ),
+        SIDE_TABLES,
     ),
 }

@@ -8,7 +8,6 @@ import numpy as np
 from toolkit import labels
 from toolkit.materials import label, metal, plain
 from toolkit.model import (
-    Maker,
     Model,
     Part,
     box_piece,
@@ -310,33 +309,3 @@ def butter(
 
 def butter_random(rng: np.random.Generator) -> dict:
     return {"seed": seed_of(rng)}
-
-
-MODELS = {
-    "juice_carton": Maker(
-        juice_carton,
-        juice_carton_random,
-        count=2,
-        presets=[
-            {"fruit": "ORANGE"},
-            {"fruit": "APPLE", "colour": "#b9d67a", "dark": "#3d7a2a", "cap": "#d63a34"},
-        ],
-    ),
-    "cereal_box": Maker(
-        cereal_box,
-        cereal_box_random,
-        count=2,
-        presets=[{}, {"name": "CRUNCH", "colour": "#6fb8e8", "dark": "#2a4fa0", "ring": "#e87a1c"}],
-    ),
-    "canned_food": Maker(
-        canned_food,
-        canned_food_random,
-        count=3,
-        presets=[
-            {"kind": "TOMATOES"},
-            {"kind": "CORN", "colour": "#3f9a4a", "dark": "#1c4f26"},
-            {"kind": "BEANS", "colour": "#e8b93a", "dark": "#5a2a10"},
-        ],
-    ),
-    "butter": Maker(butter, butter_random, count=1),
-}

@@ -10,7 +10,6 @@ from toolkit.materials import Material, label, metal, plain
 from toolkit.mesh import Mesh
 from toolkit.model import (
     Joint,
-    Maker,
     Model,
     Part,
     box_piece,
@@ -299,28 +298,3 @@ def raw_meat_random(rng: np.random.Generator) -> dict:
         "width": uniform(rng, 0.125, 0.15),
         "seed": seed_of(rng),
     }
-
-
-MODELS = {
-    "egg_carton": Maker(
-        egg_carton,
-        egg_carton_random,
-        count=2,
-        presets=[
-            {"egg": "#d9a878"},
-            {"colour": "#7fa0b8", "egg": "#f0e6d6", "paper": "#ffffff", "ink": "#2d5f8a"},
-        ],
-    ),
-    "yogurt_cup": Maker(
-        yogurt_cup,
-        yogurt_cup_random,
-        count=2,
-        presets=[{}, {"flavour": "BLUEBERRY", "fruit": "#4a4fa8"}],
-    ),
-    "raw_meat": Maker(
-        raw_meat,
-        raw_meat_random,
-        count=2,
-        presets=[{"kind": "steak"}, {"kind": "mince", "tray": "#f0efec"}],
-    ),
-}

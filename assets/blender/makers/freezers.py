@@ -8,6 +8,8 @@ from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
 
 from .appliances import LINER, compartment
+from .chest_freezers import chest_freezer
+from .designs import extend
 from .joinery import Assembly, bar_handle, hinge, open_closed, steel, surface
 
 Offset = tuple[float, float, float]
@@ -45,7 +47,7 @@ def freezer(
     drawer_step = 0.21
     for k in range(drawers):
         z = floor + k * drawer_step
-        low = (back + 0.02, -inner_y + 0.006, z + 0.004)
+        low = (back + 0.002, -inner_y + 0.001, z + (0.004 if k else 0.022))
         high = (depth, inner_y - 0.006, z + drawer_step - 0.022)
         asm.board("interior", low, high, clear, 0.006)
         asm.board(
@@ -130,27 +132,77 @@ def freezer_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "freezer": Maker(
-        freezer,
-        freezer_random,
-        2,
+    "freezer": extend(
+        Maker(
+            freezer,
+            freezer_random,
+            2,
+            [
+                {
+                    "height": 1.42,
+                    "width": 0.58,
+                    "colour": "#f1f2f0",
+                    "drawers": 2,
+                    "shelves": 3,
+                    "right_hung": True,
+                },
+                {
+                    "height": 0.86,
+                    "width": 0.56,
+                    "colour": "steel",
+                    "drawers": 1,
+                    "shelves": 2,
+                    "right_hung": False,
+                },
+            ],
+        ),
         [
-            {
-                "height": 1.42,
-                "width": 0.58,
-                "colour": "#f1f2f0",
-                "drawers": 2,
-                "shelves": 3,
-                "right_hung": True,
-            },
-            {
-                "height": 0.86,
-                "width": 0.56,
-                "colour": "steel",
-                "drawers": 1,
-                "shelves": 2,
-                "right_hung": False,
-            },
+            (chest_freezer, {"width": 0.95}),
+            (chest_freezer, {"width": 0.57}),
+            (
+                freezer,
+                {
+                    "height": 1.42,
+                    "width": 0.58,
+                    "colour": "steel",
+                    "drawers": 2,
+                    "shelves": 3,
+                    "right_hung": True,
+                },
+            ),
+            (
+                freezer,
+                {
+                    "height": 0.86,
+                    "width": 0.56,
+                    "colour": "#f1f2f0",
+                    "drawers": 1,
+                    "shelves": 2,
+                    "right_hung": False,
+                },
+            ),
+            (
+                freezer,
+                {
+                    "height": 1.8,
+                    "width": 0.6,
+                    "colour": "#f1f2f0",
+                    "drawers": 3,
+                    "shelves": 4,
+                    "right_hung": True,
+                },
+            ),
+            (
+                freezer,
+                {
+                    "height": 1.8,
+                    "width": 0.6,
+                    "colour": "steel",
+                    "drawers": 3,
+                    "shelves": 4,
+                    "right_hung": True,
+                },
+            ),
         ],
     ),
 }

@@ -9,7 +9,7 @@ from labels import foods
 from toolkit import labels
 from toolkit.materials import label, plain
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part, box_piece, cylinder_piece
+from toolkit.model import Model, Part, box_piece, cylinder_piece
 from toolkit.sampling import pick, seed_of, uniform
 from toolkit.shapes import box, lathe, loft, rounded_rectangle
 
@@ -123,9 +123,9 @@ def box_tub(
 
 
 def ice_cream_tub(
-    style="round", size=1.0, flavour="VANILLA", brand="Nevada", lid="#fdf6e6", seed=0
+    form="round", size=1.0, flavour="VANILLA", brand="Nevada", lid="#fdf6e6", seed=0
 ) -> Model:
-    if style == "round":
+    if form == "round":
         return round_tub(0.05 * size, 0.1 * size, flavour, brand, lid)
     return box_tub(0.165 * size, 0.11 * size, 0.095 * size, flavour, brand, lid)
 
@@ -303,36 +303,3 @@ def frozen_vegetables_random(rng: np.random.Generator) -> dict:
         "brand": pick(rng, ["Hofgut", "Verde", "Kaltfeld"]),
         "seed": seed_of(rng),
     }
-
-
-MODELS = {
-    "ice_cream_tub": Maker(
-        ice_cream_tub,
-        ice_cream_tub_random,
-        count=3,
-        presets=[
-            {"flavour": "VANILLA"},
-            {"flavour": "STRAWBERRY", "style": "box"},
-            {"flavour": "CHOCOLATE", "lid": "#e8d2b4"},
-        ],
-    ),
-    "frozen_pizza": Maker(
-        frozen_pizza,
-        frozen_pizza_random,
-        count=2,
-        presets=[
-            {"topping": "salami"},
-            {"topping": "basil", "colour": "#f6ead0", "dark": "#1f6a34"},
-        ],
-    ),
-    "frozen_vegetables": Maker(
-        frozen_vegetables,
-        frozen_vegetables_random,
-        count=3,
-        presets=[
-            {"kind": "peas"},
-            {"kind": "mixed"},
-            {"kind": "spinach", "length": 0.15, "width": 0.13, "height": 0.042},
-        ],
-    ),
-}

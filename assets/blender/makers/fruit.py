@@ -11,6 +11,8 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import ellipsoid, lathe, loft, spline, tube
 
+from makers import table_fruit as table
+from makers.produce_forms import served, with_forms
 from makers.spoilage import age, aged, lying_pieces, spots_around, wither
 
 
@@ -252,8 +254,59 @@ def avocado_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "pear": Maker(pear, pear_random, count=2, presets=[{"kind": "green"}, {"kind": "yellow"}]),
-    "lemon": Maker(lemon, lemon_random, count=2),
-    "peach": Maker(peach, peach_random, count=2, presets=[{}, {"kind": "nectarine"}]),
-    "avocado": Maker(avocado, avocado_random, count=2, presets=[{}, {"cut": True}]),
+    "pear": Maker(
+        with_forms(pear),
+        pear_random,
+        count=7,
+        presets=[
+            {"kind": "green"},
+            {"kind": "yellow"},
+            served(table.PEAR, "lying", "green", 3),
+            served(table.PEAR, "half", "yellow", 4),
+            served(table.PEAR, "three", "green", 5),
+            served(table.PEAR, "pair", "yellow", 6),
+            served(table.PEAR, "lying", "red", 3),
+        ],
+    ),
+    "lemon": Maker(
+        with_forms(lemon),
+        lemon_random,
+        count=7,
+        presets=[
+            {},
+            {},
+            served(table.LEMON, "half", "yellow", 3),
+            served(table.LEMON, "three", "yellow", 4),
+            served(table.LEMON, "whole_half", "yellow", 5),
+            served(table.LEMON, "net", "yellow", 6),
+            served(table.LEMON, "slices", "yellow", 7),
+        ],
+    ),
+    "peach": Maker(
+        with_forms(peach),
+        peach_random,
+        count=7,
+        presets=[
+            {},
+            {"kind": "nectarine"},
+            served(table.PEACH, "half", "peach", 3),
+            served(table.PEACH, "three", "peach", 4),
+            served(table.PEACH, "one", "peach", 5),
+            served(table.PEACH, "pair", "nectarine", 6),
+            served(table.PEACH, "three", "white", 4),
+        ],
+    ),
+    "avocado": Maker(
+        with_forms(avocado),
+        avocado_random,
+        count=6,
+        presets=[
+            {},
+            {"cut": True},
+            served(table.AVOCADO, "pair", "dark", 3),
+            served(table.AVOCADO, "upright", "dark", 4),
+            served(table.AVOCADO, "halves", "green", 5),
+            served(table.AVOCADO, "whole_half", "green", 6),
+        ],
+    ),
 }

@@ -1,4 +1,4 @@
-"""Fitted kitchen: base cabinets, the sink, wall cabinets. They match within a suite."""
+"""Fitted kitchen: base cabinets, and what all units share. They match within a suite."""
 
 from __future__ import annotations
 
@@ -26,26 +26,41 @@ from .joinery import (
 SUITES = {
     "white": {"front": "#f0eee8", "style": "shaker", "case": "#f2f0ec", "top": "oak"},
     "sage": {"front": "#93a68f", "style": "slab", "case": "#efede7", "top": "stone"},
+    "oak": {"front": "oak", "style": "slab", "case": "#f2f0ec", "top": "marble"},
+    "navy": {"front": "#3d4c66", "style": "shaker", "case": "#f2f0ec", "top": "marble"},
+    "grey": {"front": "#a6abad", "style": "slab", "case": "#efede7", "top": "walnut"},
 }
+STYLES = tuple(SUITES)
 Offset = tuple[float, float, float]
 BACK, CASE_FRONT, DOOR_FRONT, TOP_FRONT = -0.30, 0.26, 0.278, 0.284
 PLINTH, CASE_TOP, WORKTOP = 0.10, 0.86, 0.90
 DOOR = 0.018
 
 
-def _worktop(suite: dict, offset: Offset) -> Material:
+def worktop_material(suite: dict, offset: Offset) -> Material:
+    """What the suite's worktops are made of."""
     if suite["top"] == "stone":
         return stone("#5b5d60", "#c9c7c0", offset)
+    if suite["top"] == "marble":
+        return stone("#dcdad4", "#9d9a94", offset)
     return timber(suite["top"], 1, offset)
 
 
-def _base(
-    asm: Assembly, width: float, suite: dict, offset: Offset, top: bool = True
+def base(
+    asm: Assembly,
+    width: float,
+    suite: dict,
+    offset: Offset,
+    top: bool = True,
+    outside: bool = False,
 ) -> tuple[Material, Material]:
-    """Plinth and case of a base cabinet; returns the materials of fronts and case."""
+    """Plinth and case of a base cabinet; returns the materials of fronts and case.
+
+    outside: the case wears the fronts' colour all over.
+    """
     half = width / 2
     fronts = finish(suite["front"], 2, offset)
-    case = finish(suite["case"], 2, offset)
+    case = fronts if outside else finish(suite["case"], 2, offset)
     asm.board(
         "body", (BACK, -half, 0), (CASE_FRONT - 0.04, half, PLINTH), plain("#3a3a3a", 0.04, 8)
     )
@@ -53,7 +68,7 @@ def _base(
     return fronts, case
 
 
-def _bay(
+def bay(
     asm: Assembly, y0: float, y1: float, z_top: float, case: Material
 ) -> tuple[list, Container]:
     """Shelf, supports and container of the space behind a door of a base cabinet."""
@@ -77,74 +92,103 @@ def _bay(
     return supports, Container("inside", center, size, "body", "door")
 
 
-def kitchen_counter(width: float = 0.6, suite: str = "white", offset: Offset = (0, 0, 0)) -> Model:
-    """A base cabinet: one door; from 1 m on also a stack of drawers, the top one of which opens."""
-    look, asm, half = SUITES[suite], Assembly(), width / 2
-    fronts, case = _base(asm, width, look, offset)
-    metal = steel()
-    asm.board(
-        "body",
-        (BACK, -half, CASE_TOP),
-        (TOP_FRONT, half, WORKTOP),
-        _worktop(look, offset),
-        0.004,
-        segments=2,
-    )
-    gap, z0, z1 = 0.002, PLINTH + 0.003, CASE_TOP - 0.004
-    wide = width >= 1.0
-    door_left = 0.0 if wide else -half
-    inner_left = 0.009 if wide else -half + 0.018
-    supports, container = _bay(asm, inner_left, half - 0.018, CASE_TOP - 0.018, case)
-    supports.insert(0, surface("top", (BACK, -half), (TOP_FRONT, half), WORKTOP))
-    front(
-        asm,
-        "door",
-        CASE_FRONT,
-        (door_left + gap, half - gap),
-        (z0, z1),
-        fronts,
-        look["style"],
-        DOOR,
-    )
-    bar_handle(asm, "door", DOOR_FRONT, door_left + 0.045, 0.72, 0.16, metal, reach=0.022)
-    joints = {"door": hinge(DOOR_FRONT, half)}
-    containers, states = [container], open_closed("door", "door")
-    settings = {"door": {"joint": "door"}}
-    if wide:
-        # a partition, then three drawer fronts of which the lower two are dummies
-        asm.board(
-            "body", (BACK, -0.009, PLINTH + 0.018), (CASE_FRONT, 0.009, CASE_TOP - 0.018), case
-        )
-        rows = [(z0, 0.355), (0.359, 0.611), (0.615, z1)]
-        for i, rows_z in enumerate(rows):
-            part = "drawer" if i == 2 else "body"
-            front(
-                asm,
-                part,
-                CASE_FRONT,
-                (-half + gap, -gap),
-                rows_z,
-                fronts,
-                look["style"],
-                DOOR,
-                0.045,
-            )
-            handle_z = (rows_z[0] + rows_z[1]) / 2
-            bar_handle(asm, part, DOOR_FRONT, -half / 2, handle_z, 0.18, metal, False, reach=0.022)
-        low, high = (BACK + 0.06, -half + 0.03, 0.65), (CASE_FRONT, -0.02, 0.78)
-        drawer_box(asm, "drawer", low, high, case)
-        joints["drawer"] = Joint("prismatic", (0.0, -half / 2, 0.7), (1, 0, 0), 0.0, 0.4)
-        settings["drawer"] = {"joint": "drawer"}
-        states += open_closed("drawer", "drawer", 0.01, 0.15)
+def _drawers(asm: Assembly, look: dict, y: tuple[float, float], rows: list, fronts, case) -> list:
+    """A stack of drawers between y[0] and y[1], the top one first in `rows`; returns its records.
+
+    rows: (name of the part or None for a dummy, lowest z, highest z).
+    """
+    (y0, y1), metal, made = y, steel(), []
+    for name, low_z, high_z in rows:
+        part = name or "body"
+        face, z = (y0 + 0.002, y1 - 0.002), (low_z, high_z)
+        front(asm, part, CASE_FRONT, face, z, fronts, look["style"], DOOR, 0.045)
+        middle, handle_z = (y0 + y1) / 2, (low_z + high_z) / 2
+        bar_handle(asm, part, DOOR_FRONT, middle, handle_z, 0.18, metal, False, reach=0.022)
+        if name is None:
+            continue
+        low = (BACK + 0.06, y0 + 0.03, low_z + 0.035)
+        high = (CASE_FRONT, y1 - 0.02, high_z - 0.076)
+        drawer_box(asm, name, low, high, case)
+        joint = Joint("prismatic", (0.0, middle, low[2] + 0.05), (1, 0, 0), 0.0, 0.4)
         inner = (low[0] + 0.012, low[1] + 0.012), (high[0], high[1] - 0.012)
-        supports.append(surface("drawer_floor", *inner, 0.658, 0.16, "drawer", "drawer"))
-        center = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0.73)
-        containers.append(
-            Container("drawer", center, (0.48, half - 0.08, 0.14), "drawer", "drawer")
-        )
+        floor = low[2] + 0.008
+        room = surface(f"{name}_floor", *inner, floor, high[2] + 0.03 - floor, name, name)
+        center = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2 + 0.015)
+        size = (0.48, high[1] - low[1] - 0.03, high[2] - low[2] + 0.01)
+        made.append((name, joint, room, Container(name, center, size, name, name)))
+    return made
+
+
+def kitchen_counter(
+    width: float = 0.6, suite: str = "white", layout: str = "door", offset: Offset = (0, 0, 0)
+) -> Model:
+    """A base cabinet; layout: one "door", two "doors", "drawers", "wide" (both) or "open" shelves.
+
+    In the wide one only the top drawer opens.
+    """
+    look, asm, half = SUITES[suite], Assembly(), width / 2
+    fronts, case = base(asm, width, look, offset, outside=layout == "open")
+    metal, gap, z0, z1 = steel(), 0.002, PLINTH + 0.003, CASE_TOP - 0.004
+    low, high = (BACK, -half, CASE_TOP), (TOP_FRONT, half, WORKTOP)
+    asm.board("body", low, high, worktop_material(look, offset), 0.004, segments=2)
+    supports = [surface("top", (BACK, -half), (TOP_FRONT, half), WORKTOP)]
+    joints: dict[str, Joint] = {}
+    containers: list[Container] = []
+    leaves: list[tuple[str, float, float, float]] = []
+    drawers: list = []
+    if layout == "wide":
+        leaves = [("door", 0.0, half, 0.009)]
+    elif layout == "door":
+        leaves = [("door", -half, half, -half + 0.018)]
+    elif layout == "doors":
+        leaves = [("door", 0.0, half, -half + 0.018), ("door_left", -half, 0.0, 0.0)]
+    if leaves:
+        found, container = bay(asm, leaves[0][3], half - 0.018, CASE_TOP - 0.018, case)
+        supports += found
+        containers.append(container)
+    for name, a, b, _ in leaves:
+        face = (a + gap, b - gap)
+        front(asm, name, CASE_FRONT, face, (z0, z1), fronts, look["style"], DOOR)
+        handle = b - 0.04 if name == "door_left" else a + (0.045 if len(leaves) == 1 else 0.04)
+        bar_handle(asm, name, DOOR_FRONT, handle, 0.72, 0.16, metal, reach=0.022)
+        joints[name] = hinge(DOOR_FRONT, a if name == "door_left" else b)
+    if layout == "wide":
+        low, high = (BACK, -0.009, PLINTH + 0.018), (CASE_FRONT, 0.009, CASE_TOP - 0.018)
+        asm.board("body", low, high, case)
+        rows = [(None, z0, 0.355), (None, 0.359, 0.611), ("drawer", 0.615, z1)]
+        drawers = _drawers(asm, look, (-half, 0.0), rows, fronts, case)
+    elif layout == "drawers":
+        rows = [("drawer", 0.655, z1), ("drawer_2", 0.385, 0.651), ("drawer_3", z0, 0.381)]
+        drawers = _drawers(asm, look, (-half, half), rows, fronts, case)
+    elif layout == "open":
+        floor, step = PLINTH + 0.018, 0.243
+        for k in range(3):
+            z = floor + k * step
+            a, b = (BACK + 0.008, -half + 0.018), (CASE_FRONT, half - 0.018)
+            if k:
+                asm.board("body", (*a, z - 0.018), (*b, z), case, 0.001)
+            name = f"inside_shelf_{k}" if k else "inside_floor"
+            supports.append(surface(name, a, b, z, step - 0.02, "inside"))
+        size = (CASE_FRONT - BACK - 0.01, width - 0.036, CASE_TOP - PLINTH - 0.036)
+        center = ((CASE_FRONT + BACK + 0.01) / 2, 0.0, (CASE_TOP + PLINTH) / 2)
+        containers.append(Container("inside", center, size))
+    states = [s for name in joints for s in open_closed(name, name)]
+    for name, joint, room, container in drawers:
+        joints[name] = joint
+        states += open_closed(name, name, 0.01, 0.15)
+        supports.append(room)
+        containers.append(container)
+    what = {
+        "door": "one door",
+        "doors": "two doors",
+        "wide": "door and drawers",
+        "drawers": "three drawers",
+        "open": "open shelves",
+    }
+    title = f"kitchen counter, {what[layout]}, {suite} fronts"
     return Model(
-        title=f"{suite} kitchen counter, {'door and drawers' if wide else 'one door'}",
-        parts=asm.parts(**settings),
+        title=title,
+        parts=asm.parts(**{name: {"joint": name} for name in joints}),
         mass=28 * width / 0.6,
         joints=joints,
         states=states,
@@ -154,11 +198,16 @@ def kitchen_counter(width: float = 0.6, suite: str = "white", offset: Offset = (
     )
 
 
+WIDTHS = {"door": 0.6, "wide": 1.2, "drawers": 0.6, "doors": 0.8, "open": 0.45}
+
+
 def kitchen_counter_random(rng: np.random.Generator) -> dict:
     """Parameters of a random counter."""
+    layout = pick(rng, sorted(WIDTHS))
     return {
-        "width": pick(rng, [0.6, 0.6, 1.2]),
-        "suite": pick(rng, sorted(SUITES)),
+        "width": WIDTHS[layout],
+        "layout": layout,
+        "suite": pick(rng, STYLES),
         "offset": noise_offset(rng),
     }
 
@@ -242,149 +291,50 @@ def tap(
     asm.solid("body", (x - 0.02, y - 0.02, z), (x + 0.02, y + 0.02, z + height))
 
 
-def sink_cabinet(
-    width: float = 0.8,
-    suite: str = "white",
-    steel_basin: bool = True,
-    offset: Offset = (0, 0, 0),
-) -> Model:
-    """A base cabinet with a basin and a tap on one side and free worktop on the other."""
-    look, asm, half = SUITES[suite], Assembly(), width / 2
-    fronts, case = _base(asm, width, look, offset, top=False)
-    metal, top = steel(), _worktop(look, offset)
-    sx, sy, cx = 0.36, 0.42, 0.03
-    cy = half - 0.05 - sy / 2
-    x0, x1, y0, y1 = (
-        cx - sx / 2 - 0.002,
-        cx + sx / 2 + 0.002,
-        cy - sy / 2 - 0.002,
-        cy + sy / 2 + 0.002,
-    )
-    for low, high in (
-        ((BACK, -half), (TOP_FRONT, y0)),
-        ((BACK, y1), (TOP_FRONT, half)),
-        ((BACK, y0), (x0, y1)),
-        ((x1, y0), (TOP_FRONT, y1)),
-    ):
-        asm.board("body", (*low, CASE_TOP), (*high, WORKTOP), top)
-    bowl = metal if steel_basin else plain("#f1f1ee", 0.02, 10)
-    basin(asm, (cx, cy), (sx, sy), WORKTOP, 0.17, bowl)
-    tap(asm, -0.235, cy, WORKTOP, 0.2, 0.27, metal)
-    gap, z = 0.002, (PLINTH + 0.003, CASE_TOP - 0.004)
-    supports, container = _bay(asm, -half + 0.018, half - 0.018, WORKTOP - 0.19, case)
-    front(asm, "door", CASE_FRONT, (gap, half - gap), z, fronts, look["style"], DOOR)
-    front(asm, "door_left", CASE_FRONT, (-half + gap, -gap), z, fronts, look["style"], DOOR)
-    bar_handle(asm, "door", DOOR_FRONT, 0.04, 0.72, 0.16, metal, reach=0.022)
-    bar_handle(asm, "door_left", DOOR_FRONT, -0.04, 0.72, 0.16, metal, reach=0.022)
-    supports.insert(0, surface("top", (BACK, -half), (TOP_FRONT, y0 - 0.01), WORKTOP))
-    low, high = (cx - sx / 2 + 0.05, cy - sy / 2 + 0.05), (cx + sx / 2 - 0.05, cy + sy / 2 - 0.05)
-    supports.append(surface("basin_floor", low, high, WORKTOP - 0.166, None, "basin"))
-    bowl_space = Container("basin", (cx, cy, WORKTOP - 0.085), (sx - 0.02, sy - 0.02, 0.17))
-    return Model(
-        title=f"{suite} sink cabinet, {'steel' if steel_basin else 'ceramic'} basin",
-        parts=asm.parts(door={"joint": "door"}, door_left={"joint": "door_left"}),
-        mass=34.0,
-        joints={"door": hinge(DOOR_FRONT, half), "door_left": hinge(DOOR_FRONT, -half)},
-        states=open_closed("door", "door") + open_closed("door_left", "door_left"),
-        supports=supports,
-        containers=[container, bowl_space],
-        ground_shadow=True,
-    )
+def stream(
+    asm: Assembly, x: float, y: float, z_top: float, z_floor: float, r: float = 0.01
+) -> None:
+    """Running water, the part `water`: a stream from a spout and where it spreads on a floor."""
+    water = Material(occlusion=0.15)
+    fall = water.noise(60, 2, stretch=(6, 6, 0.5))
+    stops = [(0.3, "#8fc4e6"), (0.5, "#c9e6f7"), (0.62, "#f4fbff")]
+    water.colour(water.ramp(fall, stops))
+    profile = [(0, z_top + 0.006), (r, z_top + 0.004), (1.15 * r, (z_top + z_floor) / 2)]
+    profile += [(1.1 * r, z_floor + 0.03), (2.4 * r, z_floor + 0.01), (5.5 * r, z_floor + 0.006)]
+    profile += [(6 * r, z_floor + 0.001), (0, z_floor + 0.001)]
+    asm.add("water", lathe(profile[::-1], 12, mat=water, discs=False).move(x, y, 0))
 
 
-def sink_cabinet_random(rng: np.random.Generator) -> dict:
-    """Parameters of a random sink cabinet."""
+def switched(asm: Assembly, part: str, evidence: str = "body") -> dict:
+    """Variants and states of a thing whose `part` is drawn only while it is ON."""
+    fixed = [name for name in asm.meshes if name != part]
     return {
-        "width": pick(rng, [0.8, 1.0]),
-        "suite": pick(rng, sorted(SUITES)),
-        "steel_basin": bool(rng.random() < 0.6),
-        "offset": noise_offset(rng),
+        "variants": {"default": fixed, "on": [*fixed, part]},
+        "states": [
+            {"state": "OFF", "variants": ["default"], "parts": [evidence]},
+            {"state": "ON", "variants": ["on"], "parts": [part]},
+        ],
     }
 
 
-def wall_cabinet(
-    width: float = 0.6,
-    height: float = 0.7,
-    suite: str = "white",
-    offset: Offset = (0, 0, 0),
-) -> Model:
-    """A cabinet to hang on a wall; up to 0.6 m one door, beyond that two with a partition."""
-    look, asm, half, depth = SUITES[suite], Assembly(), width / 2, 0.33
-    back, case_front = -depth / 2, depth / 2 - 0.02
-    fronts, case, metal = finish(look["front"], 2, offset), finish(look["case"], 2, offset), steel()
-    carcass(asm, "body", (back, -half, 0), (case_front, half, height), case, case)
-    bays = {"": (-half, half)} if width <= 0.6 else {"_left": (-half, 0.0), "_right": (0.0, half)}
-    if width > 0.6:
-        asm.board("body", (back, -0.009, 0.018), (case_front, 0.009, height - 0.018), case)
-    joints, states, containers, settings = {}, [], [], {}
-    supports = [surface("top", (back, -half), (case_front, half), height)]
-    t, middle, outer = 0.018, height / 2, case_front + DOOR
-    for suffix, (y0, y1) in bays.items():
-        door, inside = f"door{suffix}", f"inside{suffix}"
-        right_hung = suffix != "_left"
-        a, b = y0 + t * (1 if y0 == -half else 0.5), y1 - t * (1 if y1 == half else 0.5)
-        asm.board("body", (back + 0.008, a, middle - t), (case_front - 0.02, b, middle), case)
-        front(
-            asm,
-            door,
-            case_front,
-            (y0 + 0.002, y1 - 0.002),
-            (0.002, height - 0.002),
-            fronts,
-            look["style"],
-        )
-        handle_y = y0 + 0.04 if right_hung else y1 - 0.04
-        bar_handle(asm, door, outer, handle_y, 0.12, 0.14, metal, reach=0.022)
-        joints[door] = hinge(outer, y1 if right_hung else y0)
-        states += open_closed(door, door)
-        settings[door] = {"joint": door}
-        low, high = (back + 0.01, a), (case_front - 0.02, b)
-        supports.append(surface(f"{inside}_floor", low, high, t, middle - 2 * t, inside))
-        supports.append(surface(f"{inside}_shelf", low, high, middle, height - t - middle, inside))
-        center = ((back + case_front) / 2, (a + b) / 2, height / 2)
-        size = (case_front - back - 0.02, b - a, height - 2 * t)
-        containers.append(Container(inside, center, size, "body", door))
-    return Model(
-        title=f"{suite} wall cabinet, {'one door' if width <= 0.6 else 'two doors'}",
-        parts=asm.parts(**settings),
-        mass=16 * width / 0.6,
-        joints=joints,
-        states=states,
-        supports=supports,
-        containers=containers,
-    )
-
-
-def wall_cabinet_random(rng: np.random.Generator) -> dict:
-    """Parameters of a random wall cabinet."""
-    return {
-        "width": pick(rng, [0.6, 0.8]),
-        "height": round(float(rng.uniform(0.65, 0.75)), 2),
-        "suite": pick(rng, sorted(SUITES)),
-        "offset": noise_offset(rng),
-    }
+def _all(layouts: tuple[str, ...], suites: tuple[str, ...]) -> list[dict]:
+    """Presets of these layouts in each of these suites."""
+    return [
+        {"width": WIDTHS[layout], "suite": suite, "layout": layout}
+        for suite in suites
+        for layout in layouts
+    ]
 
 
 MODELS = {
     "kitchen_counter": Maker(
         kitchen_counter,
         kitchen_counter_random,
-        4,
-        [{"width": w, "suite": s} for s in ("white", "sage") for w in (0.6, 1.2)],
-    ),
-    "sink_cabinet": Maker(
-        sink_cabinet,
-        sink_cabinet_random,
-        2,
+        17,
         [
-            {"width": 0.8, "suite": "white", "steel_basin": True},
-            {"width": 1.0, "suite": "sage", "steel_basin": False},
+            *_all(("door", "wide"), STYLES),
+            *_all(("drawers",), STYLES),
+            *_all(("doors", "open"), STYLES[:1]),
         ],
-    ),
-    "wall_cabinet": Maker(
-        wall_cabinet,
-        wall_cabinet_random,
-        4,
-        [{"width": w, "suite": s, "height": 0.7} for s in ("white", "sage") for w in (0.6, 0.8)],
     ),
 }

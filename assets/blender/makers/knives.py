@@ -7,7 +7,7 @@ import math
 import numpy as np
 from toolkit.materials import Material, metal, plain, wood
 from toolkit.mesh import Mesh, cube_project
-from toolkit.model import Container, Maker, Model, Part, prism_piece
+from toolkit.model import Container, Model, Part, prism_piece
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import box, extrude, lathe, loft, rounded_rectangle, spline
 
@@ -194,23 +194,3 @@ def knife_block_random(rng: np.random.Generator) -> dict:
         "handle": pick(rng, ["#1c1c1e", "#3a3f46", "#5a2b1c"]),
         "seed": seed_of(rng),
     }
-
-
-MODELS = {
-    "knife": Maker(
-        knife,
-        knife_random,
-        count=4,
-        presets=[
-            {"style": "chef", "handle": "#1c1c1e", "wooden": False},
-            {"style": "santoku", "handle": "#6b3d1e", "wooden": True},
-            {"style": "bread", "handle": "#8a2a22", "blade": 0.2, "wooden": False},
-            {"style": "cleaver", "handle": "#8a5a30", "wooden": True},
-        ],
-    ),
-    "knife_block": Maker(
-        knife_block,
-        knife_block_random,
-        presets=[{"light": "#b98552", "dark": "#7d5230"}, {"light": "#6b4426", "dark": "#3d2413"}],
-    ),
-}

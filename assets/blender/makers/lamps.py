@@ -11,6 +11,8 @@ from toolkit.model import Maker, Model, cylinder_piece
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import ellipsoid, lathe, spline, tube
 
+from .designs import extend
+from .floor_lamp_forms import FLOOR_LAMPS
 from .joinery import Assembly, finish, leg
 
 Offset = tuple[float, float, float]
@@ -68,6 +70,10 @@ def floor_lamp(
             (0, 0.05),
         ]
         asm.add("body", lathe(base, 28, mat=pole))
+        if style == "arc":  # a block of stone holds the reach
+            block = [(0, 0), (0.17, 0), (0.172, 0.006), (0.172, 0.052), (0.166, 0.06), (0, 0.06)]
+            asm.add("body", lathe(block, 28, mat=plain("#d9d6d0", 0.08, 12, offset)))
+            asm.piece("body", cylinder_piece(0.172, 0, 0.06))
         asm.piece("body", cylinder_piece(0.15, 0, 0.02))
         path = np.array([(0, 0, 0.02), (0, 0, height - tall * 0.5)])
         if style == "arc":
@@ -103,7 +109,10 @@ def floor_lamp(
             (x + r * math.cos(a), r * math.sin(a), (z0 + z1) / 2 - 0.045),
         ]
         asm.add("body", tube(spoke, 0.004, 4, mat=pole))
-    asm.piece("body", np.add(cylinder_piece(r_low, z0, z1, 10, r_high), [x, 0, 0]))
+    if style == "arc":  # a light shade: its whole volume would tip the lamp over
+        asm.piece("body", np.add(cylinder_piece(0.085, z0 + 0.04, z1 - 0.04, 10), [x, 0, 0]))
+    else:
+        asm.piece("body", np.add(cylinder_piece(r_low, z0, z1, 10, r_high), [x, 0, 0]))
     return Model(
         title=f"{style} floor lamp",
         parts=asm.parts(shade_lit={"rgba": (1.5, 1.5, 1.5, 1.0)}),
@@ -129,14 +138,17 @@ def floor_lamp_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "floor_lamp": Maker(
-        floor_lamp,
-        floor_lamp_random,
-        3,
-        [
-            {"style": "straight", "stand": "brass", "shade_colour": "#e8dcc4"},
-            {"style": "tripod", "stand": "oak", "shade_colour": "#dcd6cb"},
-            {"style": "arc", "stand": "#2b2c2e", "shade_colour": "#d9d4cc"},
-        ],
+    "floor_lamp": extend(
+        Maker(
+            floor_lamp,
+            floor_lamp_random,
+            3,
+            [
+                {"style": "straight", "stand": "brass", "shade_colour": "#e8dcc4"},
+                {"style": "tripod", "stand": "oak", "shade_colour": "#dcd6cb"},
+                {"style": "arc", "stand": "#2b2c2e", "shade_colour": "#d9d4cc"},
+            ],
+        ),
+        FLOOR_LAMPS,
     ),
 }

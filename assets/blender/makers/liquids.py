@@ -22,6 +22,10 @@ LIQUIDS = {
     "milk": ("#f8f6f0", "#efebdf", "#c9c2b0", "#ffffff", 0.97),
     "juice": ("#f7a823", "#ea8f10", "#a85a06", "#fff6dc", 0.92),
     "coffee": ("#4f2d15", "#361b0a", "#1a0c04", "#f0e0cc", 0.94),
+    "oil": ("#e0b83a", "#c8981c", "#8a6408", "#fffbe0", 0.8),
+    "soup": ("#d8502a", "#c23c18", "#7a1e08", "#fbe0d0", 0.97),
+    "paint": ("#2f6fd0", "#2660c0", "#143a80", "#dcecff", 0.999),
+    "detergent": ("#3aa0e0", "#1f80c8", "#0c4a80", "#f4fcff", 0.85),
     "wine": ("#84162c", "#5c0c1a", "#2b030a", "#f8dcdc", 0.94),
 }
 
@@ -138,21 +142,70 @@ def paint(pools: list[Pool], liquid: str, window: tuple[float, float, float], rn
     )
     shine = ImageChops.lighter(shine, sky)
     picture.paste(Image.new("RGB", picture.size, glint), (0, 0), shine)
+    if liquid in ("soup", "detergent"):
+        add_bits(picture, liquid, pools, pixels, rng)
     return picture
 
 
-def puddle(liquid="water", radius=0.16, drops=5, stretch=1.25, seed=0) -> Model:
-    """A spill with a rounded rim and some drops around it."""
-    rng = np.random.default_rng(seed)
+def add_bits(picture: Image.Image, liquid: str, pools: list[Pool], pixels, rng) -> None:
+    """Vegetables and herbs in soup, bubbles in detergent."""
+    draw = ImageDraw.Draw(picture)
+    x, y, radius, outline, _ = pools[0]
+    for k in range(26):
+        a, share = float(rng.uniform(0, 6.28)), math.sqrt(float(rng.uniform(0.02, 0.72)))
+        far = radius * outline(a) * share
+        cx, cy = pixels([(x + far * math.cos(a), y + far * math.sin(a))])[0]
+        r = float(rng.uniform(6, 15))
+        box = (cx - r, cy - r * 0.8, cx + r, cy + r * 0.8)
+        if liquid == "soup":
+            draw.ellipse(box, fill=("#f0a040", "#5f9a34", "#f4e2b0")[k % 3], outline="#8a2c10")
+        else:
+            draw.ellipse(box, outline="#f4fcff", width=3)
+
+
+def wavy(rng: np.random.Generator, stretch: float, form: str) -> Outline:
+    """The outline of a pool: lobed, nearly round, drawn out to a run, or spiky as it splashed."""
     phase, size = rng.uniform(0, 6.28, 6), rng.uniform(0.5, 1, 6)
+    waves = {
+        "round": ((0.035, 2), (0.03, 3), (0.015, 5)),
+        "run": ((0.06, 2), (0.07, 3), (0.05, 5), (0.03, 9)),
+        "splash": ((0.1, 3), (0.13, 7), (0.14, 11), (0.06, 17)),
+    }.get(form, ((0.17, 2), (0.13, 3), (0.08, 5), (0.045, 8)))
 
     def outline(a: float) -> float:
-        waves = ((0.17, 2), (0.13, 3), (0.08, 5), (0.045, 8))
         wave = 1 + sum(s * size[k] * math.sin(f * a + phase[k]) for k, (s, f) in enumerate(waves))
+        if form == "run":
+            return wave / math.hypot(math.cos(a) / stretch, math.sin(a) * stretch)
         return wave * math.hypot(math.cos(a) * stretch, math.sin(a) / stretch)
 
-    pools: list[Pool] = [(0.0, 0.0, radius, outline, 48)]
-    shore = np.array(ring(pools[0], 1.0, 90))
+    return outline
+
+
+def puddle(liquid="water", radius=0.16, drops=5, stretch=1.25, form="pool", seed=0) -> Model:
+    """A spill with a rounded rim and some drops around it.
+
+    form: "pool", "round", "run" (drawn out), "splash", "twin" (two pools) or "trail" (drips).
+    """
+    rng = np.random.default_rng(seed)
+    outline = wavy(rng, stretch, form)
+    pools: list[Pool] = [(0.0, 0.0, radius, outline, 48 if form != "splash" else 64)]
+    if form == "twin":
+        other = wavy(rng, 1.05, "round")
+        away = radius * (outline(0.5) + 0.72)
+        pools.append((away * math.cos(0.5), away * math.sin(0.5), 0.6 * radius, other, 32))
+    if form == "trail":
+        away, turn = radius * outline(0.0), 0.0
+        for k in range(9):
+            r = radius * (0.34 - 0.024 * k) * uniform(rng, 0.8, 1.2)
+            away, turn = (
+                away + r + radius * uniform(rng, 0.12, 0.4),
+                turn + uniform(rng, -0.03, 0.09),
+            )
+            drop = wavy(rng, 1.08, "round")
+            pools.append((away * math.cos(turn), away * math.sin(turn), r, drop, 10))
+            away += r
+    kept = len(pools)
+    shore = np.concatenate([ring(p, 1.0, 90) for p in pools])
     for _ in range(drops * 8):
         a, r, turn = (
             uniform(rng, 0, 2 * math.pi),
@@ -161,10 +214,10 @@ def puddle(liquid="water", radius=0.16, drops=5, stretch=1.25, seed=0) -> Model:
         )
         away = radius * outline(a) + r * 1.2 + radius * uniform(rng, 0.04, 0.3)
         x, y = away * math.cos(a), away * math.sin(a)
-        apart = all(math.hypot(x - p[0], y - p[1]) > r + p[2] + 0.004 for p in pools[1:])
+        apart = all(math.hypot(x - p[0], y - p[1]) > r + p[2] + 0.004 for p in pools[kept:])
         if apart and np.hypot(*(shore - [x, y]).T).min() > r * 1.15:
             pools.append((x, y, r, lambda t, w=turn: 1 + 0.12 * math.sin(2 * t + w), 14))
-        if len(pools) > drops:
+        if len(pools) > drops + kept - 1:
             break
     points = np.concatenate([ring(p, 1.0) for p in pools])
     low, high = points.min(0), points.max(0)
@@ -205,7 +258,7 @@ MODELS = {
     "puddle": Maker(
         puddle,
         puddle_random,
-        count=7,
+        count=15,
         presets=[
             {"liquid": "water", "radius": 0.17},
             {"liquid": "milk", "radius": 0.13},
@@ -214,6 +267,14 @@ MODELS = {
             {"liquid": "wine", "radius": 0.1},
             {"liquid": "water", "radius": 0.1},
             {"liquid": "milk", "radius": 0.09},
+            {"liquid": "oil", "radius": 0.12, "form": "round", "drops": 2, "stretch": 1.0},
+            {"liquid": "soup", "radius": 0.13, "form": "splash", "drops": 7, "stretch": 1.05},
+            {"liquid": "paint", "radius": 0.11, "form": "run", "stretch": 1.7, "drops": 3},
+            {"liquid": "detergent", "radius": 0.12, "form": "twin", "stretch": 1.1, "drops": 3},
+            {"liquid": "coffee", "radius": 0.1, "form": "trail", "stretch": 1.1, "drops": 1},
+            {"liquid": "wine", "radius": 0.12, "form": "splash", "drops": 7, "stretch": 1.2},
+            {"liquid": "juice", "radius": 0.1, "form": "run", "stretch": 1.55, "drops": 4},
+            {"liquid": "water", "radius": 0.15, "form": "twin", "stretch": 1.2, "drops": 4},
         ],
     ),
 }

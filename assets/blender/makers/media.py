@@ -13,7 +13,9 @@ from toolkit.model import (
 )
 from toolkit.sampling import noise_offset, pick
 
+from .designs import extend
 from .joinery import Assembly, finish, leg
+from .media_units import TVS
 from .pictures import television
 
 Offset = tuple[float, float, float]
@@ -72,5 +74,8 @@ def tv_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "tv": Maker(tv, tv_random, 2, [{"stand": "feet", "scene": 0}, {"stand": "plate", "scene": 1}]),
+    "tv": extend(
+        Maker(tv, tv_random, 2, [{"stand": "feet", "scene": 0}, {"stand": "plate", "scene": 1}]),
+        TVS,
+    ),
 }

@@ -11,6 +11,8 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, loft, rounded_rectangle, spline, tube
 
+from .chair_forms import OFFICE_CHAIRS
+from .designs import extend
 from .joinery import Assembly, fabric, steel, surface
 
 Offset = tuple[float, float, float]
@@ -148,25 +150,28 @@ def office_chair_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "office_chair": Maker(
-        office_chair,
-        office_chair_random,
-        2,
-        [
-            {
-                "colour": "#3f464d",
-                "frame": "#2a2c2e",
-                "height": 1.04,
-                "arms": True,
-                "mesh_back": True,
-            },
-            {
-                "colour": "#557a86",
-                "frame": "#d5d7d8",
-                "height": 0.92,
-                "arms": False,
-                "mesh_back": False,
-            },
-        ],
+    "office_chair": extend(
+        Maker(
+            office_chair,
+            office_chair_random,
+            2,
+            [
+                {
+                    "colour": "#3f464d",
+                    "frame": "#2a2c2e",
+                    "height": 1.04,
+                    "arms": True,
+                    "mesh_back": True,
+                },
+                {
+                    "colour": "#557a86",
+                    "frame": "#d5d7d8",
+                    "height": 0.92,
+                    "arms": False,
+                    "mesh_back": False,
+                },
+            ],
+        ),
+        OFFICE_CHAIRS,
     ),
 }

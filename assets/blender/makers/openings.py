@@ -16,6 +16,7 @@ from toolkit.model import Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe, tube
 
+from .door_styles import glaze, grooved, louvre, planks
 from .joinery import Assembly, finish, open_closed, steel
 
 Offset = tuple[float, float, float]
@@ -122,7 +123,8 @@ def front_door(
 ) -> Model:
     """The entrance: a panelled leaf with letterbox, peephole, lock and house number.
 
-    style: "six" panels, or "glazed" with a row of small panes near the top.
+    style: "six" panels, "glazed" with a row of small panes near the top, "half" glass, "planks"
+    with iron straps, or "modern" with grooves and a strip of glass.
     """
     asm, width, height, jamb, floor = Assembly(), 1.0, 2.1, 0.047, 0.014
     paint, groove = plain(colour, 0.025, 5, offset), plain(shade(colour, 0.62), 0.03, 5)
@@ -131,7 +133,18 @@ def front_door(
     asm.board("door", (-LEAF / 2, y0, floor), (LEAF / 2, y1, z1), paint, 0.003)
     fitting = metal("d8ac4e", "8f6a26", (1, 1, 6), 40) if brass else steel(30)
     a, b = 0.34, 0.04
-    if style == "six":
+    y_span, layout = (y0, floor, y1, z1), []
+    if style == "half":
+        glaze(asm, (-0.31, 1.12, 0.31, 1.92), (3, 3), paint)
+        layout = [(-a, 0.16, a, 0.72)]
+    elif style == "planks":
+        iron = plain("#2b2c2e", 0.06, 30)
+        planks(asm, y_span, 7, paint, groove, "straps", iron)
+        glaze(asm, (-0.12, 1.62, 0.12, 1.86), (1, 1), iron)
+    elif style == "modern":
+        grooved(asm, y_span, 6, colour)
+        glaze(asm, (0.16, 0.3, 0.3, 1.9), (1, 1), plain("#b9bec2", 0.03), True)
+    elif style == "six":
         rows = [(0.16, 0.72), (1.1, 1.5), (1.58, 1.9)]
         layout = [(y, za, y + a - b, zb) for za, zb in rows for y in (-a, b)]
     else:
@@ -179,7 +192,10 @@ def front_door(
             mat_of_segment=[0, 0, 0, 1],
         )
         asm.add(
-            "door", ring.turn(ry=face * math.pi / 2).move(x, 0, 1.54 if style == "six" else 1.5)
+            "door",
+            ring.turn(ry=face * math.pi / 2).move(
+                x, 0, 1.0 if style == "half" else 1.54 if style == "six" else 1.5
+            ),
         )
     # chain on the inside
     chain = [
@@ -205,10 +221,11 @@ def front_door(
         solid=False,
     )
     plate = _number_plate(number)
+    low_z = {"half": 0.96, "planks": 1.4}.get(style, 1.7)
     asm.board(
         "door",
-        (-LEAF / 2 - 0.006, -0.06, 1.7),
-        (-LEAF / 2, 0.06, 1.8),
+        (-LEAF / 2 - 0.006, -0.06, low_z),
+        (-LEAF / 2, 0.06, low_z + 0.1),
         fitting,
         0,
         {"-x": label(plate)},
@@ -218,13 +235,22 @@ def front_door(
     _hinges(asm, width / 2 - jamb, [0.25, 1.0, 1.75], fitting)
     return _door_model(
         asm,
-        f"front door with {'panels' if style == 'six' else 'small panes'}",
+        f"front door with {FRONTS[style]}",
         width,
         jamb,
         42.0,
         0.02,
         0.25,
     )
+
+
+FRONTS = {
+    "six": "panels",
+    "glazed": "small panes",
+    "half": "a window",
+    "planks": "iron straps",
+    "modern": "a strip of glass",
+}
 
 
 def _darker(brass: bool) -> Material:
@@ -262,8 +288,10 @@ def front_door_random(rng: np.random.Generator) -> dict:
     }
 
 
-def door(colour: str = "#f1efea", panels: int = 2, offset: Offset = (0, 0, 0)) -> Model:
-    """An interior door: plain, or with shallow panels."""
+def door(
+    colour: str = "#f1efea", panels: int = 2, style: str = "panels", offset: Offset = (0, 0, 0)
+) -> Model:
+    """An interior door; style: "panels" (0: flush), "glazed", "half" glazed, "louvre", "barn"."""
     asm, width, height, jamb, floor = Assembly(), 0.9, 2.1, 0.04, 0.006
     wood = not colour.startswith("#")
     paint = finish(colour, 2, offset)
@@ -271,7 +299,18 @@ def door(colour: str = "#f1efea", panels: int = 2, offset: Offset = (0, 0, 0)) -
     _frame(asm, width, height, jamb, finish("#f1efea" if not wood else colour, 2, offset), False)
     y0, y1, z1 = -width / 2 + jamb + 0.003, width / 2 - jamb - 0.003, height - jamb - 0.003
     asm.board("door", (-LEAF / 2, y0, floor), (LEAF / 2, y1, z1), paint, 0.003)
-    if panels:
+    low, high = floor + 0.14, z1 - 0.14
+    if style == "glazed":
+        glaze(asm, (-0.3, 0.24, 0.3, high), (2, 5), paint)
+    elif style == "half":
+        glaze(asm, (-0.27, 1.12, 0.27, high), (1, 1), paint, True)
+        _panels(asm, 0.0, [(-0.27, 0.18, 0.27, 0.86)], paint, groove)
+    elif style == "louvre":
+        for z in ((low, 0.96), (1.1, high)):
+            louvre(asm, (-0.3, z[0], 0.3, z[1]), 11, paint, groove)
+    elif style == "barn":
+        planks(asm, (y0, floor, y1, z1), 6, paint, groove, "z")
+    elif panels:
         rows = {
             2: [(0.18, 0.86), (1.12, 1.88)],
             1: [(0.18, 1.88)],
@@ -282,7 +321,14 @@ def door(colour: str = "#f1efea", panels: int = 2, offset: Offset = (0, 0, 0)) -
         _panels(asm, 0.0, layout, paint, groove)
     _lever(asm, y0 + 0.06, 1.03, 1, steel(30), 0.18)
     _hinges(asm, width / 2 - jamb, [0.25, 1.75], steel(30))
-    return _door_model(asm, "interior door", width, jamb, 24.0, 0.02, 0.25)
+    kinds = {
+        "panels": f"interior door, {panels} panels" if panels else "flush interior door",
+        "glazed": "interior door with glass panes",
+        "half": "interior door, half glazed",
+        "louvre": "louvred interior door",
+        "barn": "plank door with a Z brace",
+    }
+    return _door_model(asm, kinds[style], width, jamb, 24.0, 0.02, 0.25)
 
 
 def door_random(rng: np.random.Generator) -> dict:
@@ -298,14 +344,29 @@ MODELS = {
     "front_door": Maker(
         front_door,
         front_door_random,
-        3,
+        7,
         [
             {"colour": "#7a2e2a", "style": "six", "brass": True},
             {"colour": "#2f4f45", "style": "glazed", "brass": False},
             {"colour": "#33475e", "style": "six", "brass": False},
+            {"colour": "#efece5", "style": "half", "brass": True},
+            {"colour": "#6b4527", "style": "planks", "brass": False},
+            {"colour": "#3c4044", "style": "modern", "brass": False},
+            {"colour": "#5d7f8c", "style": "half", "brass": False},
         ],
     ),
     "door": Maker(
-        door, door_random, 2, [{"colour": "#f1efea", "panels": 2}, {"colour": "oak", "panels": 0}]
+        door,
+        door_random,
+        7,
+        [
+            {"colour": "#f1efea", "panels": 2},
+            {"colour": "oak", "panels": 0},
+            {"colour": "#f1efea", "style": "glazed"},
+            {"colour": "oak", "style": "barn"},
+            {"colour": "#d9dcd8", "style": "louvre"},
+            {"colour": "#e8e4da", "style": "half"},
+            {"colour": "walnut", "panels": 4},
+        ],
     ),
 }

@@ -8,7 +8,7 @@ import numpy as np
 from toolkit import labels
 from toolkit.materials import label, plain
 from toolkit.mesh import Mesh, bevel, cube_project
-from toolkit.model import Maker, Model, Part
+from toolkit.model import Model, Part
 from toolkit.sampling import pick, seed_of, uniform
 from toolkit.shapes import box, lathe
 
@@ -213,24 +213,3 @@ def milk_carton_random(rng: np.random.Generator) -> dict:
         "cap": pick(rng, ["#ffffff", "#1f5fc4", "#c4262e"]),
         "seed": seed_of(rng),
     }
-
-
-MODELS = {
-    "milk_carton": Maker(
-        milk_carton,
-        milk_carton_random,
-        count=3,
-        presets=[
-            {"motif": "cow", "word": "MILK"},
-            {
-                "colour": "#c4262e",
-                "dark": "#8c141c",
-                "grass": "#c4262e",
-                "word": "MILK",
-                "motif": "cow",
-                "cap": "",
-            },
-            {"colour": "#2c8f4a", "dark": "#14582a", "grass": "#7fbf3f", "motif": "glass"},
-        ],
-    ),
-}

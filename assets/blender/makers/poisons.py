@@ -10,7 +10,7 @@ from toolkit.labels import canvas
 from toolkit.materials import Material, plain, shade
 from toolkit.materials import label as printed
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part, box_piece, cylinder_piece
+from toolkit.model import Model, Part, box_piece, cylinder_piece
 from toolkit.sampling import pick, uniform
 from toolkit.shapes import TAU, box, lathe, loft, spline, superellipse, tube
 
@@ -257,10 +257,11 @@ def laundry_pods(
         meshes.append(oval_body(rings, 0.14, 0.11, plain(lid, 0.03), 3.4))
         pieces.append(box_piece((0, 0, 0.124), (0.11, 0.14, 0.028)))
     else:
-        rim = [(0.111, 1.03, 1.04), (0.118, 1.03, 1.04), (0.118, 0.96, 0.95), (0.104, 0.93, 0.92)]
+        rim = [(0.1, 0.98, 0.98), (0.111, 1.03, 1.04), (0.118, 1.03, 1.04), (0.118, 0.96, 0.95)]
+        rim.append((0.104, 0.93, 0.92))
         meshes.append(oval_body(rim, 0.14, 0.11, plain(shade(body, 0.9), 0.03), 3.4))
         heap = ((-0.022, -0.038, 0.2), (0.024, -0.026, 0.8), (-0.02, 0.012, 0.5))
-        for k, (x, y, turn) in enumerate((*heap, (0.024, 0.024, 0.1), (-0.014, 0.046, 0.7))):
+        for k, (x, y, turn) in enumerate((*heap, (0.022, 0.034, 0.1))):
             one = pod(0.041, first, second).keep_pattern().turn(rx=0.2 * (k % 3 - 1), rz=turn)
             meshes.append(one.move(x, y, 0.104 + 0.003 * (k % 2)))
         pieces.append(box_piece((0, 0, 0.116), (0.09, 0.12, 0.012)))
@@ -314,148 +315,3 @@ def scouring_powder_random(rng: np.random.Generator) -> dict:
         "radius": uniform(rng, 0.034, 0.038),
         "brand": pick(rng, ["SCOURA", "Blitzan"]),
     }
-
-
-MODELS = {
-    "drain_cleaner": Maker(
-        drain_cleaner,
-        drain_cleaner_random,
-        3,
-        [
-            {
-                "kind": "gel",
-                "body": "#c8161e",
-                "paper": "#fff200",
-                "band": "#1c1c20",
-                "ink": "#111111",
-                "lid": "#1c1c20",
-                "brand": "DRAINEX",
-            },
-            {
-                "kind": "granules",
-                "body": "#1d3f94",
-                "paper": "#ffffff",
-                "band": "#d8202c",
-                "ink": "#1d3f94",
-                "lid": "#d8202c",
-                "brand": "ROHRFIX",
-            },
-            {
-                "kind": "gel",
-                "body": "#26282c",
-                "paper": "#ffffff",
-                "band": "#e8641c",
-                "ink": "#c8161e",
-                "lid": "#e8641c",
-                "brand": "PIPOX",
-            },
-        ],
-    ),
-    "toilet_cleaner": Maker(
-        toilet_cleaner,
-        toilet_cleaner_random,
-        3,
-        [
-            {
-                "body": "#1592b8",
-                "paper": "#ffffff",
-                "band": "#12356c",
-                "ink": "#12356c",
-                "lid": "#12356c",
-            },
-            {
-                "body": "#2f9a48",
-                "paper": "#f4ffe8",
-                "band": "#125c28",
-                "ink": "#b01820",
-                "lid": "#ffffff",
-                "brand": "RANDO",
-            },
-            {
-                "body": "#f2f2ee",
-                "paper": "#e83a8a",
-                "band": "#5a1a6c",
-                "ink": "#ffffff",
-                "lid": "#5a1a6c",
-                "brand": "Bowlix",
-            },
-        ],
-    ),
-    "laundry_detergent": Maker(
-        laundry_detergent,
-        laundry_detergent_random,
-        3,
-        [
-            {
-                "body": "#1f55b8",
-                "paper": "#ffffff",
-                "band": "#e8641c",
-                "ink": "#1f3f8c",
-                "lid": "#e8641c",
-                "brand": "WELLENA",
-            },
-            {
-                "body": "#e8641c",
-                "paper": "#fff6c8",
-                "band": "#1c3f9a",
-                "ink": "#b01820",
-                "lid": "#1c3f9a",
-                "brand": "Frisko",
-            },
-            {
-                "body": "#6a3fa8",
-                "paper": "#ffffff",
-                "band": "#2f9a5a",
-                "ink": "#4a1f80",
-                "lid": "#f2f2f2",
-                "brand": "LINEO",
-            },
-        ],
-    ),
-    "dishwasher_tablets": Maker(
-        dishwasher_tablets,
-        dishwasher_tablets_random,
-        2,
-        [
-            {"kind": "carton", "paper": "#f4f8fc", "band": "#1f4fa8", "ink": "#c8161e"},
-            {"kind": "pouch", "paper": "#f2c52a", "band": "#127a4a", "ink": "#0c3a5c"},
-        ],
-    ),
-    "laundry_pods": Maker(
-        laundry_pods,
-        laundry_pods_random,
-        3,
-        [
-            {
-                "kind": "loose",
-                "first": "#1f5fd0",
-                "second": "#f07a1c",
-                "body": "#ffffff",
-                "lid": "#ffffff",
-            },
-            {
-                "kind": "shut",
-                "first": "#7b2fb5",
-                "second": "#2fb070",
-                "body": "#e8641c",
-                "lid": "#7b2fb5",
-            },
-            {
-                "kind": "open",
-                "first": "#1f5fd0",
-                "second": "#2fb070",
-                "body": "#f2c52a",
-                "lid": "#ffffff",
-            },
-        ],
-    ),
-    "scouring_powder": Maker(
-        scouring_powder,
-        scouring_powder_random,
-        2,
-        [
-            {"paper": "#2f9a48", "band": "#c8161e", "ink": "#ffffff", "lid": "#f2c52a"},
-            {"paper": "#1f5fb0", "band": "#f08a1c", "ink": "#ffffff", "lid": "#c8161e"},
-        ],
-    ),
-}

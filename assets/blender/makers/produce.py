@@ -11,6 +11,9 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick, seed_of, uniform
 from toolkit.shapes import lathe, loft, spline, tube
 
+from makers import table_fruit as table
+from makers.clusters import vine_tomatoes
+from makers.produce_forms import served, with_forms
 from makers.spoilage import age, aged, spots_around, wither
 
 APPLES = {
@@ -151,7 +154,10 @@ def orange_random(rng: np.random.Generator) -> dict:
     }
 
 
-def tomato(radius=0.036, colour="c8281c", seed=0) -> Model:
+def tomato(radius=0.036, colour="c8281c", seed=0, vine: dict | None = None) -> Model:
+    """A beef tomato; vine: or small ones on a truss."""
+    if vine:
+        return vine_tomatoes(**vine)
     rng = np.random.default_rng(seed)
     r, o, phase = radius, noise_offset(rng), rng.uniform(0, 6.28)
     spots = spots_around(r, r * 0.8)
@@ -217,8 +223,48 @@ def tomato_random(rng: np.random.Generator) -> dict:
 
 MODELS = {
     "apple": Maker(
-        apple, apple_random, count=3, presets=[{"kind": "red"}, {"kind": "green"}, {"kind": "gala"}]
+        with_forms(apple),
+        apple_random,
+        count=8,
+        presets=[
+            {"kind": "red"},
+            {"kind": "green"},
+            {"kind": "gala"},
+            served(table.APPLE, "three", "red", 3),
+            served(table.APPLE, "half", "green", 4),
+            served(table.APPLE, "whole_half", "red", 5),
+            served(table.APPLE, "three", "golden", 3),
+            served(table.APPLE, "wedges", "red", 6),
+        ],
     ),
-    "orange": Maker(orange, orange_random, count=2),
-    "tomato": Maker(tomato, tomato_random, count=2),
+    "orange": Maker(
+        with_forms(orange),
+        orange_random,
+        count=8,
+        presets=[
+            {},
+            {},
+            served(table.ORANGE, "half", seed=3),
+            served(table.ORANGE, "net", seed=4),
+            served(table.ORANGE, "three", seed=5),
+            served(table.ORANGE, "whole_half", seed=6),
+            served(table.MANDARIN, "one", seed=7),
+            served(table.ORANGE, "half", "blood", 3),
+        ],
+    ),
+    "tomato": Maker(
+        with_forms(tomato),
+        tomato_random,
+        count=8,
+        presets=[
+            {},
+            {},
+            served(table.TOMATO, "three", "red", 3),
+            served(table.TOMATO, "half", "red", 4),
+            served(table.ROMA, "pair", seed=5),
+            {"vine": {"count": 6, "seed": 6}},
+            served(table.TOMATO, "three", "yellow", 3),
+            served(table.TOMATO, "whole_half", "red", 8),
+        ],
+    ),
 }

@@ -11,8 +11,11 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, seed_of, uniform
 from toolkit.shapes import ellipsoid, lathe, tube
 
+from makers import table_roots as table
 from makers.fruit import smooth_profile
-from makers.spoilage import age, aged, lying_pieces, spots_around, wither
+from makers.produce_forms import served, with_forms
+from makers.produce_kit import matured, patches
+from makers.spoilage import age, aged, lying_pieces, wither
 
 POTATOES = {"brown": ("a8824a", "c8a468", "6a4a24"), "red": ("8f3f42", "b05a58", "5a2428")}
 
@@ -90,7 +93,7 @@ def onion(size=1.0, kind="brown", seed=0) -> Model:
     rng = np.random.default_rng(seed)
     o, s = noise_offset(rng), size
     r = 0.037 * s
-    spots = spots_around(r, 0.034 * s)
+    spots = patches(r, 0.034 * s, seed)
     low, mid, dark = ONIONS[kind]
     outline = [
         (0, 0.002),
@@ -117,7 +120,7 @@ def onion(size=1.0, kind="brown", seed=0) -> Model:
         c = m.mix(m.remap(light, 0.55, 0.72, 0, 0.55), c, "f0c88a" if kind == "brown" else "c878a0")
         c = m.mix(m.remap(m.axis(2), 0.06 * s, 0.075 * s, 0, 0.75), c, "c8a468")
         c = m.mix(m.remap(m.axis(2), 0.002, 0.006 * s, 0.7, 0), c, "a89068")
-        return m.colour(age(look, m, c, r, spots, o, "1a140e", 0.45))
+        return m.colour(matured(look, m, c, r, spots, o, "2c1c10", 0.45))
 
     def shape(look: str) -> list[Mesh]:
         profile = smooth_profile([(q * s, z * s) for q, z in outline], 13)
@@ -147,6 +150,33 @@ def onion_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "potato": Maker(potato, potato_random, count=2, presets=[{}, {"kind": "red"}]),
-    "onion": Maker(onion, onion_random, count=2, presets=[{}, {"kind": "red"}]),
+    "potato": Maker(
+        with_forms(potato),
+        potato_random,
+        count=7,
+        presets=[
+            {},
+            {"kind": "red"},
+            served(table.POTATO, "three", "brown", 3),
+            served(table.POTATO, "five", "pale", 4),
+            served(table.POTATO, "net", "brown", 5),
+            served(table.POTATO, "whole_half", "brown", 6),
+            served(table.POTATO, "three", "red", 3),
+        ],
+    ),
+    "onion": Maker(
+        with_forms(onion),
+        onion_random,
+        count=8,
+        presets=[
+            {},
+            {"kind": "red"},
+            served(table.ONION, "half", "red", 3),
+            served(table.ONION, "three", "brown", 4),
+            served(table.ONION, "net", "brown", 5),
+            served(table.ONION, "whole_half", "brown", 6),
+            served(table.ONION, "three", "red", 4),
+            served(table.ONION, "pair", "white", 7),
+        ],
+    ),
 }

@@ -7,7 +7,10 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box
 
+from .armchairs import ARMCHAIRS
+from .designs import extend
 from .joinery import Assembly, cushion, fabric, finish, leg, surface
+from .sofas import SOFAS
 
 Offset = tuple[float, float, float]
 
@@ -241,31 +244,26 @@ def armchair_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "chair": Maker(
-        chair,
-        chair_random,
-        4,
-        [
-            {"wood": "oak", "seat": "#7a8a99", "style": "slats"},
-            {"wood": "#e8e6e0", "seat": None, "style": "rungs"},
-            {"wood": "walnut", "seat": "#8d9a7b", "style": "panel"},
-            {"wood": "black", "seat": None, "style": "slats"},
-        ],
+    "sofa": extend(
+        Maker(
+            upholstered_seat,
+            sofa_random,
+            3,
+            [
+                {"seats": 3, "colour": "#6f7f8c", "pillows": ("#d8a84e", "#e6ded0")},
+                {"seats": 2, "colour": "#a89a86", "pillows": ("#5d7a78",)},
+                {"seats": 3, "colour": "#5f6f5c", "pillows": ("#c98f5a", "#c98f5a")},
+            ],
+        ),
+        SOFAS,
     ),
-    "sofa": Maker(
-        upholstered_seat,
-        sofa_random,
-        3,
-        [
-            {"seats": 3, "colour": "#6f7f8c", "pillows": ("#d8a84e", "#e6ded0")},
-            {"seats": 2, "colour": "#a89a86", "pillows": ("#5d7a78",)},
-            {"seats": 3, "colour": "#5f6f5c", "pillows": ("#c98f5a", "#c98f5a")},
-        ],
-    ),
-    "armchair": Maker(
-        upholstered_seat,
-        armchair_random,
-        2,
-        [{"colour": "#b0563c", "wood": "oak"}, {"colour": "#5f7a6a", "pillows": ()}],
+    "armchair": extend(
+        Maker(
+            upholstered_seat,
+            armchair_random,
+            2,
+            [{"colour": "#b0563c", "wood": "oak"}, {"colour": "#5f7a6a", "pillows": ()}],
+        ),
+        ARMCHAIRS,
     ),
 }

@@ -11,11 +11,10 @@ import math
 import numpy as np
 from toolkit.labels import canvas, text
 from toolkit.materials import label as printed
-from toolkit.materials import metal, plain, wood
+from toolkit.materials import metal, plain
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part
-from toolkit.sampling import noise_offset, seed_of, uniform
-from toolkit.shapes import TAU, box, extrude, lathe, loft, rounded_rectangle, spline, tube
+from toolkit.model import Model, Part
+from toolkit.shapes import box, extrude, lathe, loft, spline, tube
 
 from makers.convex import few_corners
 from makers.projection import project_label
@@ -158,103 +157,6 @@ def screwdriver(kind: str, colour: str, second: str, length: float) -> Model:
     return sharp(f"screwdriver, {kind} tip", hold, blades, [handle.v], 0.11, length)
 
 
-def vegetable_peeler(kind: str, colour: str, length: float) -> Model:
-    """A Y-shaped peeler, or a straight one with a swivelling blade."""
-    grip, steel, edge = plain(colour, 0.04), metal(STEEL, STEEL_DARK), plain("f2f4f6", 0)
-    slot = plain("2c3036", 0)
-    if kind == "Y":
-        handle = extrude(rounded_rectangle(0.085, 0.02, 0.008, 3), 0.012, grip, bevel_width=0.003)
-        hold = [handle.move(-0.045)]
-        for side in (-1, 1):
-            arm = [(-0.008, 0, 0.006), (0.012, side * 0.016, 0.006), (0.026, side * 0.026, 0.007)]
-            arm += [(0.05, side * 0.027, 0.008)]
-            hold.append(tube(spline(arm, 2), 0.0048, 7, mat=grip))
-        blades = [
-            box(0.005, 0.05, 0.004, (0.041, 0, 0.006), steel),
-            box(0.003, 0.044, 0.0045, (0.045, 0, 0.0058), slot),
-            box(0.005, 0.05, 0.004, (0.049, 0, 0.006), edge),
-        ]
-        pieces = [hold[0].v, np.concatenate([m.v for m in hold[1:]])]
-        return sharp("peeler", hold, blades, pieces, 0.05, length)
-    handle = turned(
-        [
-            (0, -0.105),
-            (0.01, -0.104),
-            (0.0122, -0.08),
-            (0.0095, -0.04),
-            (0.0122, -0.012),
-            (0.006, 0),
-            (0, 0),
-        ],
-        grip,
-        10,
-    )
-    outline = spline([(0, 0.005), (0.03, 0.0085), (0.06, 0.0075), (0.078, 0.0005)], 2)
-    whole = [*outline.tolist(), *[(x, -y) for x, y in outline[::-1].tolist()[1:]]]
-    blade = extrude(whole, 0.0045, steel).move(0, 0, 0.0095)
-    gap = extrude(rounded_rectangle(0.046, 0.0045, 0.002, 2), 0.0052, slot).move(0.038, 0, 0.0092)
-    rim = extrude(rounded_rectangle(0.05, 0.0015, 0.0006, 2), 0.0056, edge).move(
-        0.038, 0.003, 0.0090
-    )
-    return sharp("peeler", [handle], [blade, gap, rim], [handle.v], 0.06, length)
-
-
-def corkscrew(kind: str, colour: str, length: float, seed: int) -> Model:
-    """A T-shaped corkscrew, or one with two winged levers."""
-    rng = np.random.default_rng(seed)
-    steel = metal(STEEL, STEEL_DARK)
-    turns, worm = 4.5, []
-    for t in np.linspace(0, 1, 32):
-        a, r = TAU * turns * t, 0.0052 * min(1.0, (1 - t) * 6 + 0.15)
-        worm.append((0.02 + 0.058 * t, r * math.cos(a), 0.012 + r * math.sin(a)))
-    screw = tube(worm, [0.0019] * 28 + [0.0017, 0.0014, 0.001, 0.0004], 5, mat=steel)
-    if kind == "T":
-        timber = wood(colour, "3a2010", 1, 30, noise_offset(rng))
-        bar = lathe(
-            [
-                (0, -0.05),
-                (0.009, -0.048),
-                (0.0115, -0.03),
-                (0.009, 0),
-                (0.0115, 0.03),
-                (0.009, 0.048),
-                (0, 0.05),
-            ],
-            10,
-            mat=timber,
-        )
-        bar.turn(rx=math.pi / 2).move(-0.004, 0, 0.012)
-        shank = tube([(0, 0, 0.012), (0.022, 0, 0.012)], 0.0034, 7, mat=steel)
-        return sharp("corkscrew", [bar], [shank, screw], [bar.v], 0.07, length)
-    paint = plain(colour, 0.04)
-    frame = lathe(
-        [(0.0, -0.012), (0.011, -0.012), (0.0115, 0.022), (0.009, 0.024), (0, 0.024)], 10, mat=steel
-    )
-    hold = [frame.turn(ry=math.pi / 2).move(z=0.012)]
-    for side in (-1, 1):
-        arm = [
-            (0.0, side * 0.01, 0.012),
-            (-0.02, side * 0.034, 0.012),
-            (-0.058, side * 0.046, 0.012),
-        ]
-        hold.append(tube(spline(arm, 3), 0.0062, 7, mat=paint, flatten=0.8))
-        gear = lathe(
-            [(0, -0.004), (0.01, -0.004), (0.01, 0.004), (0, 0.004)],
-            12,
-            mat=steel,
-            rib=lambda k, i: 0.85 if i % 2 else 1,
-        )
-        hold.append(gear.move(0.004, side * 0.014, 0.012))
-    hold.append(tube([(-0.045, 0, 0.012), (-0.01, 0, 0.012)], 0.0042, 7, mat=steel))
-    ring_path = [
-        (-0.056 + 0.011 * math.cos(TAU * k / 12), 0.014 * math.sin(TAU * k / 12), 0.012)
-        for k in range(12)
-    ]
-    hold.append(tube(ring_path, 0.0042, 6, closed=True, mat=steel))
-    pieces = [hold[0].v, hold[1].v, hold[3].v, hold[-1].v]
-    return sharp("winged corkscrew", hold, [screw], pieces, 0.2, length)
-
-
 def pizza_cutter(colour: str, length: float, words: str) -> Model:
     """A wheel with a handle, lying on its side."""
     grip, steel, edge = plain(colour, 0.04), metal(STEEL, STEEL_DARK), plain("f2f4f6", 0)
@@ -281,66 +183,9 @@ def pizza_cutter(colour: str, length: float, words: str) -> Model:
     ).move(0.045)
     picture, draw = canvas(128, 128)
     draw.ellipse((16, 16, 112, 112), outline="#8f959b", width=3)
-    text(draw, words, (26, 82, 102, 104), "bold", "#6f757b")
+    text(draw, words, (22, 82, 106, 108), "bold", "#c8202c")
     project_label(wheel, printed(picture, base="#c9cdd1"), "+z", (0, -0.045), (0.056, 0.056), 0.95)
     hub = lathe([(0, 0.012), (0.007, 0.012), (0.006, 0.0195), (0, 0.02)], 10, mat=grip).move(0.045)
     return sharp(
         "pizza cutter", [handle, fork, guard, hub], [wheel], [handle.v, guard.v], 0.14, length
     )
-
-
-def length_between(low: float, high: float):
-    """A sampler of the length alone."""
-    return lambda rng: {"length": uniform(rng, low, high)}
-
-
-MODELS = {
-    "razor": Maker(
-        razor,
-        length_between(0.125, 0.14),
-        2,
-        [
-            {"kind": "wet", "colour": "#1f6fd0", "strip": "#5fe0c0"},
-            {"kind": "cut-throat", "colour": "#5a1a1a", "strip": "", "length": 0.19},
-        ],
-    ),
-    "box_cutter": Maker(
-        box_cutter,
-        length_between(0.17, 0.19),
-        2,
-        [
-            {"colour": "#f2c21e", "slide": "#1c1c20", "out": 0.045},
-            {"colour": "#d8202c", "slide": "#f2f2ee", "out": 0.036},
-        ],
-    ),
-    "screwdriver": Maker(
-        screwdriver,
-        length_between(0.2, 0.23),
-        2,
-        [
-            {"kind": "flat", "colour": "#e8b81e", "second": "#c8202c"},
-            {"kind": "cross", "colour": "#c8202c", "second": "#1c1c20"},
-        ],
-    ),
-    "vegetable_peeler": Maker(
-        vegetable_peeler,
-        length_between(0.15, 0.18),
-        2,
-        [{"kind": "Y", "colour": "#d8202c", "length": 0.14}, {"kind": "I", "colour": "#2f8f4a"}],
-    ),
-    "corkscrew": Maker(
-        corkscrew,
-        lambda rng: {"length": uniform(rng, 0.1, 0.12), "seed": seed_of(rng)},
-        2,
-        [
-            {"kind": "T", "colour": "#a8703a"},
-            {"kind": "wings", "colour": "#b01828", "length": 0.16},
-        ],
-    ),
-    "pizza_cutter": Maker(
-        pizza_cutter,
-        length_between(0.19, 0.21),
-        2,
-        [{"colour": "#1c1c20", "words": "TAGLIO"}, {"colour": "#c8202c", "words": "RUOTA"}],
-    ),
-}

@@ -7,6 +7,8 @@ from toolkit.materials import plain
 from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
 
+from .bookcases import WALL_SHELVES
+from .designs import extend
 from .joinery import Assembly, finish, surface
 
 Offset = tuple[float, float, float]
@@ -86,14 +88,17 @@ def wall_shelf_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "wall_shelf": Maker(
-        wall_shelf,
-        wall_shelf_random,
-        3,
-        [
-            {"style": "floating", "wood": "oak", "width": 0.8, "depth": 0.24},
-            {"style": "brackets", "wood": "pine", "width": 0.95, "depth": 0.25},
-            {"style": "box", "wood": "#e6e4de", "width": 0.7, "depth": 0.22},
-        ],
+    "wall_shelf": extend(
+        Maker(
+            wall_shelf,
+            wall_shelf_random,
+            3,
+            [
+                {"style": "floating", "wood": "oak", "width": 0.8, "depth": 0.24},
+                {"style": "brackets", "wood": "pine", "width": 0.95, "depth": 0.25},
+                {"style": "box", "wood": "#e6e4de", "width": 0.7, "depth": 0.22},
+            ],
+        ),
+        WALL_SHELVES,
     ),
 }

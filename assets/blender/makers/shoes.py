@@ -1,4 +1,4 @@
-"""Pairs of shoes."""
+"""Uppers and soles of shoes, sneakers and loafers (the categories: footwear.py)."""
 
 from __future__ import annotations
 
@@ -7,65 +7,63 @@ from labels import skins
 from toolkit.materials import Material, plain, shade
 from toolkit.materials import label as printed
 from toolkit.mesh import Mesh
-from toolkit.model import (
-    Maker,
-    Model,
-    Part,
-)
-from toolkit.sampling import pick, uniform
 from toolkit.shapes import (
     loft,
-    spline,
     tube,
 )
 
-from makers.convex import few_corners
-
 # Stations from heel (0) to toe (1) of a shoe 0.28 m long.
-_STATIONS = np.array([0, 0.02, 0.09, 0.2, 0.32, 0.42, 0.5, 0.6, 0.71, 0.82, 0.91, 0.97, 1.0])
+STATIONS = np.array([0, 0.03, 0.13, 0.28, 0.42, 0.5, 0.63, 0.79, 0.92, 1.0])
 
 
 _KEYS = [0, 0.012, 0.04, 0.1, 0.2, 0.35, 0.5, 0.65, 0.75, 0.85, 0.93, 0.98, 1]
 
 
-_HALF_WIDTH = np.interp(
-    _STATIONS,
+HALF_WIDTH = np.interp(
+    STATIONS,
     _KEYS,
     [0.0006, 0.016, 0.024, 0.031, 0.034, 0.034, 0.038, 0.045, 0.047, 0.044, 0.034, 0.020, 0.006],
 )
 
 
-_CENTRE = np.interp(_STATIONS, [0, 0.3, 0.5, 0.7, 0.9, 1], [0, 0, -0.001, 0, 0.006, 0.010])
+CENTRE = np.interp(STATIONS, [0, 0.3, 0.5, 0.7, 0.9, 1], [0, 0, -0.001, 0, 0.006, 0.010])
 
 
-_SOLE_TOP = np.interp(_STATIONS, [0, 0.3, 0.6, 0.85, 1], [0.028, 0.026, 0.021, 0.020, 0.024])
+SOLE_TOP = np.interp(STATIONS, [0, 0.3, 0.6, 0.85, 1], [0.028, 0.026, 0.021, 0.020, 0.024])
 
 
-_ACROSS = 14  # faces across the upper
+_ACROSS = 12  # faces across the upper
 
 
-def _upper(top: np.ndarray, opening_end: float, skin: Material, lining: Material) -> Mesh:
+def upper(
+    top: np.ndarray,
+    opening_end: float,
+    skin: Material,
+    lining: Material,
+    sole_top: np.ndarray | None = None,
+) -> Mesh:
     """The shoe's upper: an open trough at the ankle that closes into the toe box.
 
     top: height of the rim (at the opening) or of the ridge, per station.
     """
     opening = np.interp(
-        _STATIONS, [0, 0.02, 0.09, 0.2, 0.32, 0.42, 0.5], [0.2, 0.5, 0.7, 0.74, 0.74, 0.66, 0.5]
+        STATIONS, [0, 0.02, 0.09, 0.2, 0.32, 0.42, 0.5], [0.2, 0.5, 0.7, 0.74, 0.74, 0.66, 0.5]
     )
     us = np.linspace(0, 1, _ACROSS + 1)
-    rings, is_open = [], opening_end > _STATIONS
-    for k, t in enumerate(_STATIONS):
+    rings, is_open = [], opening_end > STATIONS
+    sole_top = SOLE_TOP if sole_top is None else sole_top
+    for k, t in enumerate(STATIONS):
         x, w, c, h, base = (
             (t - 0.5) * 0.28,
-            _HALF_WIDTH[k],
-            _CENTRE[k],
+            HALF_WIDTH[k],
+            CENTRE[k],
             top[k],
-            _SOLE_TOP[k] - 0.004,
+            sole_top[k] - 0.004,
         )
         if is_open[k]:
             rim = w * opening[k]
             side = []
-            for f in np.linspace(0, 1, 5):
+            for f in np.linspace(0, 1, 4):
                 bulge = 0.004 * min(1.0, w / 0.03) ** 2 * np.sin(np.pi * f)
                 side.append((w + (rim * 1.02 - w) * f**1.6 + bulge, base + (h - base) * f))
             side += [(rim * 0.9, h - 0.002), (rim * 0.82, base + 0.012)]
@@ -79,13 +77,13 @@ def _upper(top: np.ndarray, opening_end: float, skin: Material, lining: Material
             rings.append(
                 np.c_[np.full(len(us), x), y, base + (h - base) * np.abs(sin) ** (2 / 2.2)]
             )
-    inside = range(5, 9)
+    inside = range(4, 8)
 
     def which(k: int, i: int) -> int:
         return (
             1
             if is_open[k]
-            and i in (inside if is_open[min(k + 1, len(_STATIONS) - 1)] else range(5, 9))
+            and i in (inside if is_open[min(k + 1, len(STATIONS) - 1)] else range(4, 8))
             else 0
         )
 
@@ -96,20 +94,20 @@ def _upper(top: np.ndarray, opening_end: float, skin: Material, lining: Material
         def u(a: int, open_here: bool = bool(is_open[k])) -> float:
             if not open_here:
                 return a / _ACROSS
-            return a / 5 * 0.4 if a <= 5 else 0.6 + (a - 9) / 5 * 0.4 if a >= 9 else 0.5
+            return a / 4 * 0.4 if a <= 4 else 0.6 + (a - 8) / 4 * 0.4 if a >= 8 else 0.5
 
         mesh.label_uv[number] = [
-            (u(j), _STATIONS[k]),
-            (u(j + 1), _STATIONS[k]),
-            (u(j + 1), _STATIONS[k + 1]),
-            (u(j), _STATIONS[k + 1]),
+            (u(j), STATIONS[k]),
+            (u(j + 1), STATIONS[k]),
+            (u(j + 1), STATIONS[k + 1]),
+            (u(j), STATIONS[k + 1]),
         ]
     return mesh.flip().weigh(1.25)
 
 
-def _sole(colour: str, stripe: str, tread: str, heel: float) -> Mesh:
+def sole_of(colour: str, stripe: str, tread: str, heel: float) -> Mesh:
     """The sole with a toe spring; `heel` raises the shoe's back (a leather shoe's heel block)."""
-    t = 0.5 - 0.5 * np.cos(np.linspace(0, np.pi, 11))
+    t = 0.5 - 0.5 * np.cos(np.linspace(0, np.pi, 8))
     w = np.interp(
         t,
         [0, 0.04, 0.1, 0.2, 0.35, 0.5, 0.65, 0.75, 0.85, 0.93, 0.98, 1],
@@ -129,22 +127,21 @@ def _sole(colour: str, stripe: str, tread: str, heel: float) -> Mesh:
 
     middle = 0.5 * (low + high)
     rings = [
-        ring(low, 0.97),
-        ring(low + 0.004, 1.0),
+        ring(low, 0.98),
         ring(middle, 1.01),
         ring(middle + 0.004, 1.01),
         ring(high - 0.0005, 0.985),
     ]
     mats = [plain(colour, 0.04, 80), plain(stripe, 0.0), plain(tread, 0.1, 120)]
-    return loft(rings, mats=mats, mat_of_face=lambda k, i: 2 if k == 0 else 1 if k == 2 else 0)
+    return loft(rings, mats=mats, mat_of_face=lambda k, i: 1 if k == 1 else 0)
 
 
-def _sneaker(
+def sneaker(
     main: str, accent: str, cap: str, tongue: str, sole: str, lace: str, stripe: str
 ) -> list[Mesh]:
     keys = [0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.46, 0.5, 0.6, 0.7, 0.8, 0.88, 0.94, 0.98, 1]
     top = np.interp(
-        _STATIONS,
+        STATIONS,
         keys,
         [
             0.094,
@@ -168,13 +165,12 @@ def _sneaker(
         printed(skins.sneaker(main, accent, cap, tongue, stripe)),
         plain("#5b6068", 0.1, 100),
     )
-    meshes = [_upper(top, 0.47, skin, lining), _sole(sole, accent, "#3a3330", 0.0)]
+    meshes = [upper(top, 0.47, skin, lining), sole_of(sole, accent, "#3a3330", 0.0)]
     rings = []
     for t, z, w in (
         (0.6, 0.074, 0.013),
         (0.5, 0.093, 0.018),
-        (0.43, 0.112, 0.021),
-        (0.405, 0.120, 0.015),
+        (0.42, 0.117, 0.02),
     ):
         x = (t - 0.5) * 0.28
         rings.append(
@@ -189,31 +185,18 @@ def _sneaker(
         )
     meshes.append(loft(rings, mat=plain(tongue, 0.06, 200)))
     string = plain(lace, 0.05, 300)
-    for t in (0.49, 0.55, 0.61, 0.67, 0.73):
-        x, z = (t - 0.5) * 0.28, float(np.interp(t, _STATIONS, top)) + 0.0015
-        half = float(np.interp(t, _STATIONS, _HALF_WIDTH)) * 0.42
-        points = [
-            (x - 0.004, -half, z - 0.009),
-            (x, -half * 0.5, z),
-            (x, half * 0.5, z),
-            (x - 0.004, half, z - 0.009),
-        ]
+    for t in (0.51, 0.6, 0.69):
+        x, z = (t - 0.5) * 0.28, float(np.interp(t, STATIONS, top)) + 0.0015
+        half = float(np.interp(t, STATIONS, HALF_WIDTH)) * 0.42
+        points = [(x - 0.004, -half, z - 0.009), (x, 0, z), (x - 0.004, half, z - 0.009)]
         meshes.append(tube(points, 0.004, 3, mat=string, up=(1, 0, 0), weight=0.8))
-    for q in (-1, 1):
-        bow = [
-            (-0.006, 0, 0.097),
-            (0.004, q * 0.014, 0.103),
-            (0.013, q * 0.03, 0.093),
-            (0.002, q * 0.012, 0.094),
-        ]
-        meshes.append(tube(spline(bow, 2), 0.003, 3, mat=string, weight=0.6))
     return meshes
 
 
-def _loafer(leather: str, sole: str) -> list[Mesh]:
+def loafer(leather: str, sole: str) -> list[Mesh]:
     keys = [0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.46, 0.5, 0.6, 0.7, 0.8, 0.88, 0.94, 0.98, 1]
     top = np.interp(
-        _STATIONS,
+        STATIONS,
         keys,
         [
             0.083,
@@ -238,8 +221,7 @@ def _loafer(leather: str, sole: str) -> list[Mesh]:
     for t, z, w in (
         (0.57, 0.072, 0.02),
         (0.5, 0.077, 0.024),
-        (0.44, 0.079, 0.022),
-        (0.42, 0.077, 0.014),
+        (0.42, 0.078, 0.02),
     ):
         x = (t - 0.5) * 0.28
         rings.append(
@@ -253,94 +235,7 @@ def _loafer(leather: str, sole: str) -> list[Mesh]:
             ]
         )
     return [
-        _upper(top, 0.5, skin, lining),
-        _sole(sole, shade(sole, 0.8), "#241c18", 0.007),
+        upper(top, 0.5, skin, lining),
+        sole_of(sole, shade(sole, 0.8), "#241c18", 0.007),
         loft(rings, mat=plain(shade(leather, 0.9), 0.05, 100)),
     ]
-
-
-def shoe(style: str, length: float, colours: dict[str, str], turn: float, slip: float) -> Model:
-    """A pair of shoes as somebody steps out of them; toes towards +X."""
-    meshes = []
-    pieces = []
-    s = length / 0.28
-    for side in (-1, 1):
-        one = _sneaker(**colours) if style == "sneaker" else _loafer(**colours)
-        for mesh in one:
-            mesh.scale(s, s * side, s)
-            mesh.turn(rz=side * 0.06 + (turn if side > 0 else 0.0)).move(
-                slip if side > 0 else 0.0, side * 0.062 * s
-            )
-        meshes += one
-        points = np.concatenate([m.v for m in one[:2]])
-        for low, high in ((0.0, 0.45), (0.4, 1.0)):
-            span = np.quantile(points[:, 0], [0, 1])
-            x = (points[:, 0] - span[0]) / (span[1] - span[0])
-            pieces.append(few_corners(points[(x >= low) & (x <= high)]))
-    lowest = min(float(m.v[:, 2].min()) for m in meshes)
-    for mesh in meshes:
-        mesh.move(z=-lowest)
-    title = "pair of sneakers" if style == "sneaker" else "pair of loafers"
-    return Model(title, {"body": Part(meshes, collision=pieces)}, mass=0.7, friction=0.8)
-
-
-def shoe_random(rng: np.random.Generator) -> dict:
-    main, accent = pick(
-        rng,
-        [
-            ("#f2f2f0", "#1d4fa8"),
-            ("#26282c", "#f2f2f0"),
-            ("#c8242c", "#ffffff"),
-            ("#2f6fb8", "#f4d03a"),
-        ],
-    )
-    colours = {
-        "main": main,
-        "accent": accent,
-        "cap": main,
-        "tongue": accent,
-        "sole": "#f4f4f0",
-        "lace": "#ffffff",
-        "stripe": pick(rng, ["three", "wave", "bars"]),
-    }
-    return {
-        "style": "sneaker",
-        "length": uniform(rng, 0.25, 0.29),
-        "colours": colours,
-        "turn": uniform(rng, 0.05, 0.3),
-        "slip": uniform(rng, -0.05, 0.04),
-    }
-
-
-MODELS = {
-    "shoe": Maker(
-        shoe,
-        shoe_random,
-        3,
-        [
-            {
-                "colours": {
-                    "main": "#f2f2f0",
-                    "accent": "#1d4fa8",
-                    "cap": "#f2f2f0",
-                    "tongue": "#1d4fa8",
-                    "sole": "#f4f4f0",
-                    "lace": "#ffffff",
-                    "stripe": "three",
-                }
-            },
-            {"style": "loafer", "colours": {"leather": "#7a4526", "sole": "#2a211c"}},
-            {
-                "colours": {
-                    "main": "#c8242c",
-                    "accent": "#ffffff",
-                    "cap": "#f4f4f0",
-                    "tongue": "#c8242c",
-                    "sole": "#f4f4f0",
-                    "lace": "#ffffff",
-                    "stripe": "wave",
-                }
-            },
-        ],
-    ),
-}

@@ -1,4 +1,4 @@
-"""Folded towels and blankets, cushions."""
+"""Folded towels and blankets, square cushions (the categories: linen.py, cushions.py)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from toolkit.materials import Material, plain, shade
 from toolkit.materials import label as printed
 from toolkit.mesh import Mesh
 from toolkit.model import (
-    Maker,
     Model,
     Part,
     Support,
@@ -24,7 +23,7 @@ from toolkit.shapes import (
 )
 
 
-def _folded(
+def folded(
     length: float, width: float, layer: float, folds: int, mat: Material, rng: np.random.Generator
 ) -> list[Mesh]:
     """A cloth folded `folds` times back and forth: one thick ribbon, its bends at +X and -X."""
@@ -61,7 +60,7 @@ def _folded(
     return [ribbon.warp(soften)]
 
 
-def _block(cloth: Mesh, margin: float) -> tuple[np.ndarray, Support]:
+def block(cloth: Mesh, margin: float) -> tuple[np.ndarray, Support]:
     """The box around a folded cloth, and the surface on top of it."""
     low, high = cloth.v.min(0), cloth.v.max(0)
     piece = box_piece((low + high) / 2, high - low)
@@ -71,7 +70,7 @@ def _block(cloth: Mesh, margin: float) -> tuple[np.ndarray, Support]:
     )
 
 
-def _terry(
+def terry(
     colour: str,
     band: str,
     at: list[tuple[float, float]],
@@ -105,9 +104,9 @@ def towel(
         (width * 0.37, width * 0.39),
         (width * 0.22, width * 0.24),
     ]
-    mat = _terry(colour, band, bands, 1, rng, 330)
-    meshes = _folded(length, width, layer, folds, mat, rng)
-    piece, support = _block(meshes[0], 0.04)
+    mat = terry(colour, band, bands, 1, rng, 330)
+    meshes = folded(length, width, layer, folds, mat, rng)
+    piece, support = block(meshes[0], 0.04)
     return Model(
         "folded towel",
         {"body": Part(meshes, collision=[piece])},
@@ -134,18 +133,10 @@ def towel_random(rng: np.random.Generator) -> dict:
     }
 
 
-def blanket(
-    length: float,
-    width: float,
-    layer: float,
-    folds: int,
-    colours: list[str],
-    pattern: str,
-    fringe: bool,
-    seed: int,
-) -> Model:
-    """A thick folded blanket, plaid or striped, with a fringe or without."""
-    rng = np.random.default_rng(seed)
+def blanket_wool(
+    colours: list[str], pattern: str, width: float, rng: np.random.Generator
+) -> Material:
+    """Plaid or striped wool; stripes run across y within `width`."""
     m = Material()
     wool = m.noise(240, 3, 0.7, offset=noise_offset(rng))
     base = m.mix(m.remap(wool, 0.35, 0.65), shade(colours[0], 0.84), shade(colours[0], 1.1))
@@ -167,8 +158,23 @@ def blanket(
                 m.remap(m.axis(1), high * width - 0.002, high * width, 1, 0),
             )
             base = m.mix(m.math("MULTIPLY", inside, 0.85), base, colours[colour])
-    m.colour(base)
-    meshes = _folded(length, width, layer, folds, m, rng)
+    return m.colour(base)
+
+
+def blanket(
+    length: float,
+    width: float,
+    layer: float,
+    folds: int,
+    colours: list[str],
+    pattern: str,
+    fringe: bool,
+    seed: int,
+) -> Model:
+    """A thick folded blanket, plaid or striped, with a fringe or without."""
+    rng = np.random.default_rng(seed)
+    m = blanket_wool(colours, pattern, width, rng)
+    meshes = folded(length, width, layer, folds, m, rng)
     height = layer * folds
     if fringe:
         tassel = plain(shade(colours[0], 1.05), 0.15, 200)
@@ -182,7 +188,7 @@ def blanket(
                 .turn(ry=0.35 * q, rz=float(rng.normal(0, 0.15)))
                 .move(x + q * 0.03, y, z)
             )
-    piece, support = _block(meshes[0], 0.05)
+    piece, support = block(meshes[0], 0.05)
     return Model(
         "folded blanket",
         {"body": Part(meshes, collision=[piece])},
@@ -209,7 +215,9 @@ def blanket_random(rng: np.random.Generator) -> dict:
     }
 
 
-def cushion(size: float, puff: float, colours: list[str], pattern: str, seed: int) -> Model:
+def cushion(
+    size: float, puff: float, colours: list[str], pattern: str, seed: int, aspect: float = 1.0
+) -> Model:
     """A square sofa cushion lying flat, its corners drawn out, with a dent in the middle."""
     rng = np.random.default_rng(seed)
     n = 12
@@ -226,7 +234,8 @@ def cushion(size: float, puff: float, colours: list[str], pattern: str, seed: in
         for i, u in enumerate(us):
             for j, v in enumerate(us):
                 pull = 0.07 * (1 - u * u) * abs(v) ** 3, 0.07 * (1 - v * v) * abs(u) ** 3
-                x, y = u * (1 - pull[1]) * size / 2, v * (1 - pull[0]) * size / 2
+                x = u * (1 - pull[1]) * size / 2 * aspect
+                y = v * (1 - pull[0]) * size / 2
                 swell = (max(0.0, 1 - abs(u) ** 2.3) * max(0.0, 1 - abs(v) ** 2.3)) ** 0.6
                 dent = (
                     0.14 * math.exp(-((u - 0.1) ** 2 + (v + 0.05) ** 2) / 0.12) if side > 0 else 0.0
@@ -270,8 +279,8 @@ def cushion(size: float, puff: float, colours: list[str], pattern: str, seed: in
     top = float(mesh.v[:, 2].max())
     flat, inner = size * 0.96, size * 0.62
     piece = np.r_[
-        box_piece((0, 0, top * 0.42), (flat, flat, 0.02)),
-        box_piece((0, 0, top / 2), (inner, inner, top * 0.98)),
+        box_piece((0, 0, top * 0.42), (flat * aspect, flat, 0.02)),
+        box_piece((0, 0, top / 2), (inner * aspect, inner, top * 0.98)),
     ]
     return Model("sofa cushion", {"body": Part([mesh], collision=[piece])}, mass=0.5, friction=0.9)
 
@@ -284,37 +293,3 @@ def cushion_random(rng: np.random.Generator) -> dict:
         "pattern": "stripes",
         "seed": seed_of(rng),
     }
-
-
-MODELS = {
-    "towel": Maker(
-        towel,
-        towel_random,
-        3,
-        [
-            {"colour": "#7fb0c8", "band": "#f4f4f0"},
-            {"colour": "#f2efe6", "band": "#8a6a4a"},
-            {"colour": "#c8505c", "band": "#f6e8e6"},
-        ],
-    ),
-    "blanket": Maker(
-        blanket,
-        blanket_random,
-        3,
-        [
-            {"colours": ["#a8323a", "#26303c", "#e9dcc0"]},
-            {"pattern": "stripes", "fringe": False, "colours": ["#efe8d8", "#3f6a94", "#c8503a"]},
-            {"colours": ["#3a5a4a", "#1f2c28", "#e0cf9a"]},
-        ],
-    ),
-    "cushion": Maker(
-        cushion,
-        cushion_random,
-        3,
-        [
-            {},
-            {"pattern": "plain", "colours": ["#2f7f78", "#24645f", "#ffffff"]},
-            {"pattern": "diamonds", "colours": ["#f0e6d0", "#e2a02c", "#3a4f78"]},
-        ],
-    ),
-}

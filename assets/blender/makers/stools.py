@@ -10,7 +10,10 @@ from toolkit.model import Maker, Model, Support, cylinder_piece, prism_piece, ro
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import extrude, lathe, loft, rounded_rectangle, tube
 
+from .bench_forms import BENCHES, STEP_STOOLS
+from .designs import extend
 from .joinery import Assembly, cushion, fabric, finish, leg, surface
+from .stool_forms import STOOLS
 
 Offset = tuple[float, float, float]
 
@@ -243,31 +246,40 @@ def step_stool_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "bench": Maker(
-        bench,
-        bench_random,
-        2,
-        [
-            {"wood": "oak", "pad": None, "length": 1.0, "depth": 0.36, "height": 0.46},
-            {"wood": "walnut", "pad": "#6d8077", "length": 1.2, "depth": 0.4, "height": 0.47},
-        ],
+    "bench": extend(
+        Maker(
+            bench,
+            bench_random,
+            2,
+            [
+                {"wood": "oak", "pad": None, "length": 1.0, "depth": 0.36, "height": 0.46},
+                {"wood": "walnut", "pad": "#6d8077", "length": 1.2, "depth": 0.4, "height": 0.47},
+            ],
+        ),
+        BENCHES,
     ),
-    "stool": Maker(
-        stool,
-        stool_random,
-        2,
-        [
-            {"height": 0.46, "wood": "birch", "pad": None, "width": 0.35},
-            {"height": 0.64, "wood": "oak", "pad": "#8c4f3d", "width": 0.34},
-        ],
+    "stool": extend(
+        Maker(
+            stool,
+            stool_random,
+            2,
+            [
+                {"height": 0.46, "wood": "birch", "pad": None, "width": 0.35},
+                {"height": 0.64, "wood": "oak", "pad": "#8c4f3d", "width": 0.34},
+            ],
+        ),
+        STOOLS,
     ),
-    "step_stool": Maker(
-        step_stool,
-        step_stool_random,
-        2,
-        [
-            {"steps": 1, "colour": "#5aa9a0", "accent": "#f3f1ea"},
-            {"steps": 2, "colour": "#7fa6b8", "accent": "birch"},
-        ],
+    "step_stool": extend(
+        Maker(
+            step_stool,
+            step_stool_random,
+            2,
+            [
+                {"steps": 1, "colour": "#5aa9a0", "accent": "#f3f1ea"},
+                {"steps": 2, "colour": "#7fa6b8", "accent": "birch"},
+            ],
+        ),
+        STEP_STOOLS,
     ),
 }

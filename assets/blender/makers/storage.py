@@ -7,6 +7,9 @@ from toolkit.model import Container, Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, tube
 
+from .bookcases import BOOKSHELVES
+from .designs import extend
+from .dressers import NIGHTSTANDS
 from .joinery import (
     Assembly,
     bar_handle,
@@ -20,6 +23,8 @@ from .joinery import (
     steel,
     surface,
 )
+from .media_units import TV_STANDS
+from .wardrobes import WARDROBES
 
 Offset = tuple[float, float, float]
 
@@ -255,7 +260,7 @@ def tv_stand(
     wood: str = "walnut",
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A low board: an open bay with a shelf in the middle, closed fronts left and right."""
+    """A low board: an open bay with a shelf in the middle, doors left and right."""
     asm, half, t, base = Assembly(), width / 2, 0.022, 0.12
     x0, x1, third = -depth / 2, depth / 2, width / 6
     case = finish(wood, 1, offset)
@@ -270,32 +275,51 @@ def tv_stand(
         case,
     )
     fronts = finish("#e6e2d8" if wood != "birch" else "birch", 1, offset)
-    for y0, y1 in ((-half + t, -third - t / 2), (third + t / 2, half - t)):
+    joints, settings, states, containers, floors = {}, {}, [], [], []
+    for side, y0, y1 in (
+        ("left", -half + t, -third - t / 2),
+        ("right", third + t / 2, half - t),
+    ):
+        door = f"door_{side}"
         low, high = (
             (x1 - 0.024, y0 + 0.002, base + t + 0.002),
             (x1 - 0.004, y1 - 0.002, height - t - 0.002),
         )
-        asm.board("body", low, high, fronts, 0.002)
+        asm.board(door, low, high, fronts, 0.002)
         groove = (y0 + y1) / 2
         slot = (
             (x1 - 0.006, groove - 0.06, height - t - 0.03),
             (x1 + 0.004, groove + 0.06, height - t - 0.018),
         )
-        asm.board("body", *slot, steel(), solid=False)
+        asm.board(door, *slot, steel(), solid=False)
+        outer = y0 + 0.002 if side == "left" else y1 - 0.002
+        joints[door], settings[door] = hinge(x1 - 0.004, outer), {"joint": door}
+        states += open_closed(door, door)
+        room = height - base - 2 * t
+        center = ((x0 + x1) / 2 - 0.01, (y0 + y1) / 2, base + t + room / 2)
+        size = (depth - 0.05, y1 - y0 - 0.004, room - 0.004)
+        containers.append(Container(f"inside_{side}", center, size, "body", door))
+        at = (x0 + 0.01, y0), (x1 - 0.026, y1)
+        name = f"inside_{side}"
+        floors.append(surface(f"{name}_floor", *at, base + t, room, name))
     for x in (x0 + 0.05, x1 - 0.05):
         for y in (-half + 0.1, half - 0.1):
             leg(asm, "body", (x, y), (x, y), (0, base), (0.013, 0.02), case)
     low, high = (x0 + 0.01, -third + t / 2), (x1, third - t / 2)
     return Model(
         title=f"{wood} tv stand",
-        parts=asm.parts(),
+        parts=asm.parts(**settings),
         mass=32.0,
+        joints=joints,
+        states=states,
+        containers=containers,
         supports=[
             surface("top", (x0, -half), (x1, half), height),
             surface("shelf_1", low, high, base + t, middle - 0.009 - base - t),
             surface(
                 "shelf_2", low, (x1 - 0.03, high[1]), middle + 0.009, height - t - middle - 0.009
             ),
+            *floors,
         ],
         ground_shadow=True,
     )
@@ -312,27 +336,38 @@ def tv_stand_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "bookshelf": Maker(
-        bookshelf,
-        bookshelf_random,
-        3,
-        [
-            {"wood": "oak", "shelves": 5, "height": 1.85},
-            {"wood": "#e9e7e1", "shelves": 4, "height": 1.75},
-            {"wood": "walnut", "shelves": 5, "width": 0.95},
-        ],
+    "bookshelf": extend(
+        Maker(
+            bookshelf,
+            bookshelf_random,
+            3,
+            [
+                {"wood": "oak", "shelves": 5, "height": 1.85},
+                {"wood": "#e9e7e1", "shelves": 4, "height": 1.75},
+                {"wood": "walnut", "shelves": 5, "width": 0.95},
+            ],
+        ),
+        BOOKSHELVES,
     ),
-    "wardrobe": Maker(
-        wardrobe,
-        wardrobe_random,
-        2,
-        [{"wood": "#eceae5", "style": "shaker"}, {"wood": "oak", "style": "slab"}],
+    "wardrobe": extend(
+        Maker(
+            wardrobe,
+            wardrobe_random,
+            2,
+            [{"wood": "#eceae5", "style": "shaker"}, {"wood": "oak", "style": "slab"}],
+        ),
+        WARDROBES,
     ),
-    "nightstand": Maker(
-        nightstand,
-        nightstand_random,
-        2,
-        [{"wood": "oak", "legs": True}, {"wood": "#e9e7e1", "legs": False}],
+    "nightstand": extend(
+        Maker(
+            nightstand,
+            nightstand_random,
+            2,
+            [{"wood": "oak", "legs": True}, {"wood": "#e9e7e1", "legs": False}],
+        ),
+        NIGHTSTANDS,
     ),
-    "tv_stand": Maker(tv_stand, tv_stand_random, 2, [{"wood": "walnut"}, {"wood": "oak"}]),
+    "tv_stand": extend(
+        Maker(tv_stand, tv_stand_random, 2, [{"wood": "walnut"}, {"wood": "oak"}]), TV_STANDS
+    ),
 }

@@ -13,6 +13,7 @@ from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe, tube
 
 from .joinery import Assembly, bar_handle, open_closed, steel, surface
+from .stove_extras import extras
 
 Offset = tuple[float, float, float]
 WIDTH, BACK, CASE_FRONT, DOOR_FRONT = 0.6, -0.30, 0.25, 0.285
@@ -85,7 +86,7 @@ def _body(
             (0.013, 0.03),
             (0, 0.03),
         ]
-        asm.add("body", lathe(turned, 9, mat=knob).turn(ry=math.pi / 2).move(DOOR_FRONT, y, 0.815))
+        asm.add("body", lathe(turned, 6, mat=knob).turn(ry=math.pi / 2).move(DOOR_FRONT, y, 0.815))
         pointer = (DOOR_FRONT + 0.029, y - 0.0025, 0.815), (DOOR_FRONT + 0.032, y + 0.0025, 0.832)
         asm.board("body", *pointer, mark, solid=False)
     # oven door
@@ -100,6 +101,13 @@ def _body(
     pen.rectangle((0, 0, 127, 71), outline="#3a3f44", width=3)
     low, high = (DOOR_FRONT - 0.004, -0.2, 0.31), (DOOR_FRONT + 0.004, 0.2, 0.58)
     asm.board(part, low, high, dark, 0.002, {"+x": label(window)}, 1.3, solid=False)
+    glow, pen = labels.canvas(128, 72, "#f2b64a")
+    pen.rectangle((0, 0, 127, 71), outline="#7a4a12", width=5)
+    for z in (24, 48):
+        pen.line((6, z, 122, z), fill="#8a5a1c", width=3)
+    bright = {"+x": label(glow, occlusion=0.0)}
+    low, high = (DOOR_FRONT + 0.001, -0.195, 0.315), (DOOR_FRONT + 0.0065, 0.195, 0.575)
+    asm.board("oven_light", low, high, glowing("#7a4a12"), 0, bright, 1.0, solid=False)
     inner = (
         (CASE_FRONT - 0.008, -half + w + 0.006, 0.258),
         (CASE_FRONT + 0.003, half - w - 0.006, 0.672),
@@ -121,7 +129,7 @@ def _coils(asm: Assembly) -> float:
         ]
         bowl += [(r * 0.95, HOB + 0.005), (0, HOB + 0.005)]
         asm.add("body", lathe(bowl, 14, mat=chrome).move(x, y, 0))
-        turns, per_turn = (2.7, 9) if r > 0.09 else (2.3, 9)
+        turns, per_turn = (2.6, 8) if r > 0.09 else (2.2, 8)
         t = np.linspace(0, 1, int(turns * per_turn) + 1)
         angle, radius = 2 * math.pi * turns * t, r * (0.24 + 0.74 * t)
         path = np.c_[
@@ -147,12 +155,20 @@ def _coils(asm: Assembly) -> float:
     return top
 
 
-def _zone_picture(lit: bool, size: int = 128) -> Image.Image:
+def _zone_picture(lit: bool, induction: bool = False, size: int = 128) -> Image.Image:
     """A cooking zone from above: printed rings, or glowing heater bands."""
     y, x = np.mgrid[0:size, 0:size]
     d = np.hypot(x - size / 2 + 0.5, y - size / 2 + 0.5) / (size / 2)
     image = np.zeros((size, size, 3))
-    if lit:
+    if induction:
+        image[:] = (0.07, 0.072, 0.078)
+        u, v = abs(x - size / 2 + 0.5), abs(y - size / 2 + 0.5)
+        cross = ((u < 2) | (v < 2)) & (d > 0.45) & (d < 0.85)
+        image[cross] = (0.8, 0.82, 0.84)
+        if lit:
+            image[np.abs(d - 0.86) < 0.1] = (1.0, 0.28, 0.2)
+            image[d < 0.35] = (0.95, 0.3, 0.2)
+    elif lit:
         bands = 0.5 + 0.5 * np.cos(d * 2 * math.pi * 4.0)
         heat = np.clip(1.1 - 0.25 * d, 0, 1) * (0.42 + 0.58 * bands) * (d < 0.96)
         image = np.stack([0.2 + 0.65 * heat, 0.36 * heat**2.2, 0.07 * heat**3], -1)
@@ -164,11 +180,15 @@ def _zone_picture(lit: bool, size: int = 128) -> Image.Image:
     return Image.fromarray((image.clip(0, 1) * 255).astype(np.uint8))
 
 
-def _ceramic(asm: Assembly) -> float:
-    """Black glass with printed zones; a lit zone shows red heater bands."""
+def _ceramic(asm: Assembly, induction: bool = False) -> float:
+    """Black glass with printed zones; a lit zone shows red heater bands.
+
+    induction: crosses mark the zones; a lit one shows a bright ring.
+    """
     glass, top = plain("#131416", 0.04, 20), HOB + 0.006
     asm.board("body", (BACK + 0.045, -0.285, HOB - 0.002), (0.265, 0.285, top), glass, 0.002)
-    cold, hot = label(_zone_picture(False)), label(_zone_picture(True), occlusion=0.0)
+    cold = label(_zone_picture(False, induction))
+    hot = label(_zone_picture(True, induction), occlusion=0.0)
     for k, (x, y, r) in enumerate(BURNERS, 1):
         for part, material, rise in (("body", cold, 0.003), (f"burner_{k}", hot, 0.007)):
             radius = r * (1.12 if part == "body" else 1.18)
@@ -230,9 +250,9 @@ def _gas(asm: Assembly) -> float:
         ]
         flame.colour(flame.ramp(height, stops))
         tongue = [(0, 0), (0.014, 0.014), (0.0145, 0.028), (0.008, 0.056), (0, 0.08)]
-        for j in range(12):
-            a = 2 * math.pi * j / 12
-            mesh = lathe(tongue, 5, mat=flame, discs=False).turn(ry=0.55).turn(rz=a).weigh(0.6)
+        for j in range(10):
+            a = 2 * math.pi * j / 10
+            mesh = lathe(tongue, 4, mat=flame, discs=False).turn(ry=0.55).turn(rz=a).weigh(0.6)
             asm.add(
                 f"burner_{k}",
                 mesh.move(x + math.cos(a) * q * 1.12, y + math.sin(a) * q * 1.12, base + 0.006),
@@ -279,15 +299,21 @@ def stove(
     panel: str = "#e3e4e3",
     clock: str = "12:45",
     splash: float = 0.09,
+    extra: str = "",
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A range of `kind` "coil", "ceramic" or "gas"."""
+    """A range of `kind` "coil", "ceramic", "induction" or "gas".
+
+    extra: a raised glass "lid" behind the burners, a broad "console" there, or "legs" and a rail.
+    """
     asm = Assembly()
     enamel = steel(3.0) if colour == "steel" else plain(colour, 0.02, 8, offset)
     panel_material = plain(panel, 0.03, 10)
     knob = plain("#d5d7d9" if panel < "#6" else "#2a2b2e", 0.03)
     _body(asm, enamel, panel_material, clock, knob, splash)
-    top = {"coil": _coils, "ceramic": _ceramic, "gas": _gas}[kind](asm)
+    hobs = {"coil": _coils, "ceramic": _ceramic, "gas": _gas}
+    top = _ceramic(asm, True) if kind == "induction" else hobs[kind](asm)
+    extras(asm, extra, enamel, clock)
     for k, y in enumerate(KNOBS, 1):  # a pilot lamp below the knob, for those who see no hob
         low, high = (DOOR_FRONT, y - 0.009, 0.776), (DOOR_FRONT + 0.006, y + 0.009, 0.786)
         asm.board(f"burner_{k}", low, high, glowing("#ff4a1c"), solid=False)
@@ -301,19 +327,31 @@ def stove(
     states += open_closed("oven_door", "oven_door")
     low, high = (BACK + 0.05, -0.25), (CASE_FRONT - 0.02, 0.25)
     hob_low, hob_high = ((-0.24, -0.26), (0.24, 0.26))
-    names = {"coil": "electric coils", "ceramic": "glass-ceramic hob", "gas": "gas burners"}
+    names = {
+        "coil": "electric coils",
+        "ceramic": "glass-ceramic hob",
+        "induction": "induction hob",
+        "gas": "gas burners",
+    }
+    more = {"lid": ", glass lid up", "console": ", back console", "legs": ", old-fashioned"}
+    lit = [name for name in asm.meshes if name == "oven_light"]
+    variants |= {"oven_lit": [*fixed, *lit]}
     return Model(
-        title=f"stove with {names[kind]} and an oven",
+        title=f"stove with {names[kind]} and an oven{more.get(extra, '')}",
         parts=asm.parts(
             oven_door={"joint": "oven_door"},
-            **{b: {"rgba": GLOW if kind != "ceramic" else (1.9, 1.9, 1.9, 1.0)} for b in burners},
+            oven_light={"joint": "oven_door", "rgba": GLOW},
+            **{
+                b: {"rgba": GLOW if kind not in ("ceramic", "induction") else (1.9, 1.9, 1.9, 1.0)}
+                for b in burners
+            },
         ),
         mass=48.0,
         variants=variants,
         joints={"oven_door": Joint("revolute", (DOOR_FRONT, 0, 0.216), (0, 1, 0), 0.0, 1.5)},
         states=states,
         supports=[
-            surface("top", hob_low, hob_high, top),
+            surface("top", hob_low, hob_high, top, 0.25 if extra == "legs" else None),
             surface("oven_floor", low, high, 0.25, 0.1, "oven"),
             surface("oven_rack_1", low, high, 0.36, 0.13, "oven"),
             surface("oven_rack_2", low, high, 0.5, 0.175, "oven"),
@@ -339,15 +377,20 @@ def stove_random(rng: np.random.Generator) -> dict:
     }
 
 
+PLAIN = {"colour": "#f1f1ee", "panel": "#e3e4e3", "splash": 0.0}
 MODELS = {
     "stove": Maker(
         stove,
         stove_random,
-        3,
+        7,
         [
             {"kind": "coil", "colour": "#f1f1ee", "panel": "#e3e4e3", "splash": 0.09},
             {"kind": "ceramic", "colour": "steel", "panel": "#2a2c2f", "splash": 0.0},
             {"kind": "gas", "colour": "#f1f1ee", "panel": "#2a2c2f", "splash": 0.09},
+            {"kind": "gas", **PLAIN, "extra": "lid"},
+            {"kind": "induction", "colour": "#2c2e31", "panel": "#2a2c2f", "splash": 0.0},
+            {"kind": "coil", **PLAIN, "extra": "console"},
+            {"kind": "gas", **PLAIN, "colour": "#7d9a86", "panel": "#e9e2cc", "extra": "legs"},
         ],
     ),
 }

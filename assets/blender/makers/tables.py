@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 from toolkit.materials import Material, plain
-from toolkit.model import Container, Joint, Maker, Model, Support, cylinder_piece, round_polygon
+from toolkit.model import Maker, Model, Support, cylinder_piece, round_polygon
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe
 
+from .casework import Case
+from .designs import extend
+from .desks import CONSOLES, DESKS
 from .joinery import (
     Assembly,
-    bar_handle,
-    drawer_box,
     finish,
-    front,
     leg,
-    open_closed,
-    steel,
     surface,
 )
+from .low_tables import COFFEE_TABLES
 
 Offset = tuple[float, float, float]
 
@@ -180,7 +179,7 @@ def desk(
     """A writing desk: legs on the left, a pedestal with a drawer that opens on the right."""
     asm, height, t = Assembly(), 0.74, 0.026
     hx, hy = depth / 2, length / 2
-    top, paint, metal = finish(wood, 1, offset), finish(frame, 2, offset), steel()
+    top, paint = finish(wood, 1, offset), finish(frame, 2, offset)
     asm.board("body", (-hx, -hy, height - t), (hx, hy, height), top, 0.004, segments=2, weight=1.3)
     for x in (-hx + 0.04, hx - 0.05):
         leg(asm, "body", (x, -hy + 0.05), (x, -hy + 0.05), (0, height - t), (0.02, 0.024), paint, 4)
@@ -199,33 +198,20 @@ def desk(
     asm.board(
         "body", (x0 + 0.01, y0 + 0.018, drawer_low - 0.018), (x1, y1 - 0.018, drawer_low), paint
     )
-    for i, z in enumerate(
-        ((0.07, 0.31), (0.314, drawer_low - 0.002), (drawer_low + 0.002, z1 - 0.004))
-    ):
-        part = "drawer" if i == 2 else "body"
-        front(asm, part, x1, (y0 + 0.002, y1 - 0.002), z, paint, "slab")
-        bar_handle(
-            asm, part, x1 + 0.018, (y0 + y1) / 2, (z[0] + z[1]) / 2, 0.12, metal, False, 0.024
-        )
-    low_corner, high_corner = (
-        (x0 + 0.04, y0 + 0.028, drawer_low + 0.006),
-        (x1, y1 - 0.028, z1 - 0.03),
-    )
-    drawer_box(asm, "drawer", low_corner, high_corner, finish("birch", 0, offset))
-    size = np.subtract(high_corner, low_corner) - [0.012, 0.024, 0]
-    center = np.add(high_corner, low_corner) / 2
-    inner = (low_corner[0] + 0.012, low_corner[1] + 0.012), (high_corner[0], high_corner[1] - 0.012)
+    case = Case(wood, frame, "birch", "bar", offset=offset)
+    case.asm = asm
+    spans = ((drawer_low + 0.002, z1 - 0.004), (0.314, drawer_low - 0.002), (0.07, 0.31))
+    for name, z in zip(("drawer", "drawer_2", "drawer_3"), spans, strict=True):
+        case.drawer(name, (x0 + 0.01, x1), (y0, y1), z, 0.34, 0.018)
+    asm.board("body", (x0 + 0.01, y0 + 0.018, 0.05), (x1, y1 - 0.018, 0.066), paint)
     return Model(
         title=f"desk with {wood} top and drawers",
-        parts=asm.parts(drawer={"joint": "drawer"}),
+        parts=asm.parts(**case.settings),
         mass=31.0,
-        joints={"drawer": Joint("prismatic", (0, (y0 + y1) / 2, drawer_low), (1, 0, 0), 0.0, 0.34)},
-        states=open_closed("drawer", "drawer", 0.01, 0.12),
-        supports=[
-            surface("top", (-hx, -hy), (hx, hy), height),
-            surface("drawer_floor", *inner, low_corner[2] + 0.008, 0.11, "drawer", "drawer"),
-        ],
-        containers=[Container("drawer", tuple(center), tuple(size), "drawer", "drawer")],
+        joints=case.joints,
+        states=case.states,
+        supports=[surface("top", (-hx, -hy), (hx, hy), height), *case.supports],
+        containers=case.containers,
         ground_shadow=True,
     )
 
@@ -248,28 +234,20 @@ def console_table(
     shelf: bool = True,
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A narrow hall table, with a shelf low down or a pair of blind drawers under the top."""
+    """A narrow hall table, a pair of drawers under the top, and a shelf low down if wanted."""
     asm, height, t = Assembly(), 0.8, 0.024
     hx, hy = depth / 2, length / 2
     top, frame = finish(wood, 1, offset), finish(wood, 2, offset)
     asm.board("body", (-hx, -hy, height - t), (hx, hy, height), top, 0.004, segments=2, weight=1.2)
     _four_legs(asm, (hx, hy), 0.04, height - t, (0.015, 0.022), frame)
     supports = [surface("top", (-hx, -hy), (hx, hy), height)]
-    low = height - t - 0.13
-    asm.board("body", (-hx + 0.04, -hy + 0.04, low), (hx - 0.04, hy - 0.04, height - t), frame)
-    for s in (-1, 1):
-        y = s * (hy / 2 - 0.02)
-        face = (
-            (hx - 0.042, y - hy / 2 + 0.03, low + 0.012),
-            (hx - 0.03, y + hy / 2 - 0.03, height - t - 0.01),
-        )
-        asm.board("body", *face, top, 0.002, solid=False)
-        knob = lathe(
-            [(0, 0), (0.006, 0), (0.006, 0.008), (0.013, 0.014), (0.011, 0.022), (0, 0.024)],
-            10,
-            mat=steel(),
-        )
-        asm.add("body", knob.turn(ry=np.pi / 2).move(hx - 0.03, y, low + 0.065))
+    low, x = height - t - 0.13, (-hx + 0.03, hx - 0.045)
+    case = Case(wood, None, "birch", "knob", offset=offset)
+    case.asm = asm
+    case.carcass(x, (-hy + 0.05, hy - 0.05), (low, height - t))
+    for k, y in enumerate(((-hy + 0.06, 0.0), (0.0, hy - 0.06))):
+        case.drawer(f"drawer_{k + 1}", x, y, (low, height - t), thick=0.018)
+    supports += case.supports
     if shelf:
         z = 0.18
         a, b = (-hx + 0.03, -hy + 0.03), (hx - 0.03, hy - 0.03)
@@ -277,8 +255,11 @@ def console_table(
         supports.append(surface("shelf_1", a, b, z, low - z, margin=0.04))
     return Model(
         title=f"{wood} console table",
-        parts=asm.parts(),
+        parts=asm.parts(**case.settings),
         mass=15.0,
+        joints=case.joints,
+        states=case.states,
+        containers=case.containers,
         supports=supports,
         ground_shadow=True,
     )
@@ -296,35 +277,35 @@ def console_table_random(rng: np.random.Generator) -> dict:
 
 
 MODELS = {
-    "kitchen_table": Maker(
-        kitchen_table,
-        kitchen_table_random,
-        2,
-        [
-            {"wood": "oak", "legs": None, "length": 1.4},
-            {"wood": "pine", "legs": "#e8e6e0", "length": 1.2},
-        ],
+    "coffee_table": extend(
+        Maker(
+            coffee_table_any,
+            coffee_table_random,
+            3,
+            [
+                {"round_top": False, "wood": "walnut", "shelf": True, "length": 1.1},
+                {"round_top": False, "wood": "oak", "shelf": False, "length": 1.0},
+                {"round_top": True, "wood": "oak"},
+            ],
+        ),
+        COFFEE_TABLES,
     ),
-    "coffee_table": Maker(
-        coffee_table_any,
-        coffee_table_random,
-        3,
-        [
-            {"round_top": False, "wood": "walnut", "shelf": True, "length": 1.1},
-            {"round_top": False, "wood": "oak", "shelf": False, "length": 1.0},
-            {"round_top": True, "wood": "oak"},
-        ],
+    "desk": extend(
+        Maker(
+            desk,
+            desk_random,
+            2,
+            [{"wood": "oak", "frame": "#f0efec"}, {"wood": "walnut", "frame": "#3d4043"}],
+        ),
+        DESKS,
     ),
-    "desk": Maker(
-        desk,
-        desk_random,
-        2,
-        [{"wood": "oak", "frame": "#f0efec"}, {"wood": "walnut", "frame": "#3d4043"}],
-    ),
-    "console_table": Maker(
-        console_table,
-        console_table_random,
-        2,
-        [{"wood": "walnut", "shelf": True}, {"wood": "#e8e5de", "shelf": False}],
+    "console_table": extend(
+        Maker(
+            console_table,
+            console_table_random,
+            2,
+            [{"wood": "walnut", "shelf": True}, {"wood": "#e8e5de", "shelf": False}],
+        ),
+        CONSOLES,
     ),
 }

@@ -1,4 +1,4 @@
-"""Rugs and bath mats."""
+"""Oblong rugs and tufted bath mats (the categories: floor_mats.py)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from PIL import Image
 from toolkit import labels
 from toolkit.materials import Material, label, plain, shade
 from toolkit.model import (
-    Maker,
     Model,
 )
 from toolkit.sampling import noise_offset, pick
@@ -143,19 +142,3 @@ def bath_mat_random(rng: np.random.Generator) -> dict:
         "colour": pick(rng, ["#7fa0a8", "#cfc3ad", "#a77f78"]),
         "offset": noise_offset(rng),
     }
-
-
-MODELS = {
-    "rug": Maker(
-        rug,
-        rug_random,
-        4,
-        [
-            {"pattern": "border", "tones": RUG_TONES[0], "length": 2.2, "depth": 1.5},
-            {"pattern": "hexagons", "tones": RUG_TONES[1], "length": 1.9, "depth": 1.3},
-            {"pattern": "stripes", "tones": RUG_TONES[2], "length": 1.8, "depth": 1.2},
-            {"pattern": "diamonds", "tones": RUG_TONES[3]},
-        ],
-    ),
-    "bath_mat": Maker(bath_mat, bath_mat_random, 2, [{"colour": "#7fa0a8"}, {"colour": "#cfc3ad"}]),
-}

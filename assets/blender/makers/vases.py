@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from toolkit.fracture import fracture, scatter
 from toolkit.materials import Material, plain, shade
 from toolkit.mesh import Mesh
 from toolkit.model import (
@@ -21,7 +22,8 @@ from toolkit.shapes import (
     tube,
 )
 
-from makers.breakage import BROKEN, broken, wall_seeds
+from makers.breakage import BROKEN, wall_seeds
+from makers.ware import squared
 
 
 def _blossom(kind: str, radius: float, petal: str) -> list[Mesh]:
@@ -39,6 +41,9 @@ def _blossom(kind: str, radius: float, petal: str) -> list[Mesh]:
             rib=lambda k, i: 1.12 - 0.24 * (i % 2) if k in (2, 3) else 1.0,
         )
         return [bell]
+    if kind == "pampas":
+        plume = [(0, -0.4), (0.42, 0.4), (0.5, 1.6), (0.36, 3.0), (0, 4.2)]
+        return [lathe([(r * radius, z * radius) for r, z in plume], 6, mat=plain(petal, 0.25, 260))]
     if kind == "rose":
         bud = [(0, -0.35), (0.6, -0.2), (0.72, 0.08), (0.48, 0.36), (0.4, 0.2), (0, 0.34)]
         return [
@@ -90,6 +95,7 @@ def vase(
     petals: list[str],
     stems: int,
     seed: int,
+    handles: bool = False,
 ) -> Model:
     """A vase with a bunch of flowers."""
     rng = np.random.default_rng(seed)
@@ -105,6 +111,33 @@ def vase(
             (0.037, 0.2),
         ],
         "cylinder": [(0.036, 0), (0.04, 0.004), (0.041, 0.07), (0.042, 0.14), (0.044, 0.2)],
+        "bottle": [
+            (0.03, 0),
+            (0.046, 0.012),
+            (0.05, 0.05),
+            (0.03, 0.1),
+            (0.014, 0.135),
+            (0.012, 0.185),
+            (0.018, 0.2),
+        ],
+        "ball": [
+            (0.03, 0),
+            (0.056, 0.02),
+            (0.072, 0.062),
+            (0.064, 0.1),
+            (0.036, 0.125),
+            (0.034, 0.135),
+        ],
+        "amphora": [
+            (0.026, 0),
+            (0.03, 0.01),
+            (0.06, 0.09),
+            (0.066, 0.13),
+            (0.044, 0.165),
+            (0.026, 0.18),
+            (0.034, 0.2),
+        ],
+        "square": [(0.036, 0), (0.038, 0.004), (0.041, 0.07), (0.044, 0.14), (0.047, 0.2)],
         "flare": [
             (0.032, 0),
             (0.036, 0.01),
@@ -157,33 +190,54 @@ def vase(
         lean = 0.25 + 6.0 * spread if k else 0.15
         for mesh in _blossom(flower, float(rng.uniform(0.026, 0.033)), petals[k % len(petals)]):
             bunch.append(mesh.turn(ry=lean).turn(rz=a).move(*tip))
-    for k in range(3):
+    for k in range(3 if stems > 1 and flower != "pampas" else min(stems, 1)):
         blade = _leaf(float(rng.uniform(0.1, 0.15)), 0.03, leaf_mat)
         bunch.append(
             blade.move(x=rim[0] * 0.3).turn(ry=0.25).turn(rz=1.9 * k + 0.6).move(z=top - 0.012)
         )
+    if shape == "square":
+        squared(pot, 0.92, 0.92, 7)
+    ears = []
+    if handles:
+        for side in (-1, 1):
+            z = np.array([0.09, 0.12, 0.165, 0.185, 0.182]) * s
+            y = np.array([0.058, 0.078, 0.07, 0.045, 0.026]) * s * side
+            ears.append(tube(np.c_[0 * z, y, z], 0.0055, 5, mat=clay, up=(1.0, 0, 0)))
     widest = max(r for r, _ in outer)
     pieces = [
         cylinder_piece(outer[0][0] + 0.006, 0, 0.03 * s, 12, widest),
-        cylinder_piece(widest, 0.03 * s, 0.12 * s, 12),
-        cylinder_piece(widest * 0.8, 0.12 * s, top, 12, rim[0]),
-        cylinder_piece(0.04, top, top + 0.13, 8, 0.065),
+        cylinder_piece(widest, 0.03 * s, 0.65 * top, 12),
+        cylinder_piece(widest * 0.8, 0.65 * top, top, 12, rim[0]),
     ]
-    hollow = [(r - wall, max(z, 0.008)) for r, z in outer[::-1]]
-    shell = lathe([(0, 0), *outer, *hollow, (0, 0.008)], 12, mat=clay)
-    seeds = wall_seeds(widest, top, 5, np.random.default_rng(seed))
+    if stems:
+        pieces.append(
+            cylinder_piece(min(rim[0], 0.04), top, top + 0.13, 8, 0.065 if stems > 1 else 0.02)
+        )
+    hollow = [(max(r - wall, 0.003), max(z, 0.008)) for r, z in outer[::-1]]
+    shell = lathe([(0, 0), *outer, *hollow, (0, 0.008)], 9, mat=clay)
+    if shape == "square":
+        shell = squared(lathe([(0, 0), *outer, *hollow, (0, 0.008)], 8, mat=clay), 0.92, 0.92, 7)
+    seeds = wall_seeds(widest, top, 4, np.random.default_rng(seed))
     raw = plain("e9ddc8", 0.1, 300)
-    shards = broken([shell], raw, seeds, (0.3 * widest) ** 2, seed, edge=0.03)
+    broken_ears = [m.copy() for m in ears]
+    weights = [(0.6 * widest) ** 2] + [0.0] * 4
+    shards = fracture([shell, *broken_ears], seeds, raw, weights, seed, 0.003, 0.14)
+    fallen = scatter(shards, np.random.default_rng(seed))
+    parts = {
+        "body": Part([pot, *ears, *bunch], collision=pieces),
+        "shards": Part(shards, collision=fallen),
+    }
+    if stems:  # some of the flowers lie among the shards
+        heads = [m for m in bunch[: 2 * stems] if len(m.f)]
+        parts["spilled"] = Part(_fallen(heads[:4]), collision="none")
     return Model(
-        "vase of flowers",
-        {
-            "body": Part([pot, *bunch], collision=pieces),
-            "shards": shards,
-            "spilled": Part(_fallen(bunch), collision="none"),
-        },
+        "vase of flowers" if stems > 1 else "vase with a flower" if stems else "empty vase",
+        parts,
         mass=0.9,
-        variants={"default": ["body"], "broken": ["shards", "spilled"]},
+        variants={"default": ["body"], "broken": [n for n in parts if n != "body"]},
         states=BROKEN,
+        texture_size=128 if not stems else 256,
+        prune=False,  # the inside of an empty vase is seen from straight above only
     )
 
 
@@ -204,7 +258,7 @@ MODELS = {
     "vase": Maker(
         vase,
         vase_random,
-        3,
+        8,
         [
             {
                 "flower": "tulip",
@@ -219,6 +273,16 @@ MODELS = {
                 "petals": ["#d8486a", "#f3b7c0"],
                 "glaze": "#3a4f78",
             },
+            {"shape": "bottle", "flower": "rose", "petals": ["#c81e34"], "stems": 1}
+            | {"height": 0.24, "glaze": "#5a8f86"},
+            {"shape": "ball", "flower": "daisy", "petals": ["#f2c52a", "#f8f6ee"], "height": 0.2}
+            | {"glaze": "#e9e2d2", "band": "#e9e2d2"},
+            {"shape": "amphora", "stems": 0, "handles": True, "height": 0.34, "glaze": "#b85a3a"}
+            | {"band": "#2a2320"},
+            {"shape": "square", "flower": "tulip", "petals": ["#8a4ab0", "#e88ab0"]}
+            | {"height": 0.22, "glaze": "#3a3c42", "band": "#3a3c42"},
+            {"shape": "bottle", "flower": "pampas", "petals": ["#e6d2a8", "#d8bc88"], "stems": 4}
+            | {"height": 0.3, "glaze": "#efe9dc", "band": "#c8a878"},
         ],
     ),
 }

@@ -11,7 +11,9 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, seed_of, uniform
 from toolkit.shapes import lathe, loft, tube
 
+from makers import table_garden as table
 from makers.fruit import smooth_profile
+from makers.produce_forms import served, with_forms
 from makers.spoilage import age, aged, lying_pieces, spots_around, wither
 
 PEPPERS = {"red": "c8201c", "yellow": "f2b814", "green": "2f7a24"}
@@ -264,7 +266,11 @@ def carrot(length=0.17, radius=0.015, count=1, seed=0) -> Model:
 
     def solids(group: list[Mesh]) -> list[np.ndarray]:
         bodies = [m for m in group if len(m.v) > 40]
-        return [piece for body in bodies for piece in lying_pieces(body, 2)]
+        leaves = [m.v for m in group if len(m.v) <= 40]
+        return [
+            *(piece for body in bodies for piece in lying_pieces(body, 2)),
+            *([np.concatenate(leaves)] if leaves else []),
+        ]
 
     title = "carrot" if count == 1 else f"{count} carrots"
     return aged(title, shape, 0.09 * count, solids)
@@ -280,11 +286,45 @@ def carrot_random(rng: np.random.Generator) -> dict:
 
 MODELS = {
     "bell_pepper": Maker(
-        bell_pepper,
+        with_forms(bell_pepper),
         bell_pepper_random,
-        count=3,
-        presets=[{"kind": "red"}, {"kind": "yellow"}, {"kind": "green"}],
+        count=8,
+        presets=[
+            {"kind": "red"},
+            {"kind": "yellow"},
+            {"kind": "green"},
+            served(table.PEPPER, "half", "red", 3),
+            served(table.PEPPER_LONG, "one", "red", 4),
+            served(table.PEPPER, "pair", "green", 5),
+            served(table.PEPPER, "three", "red", 6),
+            served(table.PEPPER, "half", "yellow", 3),
+        ],
     ),
-    "cucumber": Maker(cucumber, cucumber_random, count=2, presets=[{}, {"cut": True}]),
-    "carrot": Maker(carrot, carrot_random, count=2, presets=[{}, {"count": 3}]),
+    "cucumber": Maker(
+        with_forms(cucumber),
+        cucumber_random,
+        count=6,
+        presets=[
+            {},
+            {"cut": True},
+            served(table.CUCUMBER, "three", seed=3),
+            served(table.CUCUMBER, "half", seed=4),
+            served(table.CUCUMBER, "slices", seed=5),
+            served(table.CUCUMBER, "one", seed=6),
+        ],
+    ),
+    "carrot": Maker(
+        with_forms(carrot),
+        carrot_random,
+        count=7,
+        presets=[
+            {},
+            {"count": 3},
+            served(table.CARROT, "pile", seed=3),
+            served(table.CARROT_BARE, "one", seed=4),
+            served(table.CARROT_BARE, "slices", seed=5),
+            served(table.CARROT_ROUND, "three", seed=6),
+            served(table.CARROT_BARE, "pile", seed=7),
+        ],
+    ),
 }

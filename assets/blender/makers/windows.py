@@ -22,9 +22,14 @@ def window(
     casements: int = 2,
     view: int = 0,
     frosted: bool = False,
+    bars: tuple[int, int] | None = None,
+    sash: bool = False,
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A window with a bright view; casements: number of lights side by side."""
+    """A window with a bright view; casements: number of lights side by side.
+
+    bars: columns and rows of small panes in each light; sash: two halves that slide up and down.
+    """
     asm, half, x, t = Assembly(), width / 2, WALL / 2, 0.045
     paint = finish(colour, 1, offset)
     for low, high in (
@@ -55,16 +60,35 @@ def window(
         ):
             asm.board("body", low, high, paint, 0.005, solid=False)
         y = yb - w / 2 if k == 0 else ya + w / 2
-        for face in (-1, 1):
+        for face in () if sash else (-1, 1):
             near, far = sorted((face * d, face * (d + 0.012)))
             low, high = (near, y - 0.008, height / 2 - 0.06), (far, y + 0.008, height / 2 + 0.02)
             asm.board("body", low, high, steel(30), 0.002, solid=False)
+        if bars:
+            inner_y, inner_z = (ya + w, yb - w), (t + w, height - t - w)
+            for j in range(1, bars[0]):
+                y = inner_y[0] + (inner_y[1] - inner_y[0]) * j / bars[0]
+                low, high = (-0.042, y - 0.011, inner_z[0]), (0.042, y + 0.011, inner_z[1])
+                asm.board("body", low, high, paint, solid=False)
+            for j in range(1, bars[1]):
+                z = inner_z[0] + (inner_z[1] - inner_z[0]) * j / bars[1]
+                low, high = (-0.041, inner_y[0], z - 0.011), (0.041, inner_y[1], z + 0.011)
+                asm.board("body", low, high, paint, solid=False)
+    if sash:
+        middle = height / 2
+        low, high = (-0.05, -half + t, middle - 0.04), (0.05, half - t, middle + 0.04)
+        asm.board("body", low, high, paint, 0.006, solid=False)
+        for face in (-1, 1):
+            near, far = sorted((face * 0.046, face * 0.064))
+            low, high = (near, -0.03, middle + 0.005), (far, 0.03, middle + 0.03)
+            asm.board("body", low, high, steel(30), 0.003, solid=False)
+    tail = " with glazing bars" if bars else "" if casements < 3 else ", three lights"
     picture = garden(view, 256, int(256 * height / width)) if not frosted else _frosted()
     pane = label(picture, occlusion=0.0)
     low, high = (-0.037, -half + t + 0.02, t + 0.02), (0.037, half - t - 0.02, height - t - 0.02)
     asm.board("pane", low, high, pane, 0, {"+x": pane, "-x": pane}, 2.0)
     return Model(
-        title=f"{'bathroom ' if frosted else ''}window",
+        title=f"{'bathroom ' if frosted else ''}{'sash ' if sash else ''}window{tail}",
         parts=asm.parts(pane={"rgba": (1.35, 1.35, 1.35, 1.0)}),
         mass=28.0 * width * height,
     )
@@ -100,11 +124,23 @@ MODELS = {
     "window": Maker(
         window,
         window_random,
-        3,
+        8,
         [
             {"casements": 2, "colour": "#f3f2ee"},
             {"casements": 3, "colour": "oak"},
             {"width": 0.6, "height": 0.6, "casements": 1, "frosted": True, "colour": "#f3f2ee"},
+            {"casements": 2, "colour": "#f3f2ee", "bars": (2, 3)},
+            {"casements": 1, "colour": "#f3f2ee", "sash": True, "bars": (3, 2)},
+            {"casements": 1, "colour": "#3c4044"},
+            {"casements": 2, "colour": "#5f7a6a", "bars": (1, 2)},
+            {
+                "width": 0.6,
+                "height": 0.6,
+                "casements": 1,
+                "frosted": True,
+                "colour": "oak",
+                "bars": (2, 2),
+            },
         ],
     ),
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from .export import Frame, record, triangles, write_glb, write_png
+from .export import Frame, record, triangles, write_glb, write_jpeg
 from .model import Model
 from .prune import prune_hidden
 from .uv_bake import DRAFT, bake_texture, join, unwrap
@@ -37,7 +37,7 @@ def finish(
     pixels = bake_texture(
         obj, groups, model.texture_size, ground, model.occlusion_strength, records / "occlusion"
     )
-    write_png(assets / "textures" / f"{asset_id}.png", pixels)
+    write_jpeg(assets / "textures" / f"{asset_id}.jpg", pixels)
     data = triangles(obj)
     data["p"] = frame.points(data["p"])
     data["n"] = frame.directions(data["n"])
@@ -45,7 +45,7 @@ def finish(
         name: {k: v[data["part"] == i] for k, v in data.items()} for i, name in enumerate(names)
     }
     # Into the build folder: assemble.py stores a mesh that several skins share only once.
-    write_glb(records / "meshes" / f"{asset_id}.glb", split, f"../textures/{asset_id}.png")
+    write_glb(records / "meshes" / f"{asset_id}.glb", split, f"../textures/{asset_id}.jpg")
     faces = {name: len(d["p"]) for name, d in split.items()}
     if not all(faces.values()):
         raise RuntimeError(f"{asset_id}: a part without faces: {faces}")

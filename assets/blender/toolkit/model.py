@@ -20,6 +20,7 @@ class Part:
                list of convex pieces (arrays of points; see box_piece, ring_pieces, ...)
     occlusion  name of the group it shares ambient occlusion with; default: all fixed parts of
                the default variant together, every movable or alternative part on its own
+    open       its back faces may be seen from where nobody looks (declared in the manifest)
     """
 
     meshes: list[Mesh]
@@ -27,6 +28,7 @@ class Part:
     rgba: tuple[float, float, float, float] | None = None
     collision: object = "coacd"
     occlusion: str | None = None
+    open: bool = False
 
 
 @dataclass

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Literal
 
 import click
 
+from sdgen.cli.bar import bar
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.library import Library, load_library
 from sdgen.library.records import Asset
+from sdgen.library.select import select
 
 EXTRA = click.option(
     "--assets",
@@ -22,7 +25,7 @@ EXTRA = click.option(
 
 @click.group()
 def assets() -> None:
-    """List and show the models.
+    """List, show, draw and check the models.
 
     Example: sdgen assets list --json
     """
@@ -78,6 +81,132 @@ def show_asset(extra: tuple[str, ...], as_json: bool, asset_id: str) -> None:
     for container in asset.containers:
         shut = f", shut by {container.closed_by}" if container.closed_by else ""
         click.echo(f"  container   {container.name}{shut}")
+    for pose in asset.resting:
+        click.echo(f"  rests       {_pointing(pose.up)} up: {pose.share:.0%}")
+
+
+@assets.command("sheet")
+@EXTRA
+@click.option(
+    "-o",
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    default=Path("assets.png"),
+    show_default=True,
+    help="Picture to write, PNG or JPEG; of more than one page, each gets its number.",
+)
+@click.option("--states", is_flag=True, help="Every variant, and joints open, beside the default.")
+@click.option("--size", type=click.IntRange(32, 1024), default=128, show_default=True)
+@click.option("--columns", type=click.IntRange(1, 64), default=14, show_default=True)
+@click.option("--per-page", type=click.IntRange(1, 2000), default=224, show_default=True)
+@click.option(
+    "--renderer",
+    type=click.Choice(["auto", "egl", "cpu"]),
+    default="auto",
+    show_default=True,
+    help="What draws the models.",
+)
+@click.argument("words", metavar="[ID|CATEGORY]...", nargs=-1)
+def sheet(
+    extra: tuple[str, ...],
+    out: Path,
+    states: bool,
+    size: int,
+    columns: int,
+    per_page: int,
+    renderer: Literal["auto", "egl", "cpu"],
+    words: tuple[str, ...],
+) -> None:
+    """Draw models alone on a floor, as scenes draw them, with their names.
+
+    \b
+    Example: sdgen assets sheet -o mugs.png mug --states
+    Example: sdgen assets sheet -o library.jpg
+    """
+    from PIL import Image
+
+    from sdgen.gallery.sheet import contact_sheet, pages
+    from sdgen.render.frames import Renderer
+    from sdgen.render.portraits import looks_of, portrait
+
+    if out.suffix.lower() not in (".png", ".jpg", ".jpeg"):
+        raise UsageError(f"{out}: a sheet is a .png or a .jpg")
+    if not out.parent.is_dir():
+        raise UsageError(f"{out.parent}: no such folder")
+    library = _library(extra)
+    wanted = []
+    for asset_id in select(library, words):
+        looks = looks_of(library.info(asset_id))
+        for look in looks if states else looks[:1]:
+            label = asset_id if look.name == "default" else f"{asset_id} {look.name}"
+            wanted.append((asset_id, look, label))
+    split = list(pages(len(wanted), per_page))
+    with Renderer(renderer) as drawn_by, bar("drawing") as on_model:
+        for number, page in enumerate(split, start=1):
+            tiles = []
+            for k in page:
+                asset_id, look, label = wanted[k]
+                tiles.append((label, portrait(drawn_by, library, asset_id, look, size)))
+                if on_model is not None:
+                    on_model(k + 1, len(wanted))
+            path = out if len(split) == 1 else out.with_stem(f"{out.stem}-{number:02d}")
+            Image.fromarray(contact_sheet(tiles, columns)).save(path, quality=88)
+            click.echo(f"{path}: {len(tiles)} pictures")
+
+
+@assets.command("validate")
+@click.option(
+    "--catalog",
+    "catalogs",
+    type=click.Path(exists=True, path_type=Path),
+    multiple=True,
+    help="Catalogue folder with sizes of further categories; repeatable.",
+)
+@click.option("--only", metavar="ID|CATEGORY", multiple=True, help="Check these; repeatable.")
+@click.option(
+    "--workers", type=click.IntRange(min=1), metavar="N", help="Processes [default: cores]."
+)
+@click.argument(
+    "folders",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    metavar="[PATH]...",
+    nargs=-1,
+)
+def validate_assets(
+    catalogs: tuple[Path, ...],
+    only: tuple[str, ...],
+    workers: int | None,
+    folders: tuple[Path, ...],
+) -> None:
+    """Check every model of asset folders (none given: of the shipped library).
+
+    Scale against the category's range, faces, no holes unless declared open, texture and its
+    coordinates, licence, collision pieces against the visual mesh, stable rest, joints that clear
+    the body, supports on the mesh. Exit code 1 when anything is wrong.
+
+    \b
+    Example: sdgen assets validate
+    Example: sdgen assets validate my_assets --catalog my_hazards
+    """
+    from sdgen.catalog.load import load_catalog
+    from sdgen.cli.build import usable_cores
+    from sdgen.validate.assets import check_assets
+
+    library = _library(tuple(str(folder) for folder in folders))
+    count = sum(
+        not folders or library.folder_of(asset_id) in folders for asset_id in select(library, only)
+    )
+    with bar("checking") as on_model:
+        problems = check_assets(
+            folders, load_catalog(catalogs), on_model, workers or usable_cores(), only
+        )
+    for problem in problems:
+        click.echo(problem)
+    if problems:
+        noun = "problem" if len(problems) == 1 else "problems"
+        click.echo(f"{count} models checked, {len(problems)} {noun}", err=True)
+        click.get_current_context().exit(1)
+    click.echo(f"{count} models checked, no problem found")
 
 
 def _library(extra: tuple[str, ...]) -> Library:
@@ -99,3 +228,10 @@ def _row(asset: Asset) -> dict[str, object]:
 
 def _plain(value: object) -> str:
     return ", ".join(str(item) for item in value) if isinstance(value, list) else str(value)
+
+
+def _pointing(up: tuple[float, float, float]) -> str:
+    axis = max(range(3), key=lambda k: abs(up[k]))
+    if abs(up[axis]) > 0.97:
+        return ("+" if up[axis] > 0 else "-") + "xyz"[axis]
+    return "(" + ", ".join(f"{value:.2f}" for value in up) + ")"

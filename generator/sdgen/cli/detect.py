@@ -32,11 +32,11 @@ def detect(dataset: Path, method: str, output: Path, split: str | None) -> None:
     """
     from sdgen.benchmark import detect as run
     from sdgen.benchmark import write_predictions
-    from sdgen.cli.scene_bar import scene_bar
+    from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
 
     data = Dataset(dataset, split=split)
-    with scene_bar("detecting") as on_scene:
+    with bar("detecting") as on_scene:
         found = run(data, method, on_scene)
     write_predictions(output, found, data)
     reports = sum(len(said) for said in found.values())

@@ -26,10 +26,10 @@ def export(dataset: Path, name: str, output: Path) -> None:
 
     Example: sdgen export output/sdgen-n12-s7 --format tar -o homes.tar
     """
-    from sdgen.cli.scene_bar import scene_bar
+    from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
     from sdgen.export import export as write
 
-    with scene_bar("packing") as on_scene:
+    with bar("packing") as on_scene:
         write(Dataset(dataset), name, output, on_scene)
     click.echo(f"{output}: {human_bytes(output.stat().st_size)}")

@@ -53,7 +53,7 @@ def validate(
     Example: sdgen validate output/sdgen-n12-s7
     Example: sdgen validate output/sdgen-n12-s7 --rebuild 3
     """
-    from sdgen.cli.scene_bar import scene_bar
+    from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
     from sdgen.validate import validate as check
 
@@ -63,13 +63,13 @@ def validate(
 
         extensions = Dataset(dataset).info.options.extensions
         catalog = load_catalog(catalogs, extensions=extensions)
-    with scene_bar("checking") as on_scene:
+    with bar("checking") as on_scene:
         problems = check(dataset, catalog, on_scene, workers or usable_cores())
     if rebuild and not problems:
         from sdgen.library import load_library
         from sdgen.validate.rebuild import rebuild as make_again
 
-        with scene_bar("making again") as on_scene:
+        with bar("making again") as on_scene:
             problems = make_again(Dataset(dataset), load_library(assets), rebuild, on_scene)
     for problem in problems[:SHOWN]:
         click.echo(str(problem))

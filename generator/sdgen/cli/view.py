@@ -43,7 +43,7 @@ def view(
     Example: sdgen view output/sdgen-n12-s7
     Example: sdgen view output/sdgen-n12-s7 --serve
     """
-    from sdgen.cli.scene_bar import scene_bar
+    from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
     from sdgen.errors import UsageError
     from sdgen.gallery import serve, write_gallery
@@ -51,7 +51,7 @@ def view(
     if serving and output is not None:
         raise UsageError("--serve shows the data set's own page: leave -o out")
     data = Dataset(dataset, split=split)
-    with scene_bar("drawing") as on_scene:
+    with bar("drawing") as on_scene:
         shown = write_gallery(data, output or dataset / "view", limit or None, on_scene)
     if shown.scenes < shown.total:
         click.echo(f"shows the first {shown.scenes} of {shown.total} scenes (--limit)", err=True)

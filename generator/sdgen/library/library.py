@@ -128,6 +128,14 @@ class Library:
             self._objs[asset_id] = unpack(digest(names.encode(), *arrays), meshes, textures)
         return self._objs[asset_id]
 
+    def folder_of(self, asset_id: str) -> Path:
+        """The folder a model comes from (KeyError when there is none)."""
+        return self._folder_of[asset_id]
+
+    def file(self, asset_id: str, name: str) -> Path:
+        """A file that a model's record names."""
+        return self._folder_of[asset_id] / name
+
     def check_files(self, folder: Path) -> None:
         """Read every mesh, hull and texture of one folder. Raises AssetError with all problems."""
         problems: list[str] = []

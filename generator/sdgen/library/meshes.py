@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,6 +13,7 @@ import numpy.typing as npt
 
 from sdgen.errors import AssetError
 from sdgen.geometry import Vec3, vec3
+from sdgen.library.quantized import plain_glb
 from sdgen.library.records import Asset
 
 Floats = npt.NDArray[np.float64]
@@ -51,7 +53,8 @@ def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
     import trimesh
 
     try:
-        scene = trimesh.load_scene(path, file_type="glb", process=False)
+        raw = plain_glb(path.read_bytes())
+        scene = trimesh.load_scene(io.BytesIO(raw), file_type="glb", process=False)
         found: dict[str, MeshData] = {}
         for node in scene.graph.nodes_geometry:
             transform, geometry = scene.graph[node]
@@ -61,7 +64,7 @@ def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
             count = len(mesh.vertices)
             found[str(node)] = MeshData(
                 vertices=mesh.vertices @ rotation.T + _OURS_FROM_GLTF @ transform[:3, 3],
-                normals=mesh.vertex_normals @ rotation.T,
+                normals=_unit(mesh.vertex_normals @ rotation.T),
                 uvs=np.zeros((count, 2)) if uvs is None else np.asarray(uvs, dtype=np.float64),
                 faces=np.asarray(mesh.faces, dtype=np.int64),
             )
@@ -118,6 +121,12 @@ def read_hulls(path: Path, asset: Asset) -> tuple[Hull, ...]:
         if hull.part not in parts:
             raise AssetError([f"{path}: {asset.id}: a piece names no part: {hull.part!r}"])
     return hulls
+
+
+def _unit(vectors: Floats) -> Floats:
+    """Rows made unit (a node's scale stretches normals, too)."""
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return np.asarray(vectors / np.where(length > 1e-12, length, 1.0), dtype=np.float64)
 
 
 def outline(parts: Sequence[MeshData], directions: int = 64) -> tuple[Vec3, ...]:

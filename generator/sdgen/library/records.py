@@ -30,13 +30,17 @@ class Joint(Record):
 
 
 class Part(Record):
-    """A named mesh of the model (a GLB node), in the object's frame at joint value 0."""
+    """A named mesh of the model (a GLB node), in the object's frame at joint value 0.
+
+    ``open`` declares a mesh whose back faces can be seen (and which shows holes there).
+    """
 
     name: str = Field(pattern=NAME)
     faces: int = Field(ge=1)
     joint: str | None = None
     rgba: Rgba = (1.0, 1.0, 1.0, 1.0)
     texture: str | None = None
+    open: bool = False
 
 
 class StateRule(Record):
@@ -78,6 +82,14 @@ class Container(Record):
     closed_by: str | None = None
 
 
+class RestingPose(Record):
+    """A way the model can lie on a floor: the direction, in its frame, that then points up, and
+    the chance of coming to rest so when dropped at random."""
+
+    up: Vec3
+    share: float = Field(gt=0, le=1)
+
+
 class AssetInfo(Record):
     """One model, as ``assets.jsonl`` carries it: all that labels need, no meshes.
 
@@ -100,6 +112,7 @@ class AssetInfo(Record):
     states: tuple[StateRule, ...] = ()
     supports: tuple[Support, ...] = ()
     containers: tuple[Container, ...] = ()
+    resting: tuple[RestingPose, ...] = ()
 
     def joint(self, name: str) -> Joint:
         """The joint of this name (KeyError when there is none)."""

@@ -10,6 +10,7 @@ import numpy as np
 from sdgen.errors import AssetError
 from sdgen.geometry import Array, apply, matrix, vec3
 from sdgen.library import Library
+from sdgen.library.shape import centre_of_mass
 from sdgen.library.states import object_from_part
 from sdgen.physics.client import Client, convex_obj
 from sdgen.scene import Box, ObjectInstance, Scene
@@ -70,26 +71,6 @@ def object_pieces(library: Library, item: ObjectInstance) -> list[Array]:
             [f"{item.asset}: variant {item.variant!r} has no collision piece in its hulls"]
         )
     return pieces
-
-
-def centre_of_mass(pieces: list[Array]) -> Array:
-    """Centre of the pieces' boxes, weighted by volume: near enough to tell whether things tip."""
-    centres = np.array([(piece.min(axis=0) + piece.max(axis=0)) / 2 for piece in pieces])
-    volumes = np.array([_volume(piece) for piece in pieces])
-    centre = (volumes[:, None] * centres).sum(axis=0) / volumes.sum()
-    return np.asarray(centre, dtype=np.float64)
-
-
-def _volume(piece: Array) -> float:
-    """Volume of the smaller of two boxes: along the axes, and along the piece's own.
-
-    The second keeps a leaning thin plate (a laptop's lid) from weighing like a brick.
-    """
-    upright = np.maximum(np.ptp(piece, axis=0), 1e-3).prod()
-    middle = piece - piece.mean(axis=0)
-    _, own_axes = np.linalg.eigh(middle.T @ middle)
-    leaning = np.maximum(np.ptp(middle @ own_axes, axis=0), 1e-3).prod()
-    return float(min(upright, leaning))
 
 
 def add_structures(client: Client, scene: Scene) -> dict[int, int]:

@@ -1,0 +1,196 @@
+"""Jigsaw puzzles in their boxes."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from PIL import Image, ImageDraw
+from toolkit.labels import canvas, gradient, text
+from toolkit.materials import label as printed
+from toolkit.materials import plain
+from toolkit.mesh import Mesh
+from toolkit.model import Maker, Model
+from toolkit.shapes import box, extrude, tube
+
+from makers.choking import loose
+from makers.solids import grounded
+
+
+def _scene(kind: str, w: int = 256, h: int = 192) -> Image.Image:
+    """A bright picture cut up by jigsaw lines."""
+    image = gradient(w, h, "#6fb8e8", "#d8f0f8").convert("RGB")
+    draw = ImageDraw.Draw(image)
+    if kind == "castle":
+        draw.ellipse((-40, h * 0.6, w + 60, h * 2), fill="#5fae4a")
+        for x, top in ((60, 70), (120, 40), (176, 76)):
+            draw.rectangle((x, top, x + 34, 150), fill="#c9b8a0")
+            draw.polygon([(x - 6, top), (x + 17, top - 36), (x + 40, top)], fill="#c8303a")
+        draw.rectangle((60, 104, 208, 150), fill="#d8c8b0")
+        draw.pieslice((120, 108, 156, 180), 180, 360, fill="#5a3820")
+    elif kind == "ship":
+        draw.rectangle((0, 124, w, h), fill="#2a6fb0")
+        draw.polygon([(40, 118), (216, 118), (186, 156), (70, 156)], fill="#8a4a22")
+        draw.rectangle((124, 24, 131, 118), fill="#5a3018")
+        draw.polygon([(136, 28), (206, 106), (136, 106)], fill="#f6f4ee")
+        draw.polygon([(118, 40), (118, 106), (60, 106)], fill="#e8402c")
+    elif kind == "balloon":
+        draw.rectangle((0, 150, w, h), fill="#6fb04a")
+        for x, y, r, a, b in (
+            (80, 64, 44, "#e8402c", "#f2c81e"),
+            (190, 86, 32, "#7b3fb5", "#f6f4ee"),
+        ):
+            draw.ellipse((x - r, y - r, x + r, y + r), fill=a)
+            draw.ellipse((x - r / 2.4, y - r, x + r / 2.4, y + r), fill=b)
+            draw.rectangle((x - 8, y + r + 10, x + 8, y + r + 24), fill="#7a4a22")
+    else:
+        draw.rectangle((0, 120, w, h), fill="#6fb04a")
+        draw.ellipse((60, 60, 200, 170), fill="#8a8f96")
+        draw.ellipse((160, 40, 236, 112), fill="#9aa0a8")
+        draw.ellipse((150, 50, 190, 110), fill="#7a8088")
+        draw.line([(226, 90), (240, 130), (226, 156)], fill="#9aa0a8", width=14)
+        for x in (82, 160):
+            draw.rectangle((x, 140, x + 24, 186), fill="#8a8f96")
+        draw.ellipse((206, 64, 216, 76), fill="#17181a")
+    for i in range(1, 6):
+        _cut(draw, i * w / 6, h, False)
+    for j in range(1, 5):
+        _cut(draw, j * h / 5, w, True)
+    return image
+
+
+def _cut(draw, at: float, length: float, flat: bool) -> None:
+    """A wavy saw cut with knobs across the picture."""
+    steps = 5 if not flat else 6
+    for k in range(steps):
+        a, b = k * length / steps, (k + 1) * length / steps
+        m, s = (a + b) / 2, (1 if (k + int(at)) % 2 else -1)
+        r = (b - a) * 0.16
+        line = [(a, at), (m - r, at)]
+        knob = (m - r, at + s * r - r, m + r, at + s * r + r)
+        tail = [(m + r, at), (b, at)]
+        if not flat:
+            line, tail = [p[::-1] for p in line], [p[::-1] for p in tail]
+            knob = (knob[1], knob[0], knob[3], knob[2])
+        draw.line(line, fill="#22252a", width=2)
+        draw.line(tail, fill="#22252a", width=2)
+        draw.ellipse(knob, outline="#22252a", width=2)
+
+
+def _lid_print(kind: str, paint: str, count: int) -> Image.Image:
+    image, draw = canvas(320, 256, paint)
+    picture = _scene(kind, 256, 192).resize((264, 160))
+    image.paste(picture, (28, 68))
+    draw.rectangle((26, 66, 293, 229), outline="#ffffff", width=3)
+    text(draw, "PUZZLE", (28, 8, 214, 62), "bold", "#ffffff", 2, "#22252a")
+    draw.ellipse((232, 4, 302, 74), fill="#f2c81e", outline="#22252a", width=2)
+    text(draw, str(count), (242, 16, 292, 48), "bold", "#22252a")
+    text(draw, "pieces", (244, 48, 290, 62), "bold", "#22252a")
+    text(draw, "JOYMILL", (110, 234, 210, 252), "bold", "#ffffff")
+    return image
+
+
+def _jigsaw_piece(size: float, colour: str) -> Mesh:
+    """One flat piece with two knobs and two holes."""
+    h = size / 2
+    side = [(-h, -h), (-0.14, -h), (-0.2, -h - 0.22), (0.2, -h - 0.22), (0.14, -h), (h, -h)]
+    side = [(-h, -h), (-0.16 * size, -h), (-0.22 * size, -h - 0.24 * size)]
+    side += [(0.22 * size, -h - 0.24 * size), (0.16 * size, -h)]
+    hole = [(h, -h), (h, -0.16 * size), (h - 0.22 * size, -0.2 * size)]
+    hole += [(h - 0.22 * size, 0.2 * size), (h, 0.16 * size)]
+    outline = side + hole
+    outline += [(-x, -y) for x, y in side[:1]] + [(-x, -y) for x, y in side[1:]]
+    outline += [(-h, h), (-h, 0.16 * size), (-h + 0.22 * size, 0.2 * size)]
+    outline += [(-h + 0.22 * size, -0.2 * size), (-h, -0.16 * size)]
+    unique = list(dict.fromkeys((round(x, 6), round(y, 6)) for x, y in outline))
+    return extrude(unique, 0.005, plain(colour, 0.04))
+
+
+def puzzle_box(kind: str, picture: str, paint: str, count: int) -> Model:
+    """A jigsaw in its box: 'flat', 'cube' (for small children), 'open' (lid beside, pieces inside),
+    'tray' (a half-laid puzzle in a frame), 'spilled' (pieces before the box)."""
+    skin, cardboard = printed(_lid_print(picture, paint, count)), plain(paint, 0.03)
+    inside = plain("#d8c8a8", 0.06)
+    pieces: list[list[Mesh]] = []
+    colours = ["#6fb8e8", "#5fae4a", "#e8402c", "#f2c81e", "#f6f4ee", "#2a6fb0", "#8a4a22"]
+
+    def scattered(spots, z: float = 0.0, size: float = 0.026) -> list[Mesh]:
+        return [
+            _jigsaw_piece(size, colours[k % 7]).turn(rz=1.3 * k).move(x, y, z)
+            for k, (x, y) in enumerate(spots)
+        ]
+
+    sides = dict.fromkeys(("+x", "-x", "+y", "-y"), (skin, (0.09, 0.74, 0.7, 0.98)))
+    if kind in ("flat", "spilled"):
+        sx, sy, sz = 0.19, 0.27, 0.045
+        lid = box(sx, sy, sz, (0, 0, 0), cardboard, 0.0, 1, {"+z": skin} | sides)
+        pieces.append([lid])
+        if kind == "spilled":
+            lid.move(-0.05, 0, 0)
+            for mesh in scattered(
+                [
+                    (0.075, -0.1),
+                    (0.09, -0.055),
+                    (0.072, -0.01),
+                    (0.1, 0.02),
+                    (0.08, 0.06),
+                    (0.105, 0.1),
+                    (0.12, -0.02),
+                ]
+            ):
+                pieces.append([mesh])
+    elif kind == "cube":
+        word = {"+x": skin, "-x": skin, "+y": skin, "-y": skin, "+z": skin}
+        body = box(0.13, 0.16, 0.13, (0, 0, 0), cardboard, 0.002, 1, word)
+        loop = [
+            (0, 0.045 * math.cos(a), 0.13 + 0.035 * math.sin(a)) for a in np.linspace(0, 3.14, 8)
+        ]
+        pieces = [[body, tube(loop, 0.005, 6, mat=plain("#f6f4ee", 0.02))]]
+    elif kind == "open":
+        sx, sy, sz, t = 0.19, 0.27, 0.04, 0.005
+        tray = [box(sx, sy, t, (0, 0, 0), inside)]
+        for q in (-1, 1):
+            tray.append(box(t, sy, sz, (q * (sx - t) / 2, 0, 0), cardboard))
+            tray.append(box(sx, t, sz, (0, q * (sy - t) / 2, 0), cardboard))
+        rng = np.random.default_rng(2)
+        spots = [(-0.065 + 0.033 * (k % 5), -0.1 + 0.05 * (k // 5)) for k in range(20)]
+        spots = [(x + rng.normal(0, 0.004), y + rng.normal(0, 0.006)) for x, y in spots[:18]]
+        bed = box(sx - 2 * t, sy - 2 * t, 0.01, (0, 0, 0.004), plain("#9ab0a0", 0.3, 120))
+        lid = box(sx, sy, 0.03, (0, 0, 0), cardboard, 0, 1, {"+z": skin})
+        lid.turn(ry=-0.55).move(-0.175, 0.02, 0.062)
+        pieces = [[*tray, bed, *scattered(spots[1:16:2], 0.0142)], grounded([lid])]
+    else:
+        image = _scene(picture)
+        frame = box(0.2, 0.27, 0.006, (0, 0, 0), plain(paint, 0.04), 0.0)
+        laid = box(0.17, 0.24, 0.005, (0, 0, 0.005), inside, 0, 1, {"+z": printed(image)})
+        gap = plain("#cdbb96", 0.05)
+        holes = [box(0.034, 0.04, 0.0006, (0.051, y, 0.0099), gap) for y in (-0.1, 0.02)]
+        rims = []
+        for q in (-1, 1):
+            rims.append(box(0.015, 0.27, 0.012, (q * 0.0925, 0, 0), plain(paint, 0.04)))
+            rims.append(box(0.17, 0.015, 0.012, (0, q * 0.1275, 0), plain(paint, 0.04)))
+        pieces = [[frame, laid, *holes, *rims]]
+        pieces += [[m] for m in scattered([(0.13, -0.07), (0.125, 0.04)], 0, 0.034)]
+    return loose("jigsaw puzzle", pieces, 0.5)
+
+
+def puzzle_box_random(rng: np.random.Generator) -> dict:
+    return {"kind": "flat", "picture": "castle", "paint": "#c8242c", "count": 100}
+
+
+MODELS = {
+    "puzzle_box": Maker(
+        puzzle_box,
+        puzzle_box_random,
+        7,
+        [
+            {},
+            {"kind": "cube", "picture": "elephant", "paint": "#2f8a5a", "count": 24},
+            {"kind": "open", "picture": "ship", "paint": "#1f4f98", "count": 500},
+            {"kind": "tray", "picture": "balloon", "paint": "#f2b91c"},
+            {"kind": "spilled", "picture": "balloon", "paint": "#7b3fb5", "count": 48},
+            {"picture": "ship", "paint": "#1f4f98", "count": 500},
+            {"kind": "cube", "picture": "castle", "paint": "#e0609a", "count": 12},
+        ],
+    ),
+}

@@ -128,6 +128,8 @@ def test_only_the_blender_scripts_import_blender() -> None:
 def test_blender_scripts_import_nothing_of_the_package() -> None:
     scripts = sorted((ROOT / "assets" / "blender").rglob("*.py"))
     assert scripts
+    # It runs in the package's own Python, after Blender is done.
+    scripts.remove(ROOT / "assets" / "blender" / "assemble.py")
     for path in scripts:
         text = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         for node in text:

@@ -192,9 +192,9 @@ def _header_only(path: Path) -> None:
         ("meshes/fridge_01.hulls.json", _flat, "a piece is flat"),
         ("meshes/fridge_01.hulls.json", _not_a_number, "four points of three numbers"),
         ("meshes/fridge_01.hulls.json", _no_piece, "no piece"),
-        ("textures/fridge_01.png", _cut, "no whole PNG or JPEG"),
-        ("textures/fridge_01.png", _header_only, "no whole PNG or JPEG"),
-        ("textures/fridge_01.png", _junk, "neither PNG nor JPEG"),
+        ("textures/fridge_01.jpg", _cut, "no whole PNG or JPEG"),
+        ("textures/fridge_01.jpg", _header_only, "no whole PNG or JPEG"),
+        ("textures/fridge_01.jpg", _junk, "neither PNG nor JPEG"),
     ],
 )
 def test_broken_files_are_named(

@@ -224,7 +224,7 @@ Damage = Callable[[Any, Any, Any], None]
         (_licence, "licence: licence 'all rights reserved' is none of"),
         (_small_hulls, "outside the hulls"),
         (_large_hulls, "collision: the hulls reach around"),
-        (_tipping, "rest: tips over by"),
+        (_tipping, "rest: "),
         (_cutting_joint, "joints: joint 'door' cuts"),
         (_unreachable, "joints: state OPEN lies beyond the range of the joint 'door'"),
         (_support_in_the_air, "supports: support 'shelf' at 0.75 m lies on nothing"),

@@ -96,9 +96,27 @@ def show_asset(extra: tuple[str, ...], as_json: bool, asset_id: str) -> None:
     help="Picture to write, PNG or JPEG; of more than one page, each gets its number.",
 )
 @click.option("--states", is_flag=True, help="Every variant, and joints open, beside the default.")
-@click.option("--size", type=click.IntRange(32, 1024), default=128, show_default=True)
-@click.option("--columns", type=click.IntRange(1, 64), default=14, show_default=True)
-@click.option("--per-page", type=click.IntRange(1, 2000), default=224, show_default=True)
+@click.option(
+    "--size",
+    type=click.IntRange(32, 1024),
+    default=128,
+    show_default=True,
+    help="Pixels a side of each picture.",
+)
+@click.option(
+    "--columns",
+    type=click.IntRange(1, 64),
+    default=14,
+    show_default=True,
+    help="Pictures in a row.",
+)
+@click.option(
+    "--per-page",
+    type=click.IntRange(1, 2000),
+    default=224,
+    show_default=True,
+    help="Pictures on a page.",
+)
 @click.option(
     "--renderer",
     type=click.Choice(["auto", "egl", "cpu"]),

@@ -20,7 +20,7 @@ from sdgen.options import BuildOptions
 from sdgen.physics.bullet import pb
 from sdgen.pipeline import make_scene
 from sdgen.render.frames import Renderer, drawing_shift
-from sdgen.render.projection import projection_matrix, view_matrix
+from sdgen.render.opengl import projection_matrix, view_matrix
 from sdgen.render.shell import LIGHT_M
 
 

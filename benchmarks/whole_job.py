@@ -30,7 +30,7 @@ from sdgen.options import BuildOptions
 from sdgen.physics.bullet import pb
 from sdgen.render.backend import Choice, choose_renderer
 from sdgen.render.frames import Renderer, drawing_shift
-from sdgen.render.projection import projection_matrix, view_matrix
+from sdgen.render.opengl import projection_matrix, view_matrix
 from sdgen.render.shell import LIGHT_M, structure_faces
 from sdgen.scene import Scene
 

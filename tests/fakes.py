@@ -11,9 +11,10 @@ import numpy as np
 import trimesh
 import yaml
 from PIL import Image
-from sdgen.geometry import Quat, Vec2, Vec3
+from sdgen.cameras.pinhole import FAR_M, NEAR_M, intrinsics, matrix4
+from sdgen.geometry import Quat, Vec2, Vec3, look_at
 from sdgen.library import Library
-from sdgen.scene import AgentStart, Box, Home, ObjectInstance, Pose, Room, Scene, Structure
+from sdgen.scene import AgentStart, Box, Camera, Home, ObjectInstance, Pose, Room, Scene, Structure
 
 RED, GREEN, BLUE, GREY = (200, 40, 40), (40, 180, 60), (40, 60, 200), (150, 150, 150)
 
@@ -177,4 +178,19 @@ def box_room(
         free_space=(outline,),
         agent_start=AgentStart(position_m=(0, 0, 0), yaw_rad=0, room_id=1),
         objects=tuple(objects),
+    )
+
+
+def camera_at(eye_m: Vec3, target_m: Vec3, size: tuple[int, int] = (640, 480)) -> Camera:
+    """A camera of ``size`` (width, height) that looks from one point at another."""
+    return Camera(
+        index=0,
+        kind="room",
+        room_id=1,
+        width=size[0],
+        height=size[1],
+        K=intrinsics(*size),
+        world_from_camera=matrix4(look_at(eye_m, target_m)),
+        near_m=NEAR_M,
+        far_m=FAR_M,
     )

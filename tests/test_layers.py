@@ -25,7 +25,8 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
         ("actions",),
     ),
     # Hazards stand on the same placing code as everyday clutter, or placing would tell them apart.
-    3: (("home", "households"), ("hazards",)),
+    # Cameras decide content by rays alone: they know neither the simulator nor the renderer.
+    3: (("home", "households", "cameras"), ("hazards",)),
     4: (("physics",), ("render",)),
     5: (("truth", "dataset"),),
     6: (("pipeline",), ("engines",)),
@@ -99,6 +100,9 @@ def test_every_room_of_the_package_has_a_floor() -> None:
     [
         ("cli", "validate", True),
         ("home", "physics", False),
+        ("cameras", "physics", False),
+        ("cameras", "render", False),
+        ("render", "cameras", True),
         ("home", "hazards", False),
         ("home", "households", False),
         ("catalog", "library", True),

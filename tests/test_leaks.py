@@ -15,6 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 import pytest
+from sdgen.cameras.parts import part_points
+from sdgen.cameras.pinhole import matrix4
 from sdgen.catalog.load import load_catalog
 from sdgen.geometry import apply, inverse, rotation_matrix
 from sdgen.library import Library, load_library
@@ -22,8 +24,6 @@ from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.pipeline import make_scene
 from sdgen.pipeline.views import Sight
-from sdgen.render.projection import matrix4
-from sdgen.render.sight import part_points
 from sdgen.scene import Camera, ObjectInstance, SceneBundle
 from sdgen.truth.graph import opaque_name
 from sklearn.ensemble import HistGradientBoostingClassifier

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sdgen.render.frames as frames_module
-from sdgen.geometry import apply, look_at
+from sdgen.cameras.pinhole import project
+from sdgen.geometry import Vec3, apply
 from sdgen.library import Library
 from sdgen.render.backend import choose_renderer
 from sdgen.render.frames import Renderer
-from sdgen.render.projection import FAR_M, NEAR_M, intrinsics, matrix4, project
 from sdgen.scene import Camera, Frame, Scene
 
-from tests.fakes import GREEN, RED, box_room, thing, write_library
+from tests.fakes import GREEN, RED, box_room, camera_at, thing, write_library
 
 EGL = choose_renderer("auto").kind == "egl"
 KINDS = ["egl", "cpu"] if EGL else ["cpu"]
@@ -25,22 +25,8 @@ def renderer(request: pytest.FixtureRequest) -> Iterator[Renderer]:
         yield made
 
 
-def camera(
-    eye: tuple[float, float, float],
-    target: tuple[float, float, float],
-    size: tuple[int, int] = (320, 240),
-) -> Camera:
-    return Camera(
-        index=0,
-        kind="room",
-        room_id=1,
-        width=size[0],
-        height=size[1],
-        K=intrinsics(*size),
-        world_from_camera=matrix4(look_at(eye, target)),
-        near_m=NEAR_M,
-        far_m=FAR_M,
-    )
+def camera(eye: Vec3, target: Vec3, size: tuple[int, int] = (320, 240)) -> Camera:
+    return camera_at(eye, target, size)
 
 
 def one(renderer: Renderer, library: Library, scene: Scene, view: Camera, scale: int = 1) -> Frame:
@@ -192,7 +178,7 @@ import hashlib, sys
 from pathlib import Path
 from sdgen.library import Library
 from sdgen.render.frames import Renderer
-from tests.fakes import box_room, thing
+from tests.fakes import box_room, camera_at, thing
 from tests.render.test_frames import camera
 
 library = Library([Path(sys.argv[1])])

@@ -1,9 +1,9 @@
 """Nothing but background is painted: green below the horizon, blue above it."""
 
 import numpy as np
+from sdgen.cameras.pinhole import intrinsics, matrix4
 from sdgen.geometry import look_at
 from sdgen.render.outdoors import paint_outdoors
-from sdgen.render.projection import intrinsics, matrix4
 from sdgen.scene import Camera
 
 

@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
+from sdgen.cameras.pinhole import project
 from sdgen.cli.main import run
 from sdgen.library import Library, load_library
 from sdgen.library.states import derive_states
 from sdgen.render.frames import Renderer
 from sdgen.render.portraits import look_in_state, looks_of, portrait, portrait_camera
-from sdgen.render.projection import project
 
 from tests.fakes import RED
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
+from sdgen.cameras import Sight, choose_views, unseen
 from sdgen.catalog.load import catalog_sha256
 from sdgen.catalog.records import Catalog
 from sdgen.errors import SceneRejected
@@ -22,7 +23,6 @@ from sdgen.physics.client import Client
 from sdgen.physics.rays import RayWorld
 from sdgen.pipeline.attempt import Proved, attempt
 from sdgen.pipeline.stage import pick_home, stage_home
-from sdgen.pipeline.views import Sight, choose_views, unseen
 from sdgen.scene import (
     Anomalies,
     Certificate,
@@ -85,7 +85,7 @@ def make_scene(
                 continue
             anomalies = anomaly_records(proved.positives, proved.facts, catalog, household)
             with RayWorld(library, proved.scene, client) as world:
-                sight = Sight(library, proved.scene, world, options.seed)
+                sight = Sight(library, proved.scene, world.cast, options.seed)
                 hidden = unseen(sight, anomalies)
                 if hidden is not None:
                     reasons[hidden] += 1

@@ -10,22 +10,23 @@ from types import TracebackType
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.cameras.parts import world_triangles
 from sdgen.geometry import Array, apply, inverse, matrix, quat_from_matrix
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.bullet import pb, quiet
 from sdgen.render.backend import Choice, Kind, choose_renderer, start_egl
 from sdgen.render.coverage import coverage
-from sdgen.render.outdoors import paint_outdoors
-from sdgen.render.projection import (
+from sdgen.render.opengl import (
     depth_from_buffer,
     projection_matrix,
     scaled,
     to_millimetres,
     view_matrix,
 )
+from sdgen.render.outdoors import paint_outdoors
 from sdgen.render.shell import LIGHT_M, ShellFolder, structure_faces
-from sdgen.scene import Camera, Frame, ObjectInstance, Scene, Structure
+from sdgen.scene import Camera, Frame, Scene, Structure
 
 # The EGL window of the plugin; a larger picture would be scaled up from it without a word.
 _TILE = (2560, 2048)
@@ -295,18 +296,6 @@ def drawing_shift(scene: Scene) -> Array:
         out[:2, 3] = -middle
     out[2, 3] = _FLOOR_Z_M
     return out
-
-
-def world_triangles(library: Library, item: ObjectInstance) -> Array:
-    """All drawn triangles of an object in the world, (N, 3, 3)."""
-    info = library.info(item.asset)
-    meshes = library.mesh(item.asset)
-    pose = matrix(item.pose.position_m, item.pose.quat_xyzw)
-    out = []
-    for name in info.variants[item.variant]:
-        vertices = apply(pose @ object_from_part(info, name, item.joints), meshes[name].vertices)
-        out.append(vertices[meshes[name].faces])
-    return np.concatenate(out)
 
 
 def _hidden(

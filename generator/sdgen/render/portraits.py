@@ -9,12 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.cameras.parts import world_triangles
+from sdgen.cameras.pinhole import FAR_M, intrinsics, matrix4
 from sdgen.geometry import Array, look_at
 from sdgen.library import Library
 from sdgen.library.alone import MODEL_ID, alone_on_floor
 from sdgen.library.records import AssetInfo
-from sdgen.render.frames import Renderer, world_triangles
-from sdgen.render.projection import FAR_M, intrinsics, matrix4
+from sdgen.render.frames import Renderer
 from sdgen.scene import Camera
 
 #: The floor that portraits are taken on: light, and without a pattern things could be lost in.

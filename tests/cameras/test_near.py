@@ -2,19 +2,16 @@ import math
 
 import numpy as np
 import pytest
+from sdgen.cameras.near import PIXELS_NEEDED, Target, best_near_pose
+from sdgen.cameras.overview import room_views
+from sdgen.cameras.parts import part_numbers, part_points
+from sdgen.cameras.pinhole import intrinsics, project
+from sdgen.cameras.sight import estimate_pixels
+from sdgen.cameras.view import to_cameras
 from sdgen.geometry import look_at
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
-from sdgen.render.cameras import (
-    PIXELS_NEEDED,
-    Target,
-    best_near_pose,
-    room_views,
-    to_cameras,
-)
 from sdgen.render.frames import Renderer
-from sdgen.render.projection import intrinsics, project
-from sdgen.render.sight import estimate_pixels, part_numbers, part_points
 from sdgen.scene import Scene
 from sdgen.seeding import lane
 

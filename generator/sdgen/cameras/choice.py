@@ -10,31 +10,30 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from sdgen.cameras.near import PIXELS_NEEDED, Target, best_near_pose
+from sdgen.cameras.overview import room_views
+from sdgen.cameras.parts import part_area
+from sdgen.cameras.sight import Cast
+from sdgen.cameras.view import EYE_HEIGHT_M, View, to_cameras
 from sdgen.catalog.records import Catalog, Hazard
 from sdgen.library import Library
 from sdgen.options import BuildOptions
-from sdgen.physics.rays import RayWorld
-from sdgen.render.cameras import (
-    EYE_HEIGHT_M,
-    PIXELS_NEEDED,
-    Target,
-    View,
-    best_near_pose,
-    room_views,
-    to_cameras,
-)
-from sdgen.render.sight import part_area
 from sdgen.scene import Anomaly, Camera, Lookalike, Scene
 from sdgen.seeding import Rng, lane
 
+#: Near views are what small anomalies are seen in; the rest are overviews, which place them.
 NEAR_SHARE = 2 / 3
+#: How often a benign near view prefers a lookalike: as often as not, so that neither is a sign.
 LOOKALIKE_SHARE = 0.5
+#: Surface of a small thing, a knife or a mug; larger ones must show more pixels.
 SMALL_M2 = 0.02
+#: Enough to tell a wardrobe: 2 % of a picture of 640x480. More would refuse most views of it.
 GLANCE_MOST = 6000.0
 #: Anomalies lie lower than this, and so must the benign things that share their near views: else
 #: upturned cameras would tell how few anomalies a scene has. One more near view, the same in every
 #: scene, is for what lies higher: knives on a shelf, open wall cabinets.
 LOW_M = 1.25
+#: High things looked at before their view becomes one more overview.
 HIGH_TRIED = 8
 #: Overviews that a scene keeps when it gets that view.
 OVERVIEWS_KEPT = 2
@@ -71,13 +70,13 @@ class Sight:
         self,
         library: Library,
         scene: Scene,
-        world: RayWorld,
+        cast: Cast,
         seed: int,
         eye_height_m: float = EYE_HEIGHT_M,
     ) -> None:
         self._library = library
         self._scene = scene
-        self._world = world
+        self._cast = cast
         self._seed = seed
         self._eye_height_m = eye_height_m
         self._found: dict[tuple[int, tuple[str, ...]], View | None] = {}
@@ -91,7 +90,7 @@ class Sight:
         """The same from another eye height."""
         if eye_height_m == self._eye_height_m:
             return self
-        return Sight(self._library, self._scene, self._world, self._seed, eye_height_m)
+        return Sight(self._library, self._scene, self._cast, self._seed, eye_height_m)
 
     def near(self, object_id: int, parts: tuple[str, ...] = ()) -> View | None:
         """The best near view of an object's parts, or None when none shows enough."""
@@ -100,7 +99,7 @@ class Sight:
             self._found[key] = best_near_pose(
                 self._library,
                 self._scene,
-                self._world.cast,
+                self._cast,
                 Target(object_id, parts),
                 lane(self._seed, self._scene.index, f"near:{object_id}"),
                 self._eye_height_m,
@@ -110,7 +109,7 @@ class Sight:
 
     def rooms(self, count: int, rng: Rng) -> tuple[View, ...]:
         """Overviews of the rooms in turn."""
-        return room_views(self._scene, self._world.cast, count, rng, self._eye_height_m)
+        return room_views(self._scene, self._cast, count, rng, self._eye_height_m)
 
 
 def unseen(sight: Sight, anomalies: Sequence[Anomaly]) -> str | None:

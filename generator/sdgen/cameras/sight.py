@@ -2,66 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.geometry import Array, apply, inverse, matrix
-from sdgen.library import Library
-from sdgen.library.states import object_from_part
-from sdgen.physics.rays import Hits
-from sdgen.render.projection import intrinsics
-from sdgen.scene import ObjectInstance
+from sdgen.cameras.pinhole import intrinsics
+from sdgen.geometry import Array, apply, inverse
 
 Ints = npt.NDArray[np.int64]
 
 #: Pixels are always counted at this size, whatever size is rendered: options of pictures must
 #: not decide content.
 WIDTH, HEIGHT = 640, 480
+#: Length of an overview's rays: longer than any home.
 REACH_M = 25.0
 
-#: Rays along each side of a target's rectangle.
+#: Rays along each side of a target's rectangle: 256 come within 15 % of the picture's pixels.
 GRID = 16
+#: Points nearer to a camera than this are left out of the rectangle: they project anywhere.
+_NEAREST_M = 0.05
+#: Rays end this much behind the target's furthest point.
+_BEYOND_M = 0.5
+#: Rays across an overview: 300 in all, as many as find most things larger than a cup.
+_ACROSS = 20
 
 
-#: Origins (N, 3) and targets (N, 3) to hits: ``RayWorld.cast``.
-Cast = Callable[[Array, Array], Hits]
+class Hits(Protocol):
+    """What N rays met first: node id (0 = nothing), part (1-based index into the object's drawn
+    parts, 0 for structures) and distance in metres (inf = nothing)."""
+
+    @property
+    def object_id(self) -> Ints: ...
+
+    @property
+    def part(self) -> Ints: ...
+
+    @property
+    def distance_m(self) -> Array: ...
 
 
-def part_points(library: Library, item: ObjectInstance, parts: Collection[str]) -> Array:
-    """Vertices in the world of the drawn ``parts`` of an object (all when empty), (N, 3)."""
-    info = library.info(item.asset)
-    meshes = library.mesh(item.asset)
-    pose = matrix(item.pose.position_m, item.pose.quat_xyzw)
-    drawn = info.variants[item.variant]
-    wanted = [name for name in drawn if name in parts] or list(drawn)
-    return np.concatenate(
-        [
-            apply(pose @ object_from_part(info, name, item.joints), meshes[name].vertices)
-            for name in wanted
-        ]
-    )
+class Cast(Protocol):
+    """Casts rays into a scene; :meth:`sdgen.physics.rays.RayWorld.cast` does."""
 
-
-def part_area(library: Library, item: ObjectInstance, parts: Collection[str]) -> float:
-    """Surface of the drawn ``parts`` of an object (all when empty), square metres."""
-    drawn = library.info(item.asset).variants[item.variant]
-    wanted = [name for name in drawn if name in parts] or list(drawn)
-    total = 0.0
-    for name in wanted:
-        mesh = library.mesh(item.asset)[name]
-        corners = mesh.vertices[mesh.faces]
-        sides = corners[:, 1:] - corners[:, :1]
-        total += float(np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1).sum()) / 2
-    return total
-
-
-def part_numbers(library: Library, item: ObjectInstance, parts: Collection[str]) -> Ints:
-    """1-based numbers of the drawn ``parts`` (all when none of them is drawn)."""
-    drawn = library.info(item.asset).variants[item.variant]
-    wanted = [k for k, name in enumerate(drawn, start=1) if name in parts]
-    return np.array(wanted or range(1, len(drawn) + 1), dtype=np.int64)
+    def __call__(self, origins_m: Array, targets_m: Array, /) -> Hits:
+        """First thing each segment from (N, 3) origins to (N, 3) targets meets."""
+        ...
 
 
 def pixel_rays(world_from_camera: Array, pixels: Array, reach_m: float) -> tuple[Array, Array]:
@@ -92,7 +79,7 @@ def target_rays(
     No rays when the points are not in the picture.
     """
     seen = apply(inverse(world_from_camera), points_m)
-    seen = seen[seen[:, 2] > 0.05]
+    seen = seen[seen[:, 2] > _NEAREST_M]
     nothing = np.empty((0, 3))
     if len(seen) == 0:
         return nothing, nothing, 0.0
@@ -106,7 +93,7 @@ def target_rays(
     steps = (np.arange(grid) + 0.5) / grid
     grid_u, grid_v = np.meshgrid(left + steps * (right - left), top + steps * (bottom - top))
     pixels = np.stack([grid_u.ravel(), grid_v.ravel()], axis=1)
-    origins, targets = pixel_rays(world_from_camera, pixels, float(seen[:, 2].max()) + 0.5)
+    origins, targets = pixel_rays(world_from_camera, pixels, float(seen[:, 2].max()) + _BEYOND_M)
     return origins, targets, (right - left) * (bottom - top) / grid**2
 
 
@@ -132,7 +119,7 @@ def estimate_pixels(
     return np.array([n * r[2] for n, r in zip(counts, rays, strict=True)])
 
 
-def overview_rays(world_from_camera: Array, across: int = 20) -> tuple[Array, Array]:
+def overview_rays(world_from_camera: Array, across: int = _ACROSS) -> tuple[Array, Array]:
     """A coarse grid of rays over the whole picture."""
     down = across * HEIGHT // WIDTH
     u = (np.arange(across) + 0.5) * WIDTH / across - 0.5

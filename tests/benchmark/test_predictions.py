@@ -20,7 +20,7 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
 
 def test_written_predictions_read_back(data: Dataset, tmp_path: Path) -> None:
     told = detect(data, "rules")
-    write_predictions(tmp_path / "new" / "p.jsonl", told, data)
+    write_predictions(tmp_path / "new" / "p.jsonl", told)
     assert read_predictions(tmp_path / "new" / "p.jsonl", data) == told
     assert [p.name for p in (tmp_path / "new").iterdir()] == ["p.jsonl"]
 
@@ -99,5 +99,5 @@ def test_no_bytes_raise_anything_else(data: Dataset, tmp_path: Path, junk: bytes
 @pytest.mark.parametrize("name", ["manifest.jsonl", "scenes/000000/scene.json", "scenes/p.jsonl"])
 def test_predictions_never_overwrite_the_data_set(data: Dataset, name: str) -> None:
     with pytest.raises(SdgenError, match="belongs to the data set"):
-        write_predictions(data.path / name, {}, data)
+        write_predictions(data.path / name, {})
     assert len(Dataset(data.path)) == 4

@@ -124,7 +124,7 @@ def test_evaluate_tells_all_bad_lines(sound: Path, tmp_path: Path, capsys: Captu
         ["detect", "--method", "rulez", "-o", "p"],
         ["detect", "--method", "rules"],
         ["export", "--format", "zip", "-o", "a.zip"],
-        ["export", "--format", "tar"],
+        ["export"],
         ["validate", "--rebuild", "-1"],
         ["view", "--serve", "-o", "x"],
     ],

@@ -82,7 +82,7 @@ def test_scene_rejected_names_scene_and_reasons() -> None:
         (["build", "extra"], "unexpected extra argument"),
         (["assets", "show"], "Missing argument"),
         (["detect", "x"], "'--method'. Choose from: rules, never, always"),
-        (["export", "."], "'--format'. Choose from: tar"),
+        (["export", "."], "Missing option '-o'"),
         (["assets", "show", "mug_1"], "did you mean 'mug_01'?"),
     ],
 )

@@ -38,7 +38,7 @@ def test_writing_them_takes_stale_ones_away(tmp_path: Path) -> None:
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = toy.build(tmp_path_factory.mktemp("set") / "d")
     data = Dataset(path)
-    write_predictions(path.parent / "predictions.jsonl", detect(data, "always"), data)
+    write_predictions(path.parent / "predictions.jsonl", detect(data, "always"))
     return path
 
 

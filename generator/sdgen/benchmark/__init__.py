@@ -2,7 +2,7 @@
 
 from sdgen.benchmark.detectors import DETECTORS, detect
 from sdgen.benchmark.metrics import Evaluation, Score, evaluate
-from sdgen.benchmark.predictions import read_predictions, write_predictions
+from sdgen.benchmark.predictions import prediction_bytes, read_predictions, write_predictions
 
 __all__ = [
     "DETECTORS",
@@ -10,6 +10,7 @@ __all__ = [
     "Score",
     "detect",
     "evaluate",
+    "prediction_bytes",
     "read_predictions",
     "write_predictions",
 ]

@@ -13,11 +13,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from sdgen.dataset import Dataset
-from sdgen.dataset.disk import replace_file
+from sdgen.dataset.output_file import write_output
 from sdgen.dataset.records import Prediction, Report
 from sdgen.dataset.text import line_bytes, read_bytes, to_record
-from sdgen.dataset.writer import TOP_FILES
-from sdgen.errors import InputError, SdgenError, did_you_mean
+from sdgen.errors import InputError, did_you_mean
 
 Predictions = Mapping[str, tuple[Report, ...]]
 
@@ -72,16 +71,16 @@ def _check(prediction: Prediction, data: Dataset, where: str) -> Iterable[str]:
         seen.add(report.object_id)
 
 
-def write_predictions(path: str | Path, predictions: Predictions, data: Dataset) -> None:
-    """Write predictions, sorted by scene and object; whole or not at all.
+def write_predictions(path: str | Path, predictions: Predictions) -> None:
+    """Write predictions' file, whole or not at all.
 
-    Raises SdgenError rather than write over a file of the data set.
+    Raises SdgenError rather than write over a file of a data set or what is no plain file.
     """
-    path = Path(path)
-    own = {(data.path / name).resolve() for name in TOP_FILES}
-    inside = (data.path / "scenes").resolve() in path.resolve().parents
-    if inside or path.resolve() in own:
-        raise SdgenError(f"{path}: belongs to the data set; write predictions elsewhere")
+    write_output(Path(path), prediction_bytes(predictions))
+
+
+def prediction_bytes(predictions: Predictions) -> bytes:
+    """Predictions as the bytes of their file, sorted by scene and object."""
     lines = [
         line_bytes(
             Prediction(
@@ -90,5 +89,4 @@ def write_predictions(path: str | Path, predictions: Predictions, data: Dataset)
         )
         for scene in sorted(predictions)
     ]
-    path.parent.mkdir(parents=True, exist_ok=True)
-    replace_file(path, b"".join(lines))
+    return b"".join(lines)

@@ -143,6 +143,7 @@ def sheet(
     """
     from PIL import Image
 
+    from sdgen.dataset.output_file import check_output, output_file
     from sdgen.gallery.sheet import contact_sheet, pages
     from sdgen.render.frames import Renderer
     from sdgen.render.portraits import looks_of, portrait
@@ -151,6 +152,7 @@ def sheet(
         raise UsageError(f"{out}: a sheet is a .png or a .jpg")
     if not out.parent.is_dir():
         raise UsageError(f"{out.parent}: no such folder")
+    check_output(out)
     library = _library(extra)
     wanted = []
     for asset_id in select(library, words):
@@ -168,7 +170,9 @@ def sheet(
                 if on_model is not None:
                     on_model(k + 1, len(wanted))
             path = out if len(split) == 1 else out.with_stem(f"{out.stem}-{number:02d}")
-            Image.fromarray(contact_sheet(tiles, columns)).save(path, quality=88)
+            kind = "PNG" if path.suffix.lower() == ".png" else "JPEG"
+            with output_file(path) as file:
+                Image.fromarray(contact_sheet(tiles, columns)).save(file, kind, quality=88)
             click.echo(f"{path}: {len(tiles)} pictures")
 
 

@@ -22,7 +22,7 @@ METHODS = ("rules", "never", "always")
     "--output",
     type=click.Path(path_type=Path, dir_okay=False),
     required=True,
-    help="Predictions file to write.",
+    help="Predictions file to write; - is standard output.",
 )
 @click.option("--split", help="Only the scenes of train, val or test.")
 def detect(dataset: Path, method: str, output: Path, split: str | None) -> None:
@@ -31,14 +31,21 @@ def detect(dataset: Path, method: str, output: Path, split: str | None) -> None:
     Example: sdgen detect output/sdgen-n12-s7 --method rules -o predictions.jsonl
     """
     from sdgen.benchmark import detect as run
-    from sdgen.benchmark import write_predictions
+    from sdgen.benchmark import prediction_bytes, write_predictions
     from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
+    from sdgen.dataset.output_file import check_output
 
+    to_stdout = output == Path("-")
+    if not to_stdout:
+        check_output(output)  # before the work
     data = Dataset(dataset, split=split)
     with bar("detecting") as on_scene:
         found = run(data, method, on_scene)
-    write_predictions(output, found, data)
+    if to_stdout:
+        click.echo(prediction_bytes(found), nl=False)
+        return
+    write_predictions(output, found)
     reports = sum(len(said) for said in found.values())
     click.echo(f"{output}: {reports} reports in {len(found)} scenes", err=True)
     click.echo(f"score them: sdgen evaluate {dataset} {output}", err=True)

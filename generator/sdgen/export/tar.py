@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import gzip
 import io
-import os
 import tarfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -17,6 +16,7 @@ from typing import IO
 
 from sdgen.dataset import Dataset
 from sdgen.dataset.disk import sha256_hex
+from sdgen.dataset.output_file import output_file
 from sdgen.dataset.reader import SAFE_NAME
 from sdgen.dataset.text import read_bytes
 from sdgen.dataset.writer import TOP_FILES
@@ -30,26 +30,15 @@ def export_tar(
 ) -> None:
     """Write ``output`` (``.tar``, or ``.tar.gz`` compressed); whole or not at all.
 
-    Raises SdgenError for another ending or a place inside the data set, InputError for a file of
-    the data set that is missing, changed or no plain file.
+    Raises SdgenError for another ending, a place inside the data set or one that holds no plain
+    file, InputError for a file of the data set that is missing, changed or no plain file.
     """
     if not output.name.endswith(ENDINGS):
         raise SdgenError(f"{output}: name it .tar, or .tar.gz to compress it")
     if data.path.resolve() in output.resolve().parents:
         raise SdgenError(f"{output}: lies inside the data set; choose another place")
-    if output.is_dir():
-        raise SdgenError(f"{output}: is a folder")
-    output.parent.mkdir(parents=True, exist_ok=True)
-    partial = output.with_name(f".{output.name}.partial")
-    try:
-        with partial.open("wb") as raw:
-            with _compressed(raw, output) as stream:
-                _write(data, stream, on_scene)
-            raw.flush()
-            os.fsync(raw.fileno())
-        os.replace(partial, output)
-    finally:
-        partial.unlink(missing_ok=True)
+    with output_file(output) as raw, _compressed(raw, output) as stream:
+        _write(data, stream, on_scene)
 
 
 @contextlib.contextmanager

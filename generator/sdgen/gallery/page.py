@@ -11,7 +11,8 @@ from urllib.parse import quote
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from sdgen.dataset import Dataset, SceneItem
-from sdgen.dataset.disk import remove_tree, replace_file
+from sdgen.dataset.disk import remove_tree
+from sdgen.dataset.output_file import refuse_data_set, refuse_links, write_output
 from sdgen.dataset.reader import derived_from
 from sdgen.dataset.records import count
 from sdgen.dataset.scene_folder import view_folder
@@ -71,8 +72,8 @@ def write_gallery(
     """Write the page of a data set into the folder ``out``.
 
     Colour pictures are linked, not copied: keep the page beside the data set. ``limit`` shows
-    only the first scenes. Raises SdgenError when ``out`` holds something else, InputError for a
-    broken scene; a new page that cannot be finished is taken away again.
+    only the first scenes. Raises SdgenError when ``out`` holds something else, is a link or lies
+    among a data set's scenes, InputError for a broken scene; a new page that cannot be finished is taken away again.
     """
     _refuse_foreign(out)
     fresh = not out.exists()
@@ -99,11 +100,12 @@ def _write(
     out.mkdir(parents=True, exist_ok=True)
     items = list(data)[:limit]
     style = environment.get_template("style.css.j2").render()
-    replace_file(out / STYLE, MARK + b"\n" + style.encode("utf-8"))
+    write_output(out / STYLE, MARK + b"\n" + style.encode("utf-8"))
     page = environment.get_template("scene.html.j2")
     cards = []
     for k, item in enumerate(items):
         folder = out / item.id
+        refuse_links(folder, "folder")
         folder.mkdir(exist_ok=True)
         with derived_from(item):
             text = page.render(
@@ -122,10 +124,10 @@ def _write(
                 category={thing.id: thing.category for thing in item.scene.objects},
                 best=_best_views(item),
             )
-        replace_file(folder / INDEX, text.encode("utf-8"))
+        write_output(folder / INDEX, text.encode("utf-8"))
         thumb = item.entry.views > 0 and item.rgb_path(0) is not None
         if thumb:
-            replace_file(folder / "thumb.jpg", thumbnail(item.rgb(0)))
+            write_output(folder / "thumb.jpg", thumbnail(item.rgb(0)))
         cards.append({"item": item, "thumb": thumb})
         if on_scene is not None:
             on_scene(k + 1, len(items))
@@ -136,11 +138,13 @@ def _write(
         cards=cards,
         hazards=sorted({h for item in items for h in item.entry.hazards}),
     )
-    replace_file(out / INDEX, text.encode("utf-8"))
+    write_output(out / INDEX, text.encode("utf-8"))
     return Shown(out / INDEX, len(items), len(data))
 
 
 def _refuse_foreign(out: Path) -> None:
+    refuse_links(out, "folder")
+    refuse_data_set(out)
     if out.exists() and not out.is_dir():
         raise SdgenError(f"{out}: is a file; choose another place for the page")
     style = out / STYLE
@@ -155,10 +159,10 @@ def _view(data: Dataset, item: SceneItem, folder: Path, view: int) -> ViewOnPage
     mask = depth = rgb = None
     if "instance" in sensors:
         mask = f"{view:02d}-mask.png"
-        replace_file(folder / mask, small_png(mask_colours(item.instance(view))))
+        write_output(folder / mask, small_png(mask_colours(item.instance(view))))
     if "depth" in sensors:
         depth = f"{view:02d}-depth.png"
-        replace_file(folder / depth, small_png(depth_colours(item.depth_mm(view))))
+        write_output(folder / depth, small_png(depth_colours(item.depth_mm(view))))
     path = item.rgb_path(view)
     if path is not None:
         rgb = _link(folder, item.folder / view_folder(view) / path.name)

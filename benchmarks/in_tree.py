@@ -1,0 +1,118 @@
+"""What ``whole_job.py`` runs inside a source tree's own package; not to be called by hand.
+
+``in_tree.py content SEED`` makes the scenes whose numbers it reads from standard input, one a
+line, and answers each with a line of JSON: core seconds of content alone (home, hazards, physics,
+proof, cameras; nothing drawn, encoded or written). ``in_tree.py bare DATASET SHARE SHARES`` draws
+the frames of a share of a data set's scenes with Bullet's ``getCameraImage`` and nothing else.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+
+def say(record: dict[str, Any]) -> None:
+    """One line of JSON to whoever started us."""
+    sys.stdout.write(json.dumps(record) + "\n")
+    sys.stdout.flush()
+
+
+def content(seed: int) -> None:
+    """Core seconds of the content of every scene asked for, and of getting ready."""
+    from sdgen.catalog.load import load_catalog
+    from sdgen.errors import SceneRejected
+    from sdgen.library import load_library
+    from sdgen.options import BuildOptions
+    from sdgen.physics.client import Client
+    from sdgen.pipeline import make_scene
+
+    catalog, library = load_catalog(), load_library()
+    options = BuildOptions(seed=seed)
+    with Client() as client:
+        say({"ready": time.process_time()})
+        for line in sys.stdin:
+            start, homes = time.process_time(), 0
+            try:
+                homes = make_scene(
+                    int(line), catalog, library, options, client
+                ).physics.home_attempts
+            except SceneRejected:
+                homes = -1
+            say({"index": int(line), "core_s": time.process_time() - start, "homes": homes})
+
+
+def faces_drawn(library: Any, scene: Any) -> int:
+    """Triangles that Bullet draws in every view of a scene: those of all its bodies."""
+    from sdgen.render.shell import structure_faces
+
+    shell = sum(
+        len(face.vertices_m) // 2 for s in scene.home.structures for face in structure_faces(s, 1.0)
+    )
+    shown = 0
+    for item in scene.objects:
+        info = library.info(item.asset)
+        shown += sum(info.part(name).faces for name in info.variants[item.variant])
+    return shell + shown
+
+
+def bare(folder: Path, share: int, shares: int) -> None:
+    """Seconds of every bare frame of a share of the scenes, and the faces in each view."""
+    import numpy as np
+    from sdgen import Dataset
+    from sdgen.library import load_library
+    from sdgen.physics.bullet import pb
+    from sdgen.render.backend import choose_renderer
+    from sdgen.render.frames import Renderer, drawing_shift
+    from sdgen.render.opengl import projection_matrix, view_matrix
+    from sdgen.render.shell import LIGHT_M
+
+    library, choice = load_library(), choose_renderer("auto")
+    device = pb.ER_BULLET_HARDWARE_OPENGL if choice.kind == "egl" else pb.ER_TINY_RENDERER
+    scenes = [item for item in Dataset(folder) if item.scene.twin_of is None]
+    with Renderer(choice) as renderer:
+        for item in scenes[share::shares]:
+            scene, seconds = item.scene, []
+            renderer.load(library, scene)
+            for camera in item.cameras:
+                pose = drawing_shift(scene) @ np.asarray(camera.world_from_camera)
+                size = (camera.width, camera.height)
+                lens = projection_matrix(
+                    np.asarray(camera.K), 0, 0, *size, camera.near_m, camera.far_m
+                )
+                start = time.perf_counter()
+                pb.getCameraImage(
+                    *size,
+                    view_matrix(pose),
+                    lens,
+                    lightDirection=LIGHT_M,
+                    renderer=device,
+                    physicsClientId=renderer.client,
+                )
+                seconds.append(time.perf_counter() - start)
+            say({"frames": seconds, "faces": faces_drawn(library, scene)})
+
+
+def spin() -> None:
+    """How long a fixed piece of Python and numpy takes: tells a busy machine from a free one."""
+    import numpy as np
+
+    rows = np.sin(np.arange(200_000.0))
+    start = time.perf_counter()
+    for _ in range(60):
+        sum(k * k for k in range(30_000))
+        rows = np.sort(np.sin(100.0 * rows))  # no matrix products, which would start threads
+    say({"spin_s": time.perf_counter() - start})
+
+
+if __name__ == "__main__":
+    role, *rest = sys.argv[1:]
+    if role == "content":
+        content(int(rest[0]))
+    elif role == "bare":
+        bare(Path(rest[0]), int(rest[1]), int(rest[2]))
+    else:
+        spin()

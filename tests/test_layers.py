@@ -14,7 +14,11 @@ PACKAGE = ROOT / "generator" / "sdgen"
 #: Floor -> its rooms. A room imports lower floors, and rooms named before it on its own floor;
 #: rooms named together do not know each other.
 FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
-    1: (("rejection",), ("errors", "seeding", "geometry", "resources"), ("yaml_source",)),
+    1: (
+        ("rejection",),
+        ("errors", "seeding", "geometry", "resources", "vocabulary", "kleene"),
+        ("yaml_source",),
+    ),
     2: (
         ("scene",),
         ("options",),

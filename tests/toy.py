@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 from sdgen.catalog.load import catalog_sha256, load_catalog
-from sdgen.catalog.predicate import measure
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import DatasetWriter
 from sdgen.freespace import free_shape, rounded_rings
@@ -262,7 +261,7 @@ def bundle(
     facts = facts_of(made, infos(), catalog())
     result = survey(facts, catalog())
     assert all(p.verdict.sure and p.verdict.value for p in result.found), result.found
-    shelf = measure(catalog().hazard("sharp_object").predicate, 512, facts)
+    shelf = catalog().hazard("sharp_object").predicate.measure(512, facts)
     return SceneBundle(
         scene=made,
         anomalies=Anomalies(

@@ -17,7 +17,6 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
-from shapely import box as shapely_box
 from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
@@ -26,6 +25,7 @@ from sdgen.geometry import Array, Vec3, apply, inverse, matrix, vec3, yaw_of
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import derive_states, object_from_part, rule_holds, undecided_states
 from sdgen.scene import ObjectInstance, Room, Scene
+from sdgen.vocabulary import CHILD_REACH_M, HALF_WALL_M
 
 ON_GAP_M = 0.01
 ON_SHARE = 0.5
@@ -37,7 +37,6 @@ FACING_RAD = math.radians(75)
 NEAR_HEAT_M = 0.3
 NEAR_WATER_M = 0.5
 NEAR_EDGE_M = 0.05
-CHILD_REACH_M = 1.3
 ZONE_SHARE = 0.5
 UNDER_SHARE = 0.5
 #: A thing lower than this can be stepped over without noticing and blocks nothing.
@@ -308,7 +307,7 @@ class Facts:
                     (float(low[0]), float(low[1]), float(high[0]), float(high[1])),
                 )
         for room_id, floor_id in self._floor_of.items():
-            outline = Polygon(self.rooms[room_id].polygon_m).buffer(0.06, join_style="mitre")
+            outline = Polygon(self.rooms[room_id].polygon_m).buffer(HALF_WALL_M, join_style="mitre")
             yield _Surface(floor_id, "floor", 0.0, outline, outline.bounds)
 
     def _find_hollows(self) -> Iterable[_Hollow]:
@@ -534,8 +533,3 @@ def room_at(rooms: Iterable[Room], x: float, y: float) -> Room | None:
         if best is None or gap < best[0]:
             best = (gap, room)
     return best[1] if best is not None and best[0] <= 0.13 else None
-
-
-def rectangle(x0: float, y0: float, x1: float, y1: float) -> Polygon:
-    """Axis-aligned rectangle."""
-    return shapely_box(min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1))

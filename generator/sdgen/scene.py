@@ -14,6 +14,7 @@ import numpy.typing as npt
 from pydantic import BaseModel, ConfigDict, Field
 
 from sdgen.geometry import Quat, Vec2, Vec3
+from sdgen.vocabulary import OpeningKind, ZoneKind
 
 FORMAT_VERSION = "1.0"
 
@@ -70,7 +71,7 @@ class Opening(Record):
     """
 
     object_id: int
-    kind: Literal["door", "front_door", "window"]
+    kind: OpeningKind
     room_ids: tuple[int, ...]
     center_m: Vec3
     along: Literal["x", "y"]
@@ -82,7 +83,7 @@ class Zone(Record):
     """A region with a meaning: an upright prism over ``polygon_m`` between two heights."""
 
     name: str
-    kind: Literal["doorway", "walkway", "swing", "heat", "water", "child_reach"]
+    kind: ZoneKind
     polygon_m: tuple[Vec2, ...]
     z_min_m: float
     z_max_m: float

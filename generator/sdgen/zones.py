@@ -21,24 +21,27 @@ from shapely.ops import unary_union
 from sdgen.freespace import Grid, free_shape, opening_rectangle, polygons
 from sdgen.geometry import Vec2, apply, matrix
 from sdgen.library.records import AssetInfo
-from sdgen.relations import CHILD_REACH_M, Body
+from sdgen.relations import Body
 from sdgen.scene import Home, ObjectInstance, Opening, Room, Zone
+from sdgen.vocabulary import (
+    CHILD_REACH_M,
+    DOORS,
+    FLAT_M,
+    HALF_WALL_M,
+    OPENINGS,
+    OVERHEAD_M,
+    ZoneKind,
+)
 
 DOORWAY_DEPTH_M = 0.6
 WALKWAY_HALF_M = 0.35
 FLOOR_ZONE_TOP_M = 0.5
 HEAT_ABOVE_M = 0.5
 CHILD_ARM_M = 0.5
-#: Furniture lower than this is walked over (rugs, mats).
-FLAT_M = 0.03
-#: What fills holes in walls.
-OPENINGS = ("door", "front_door", "window")
 #: Width of a door's frame beside its leaf.
 FRAME_M = 0.05
 #: Overlap with a door's sweep that counts as standing in it, square metres.
 SWING_TOUCH_M2 = 1e-3
-#: Furniture hung higher than this is walked under.
-OVERHEAD_M = 1.3
 
 
 def floor_obstacles(
@@ -62,7 +65,7 @@ def swing_sectors(
     out: list[BaseGeometry] = []
     for item in objects:
         info = infos[item.asset]
-        if item.category not in ("door", "front_door"):
+        if item.category not in DOORS:
             continue
         for joint in info.joints:
             hinge_y = joint.origin_m[1]
@@ -115,12 +118,12 @@ def derive_zones(
             continue
         for room_id in opening.room_ids:
             room = rooms[room_id]
-            shape = opening_rectangle(opening, 0.06 + DOORWAY_DEPTH_M).intersection(
-                Polygon(room.polygon_m).buffer(0.06, join_style="mitre")
+            shape = opening_rectangle(opening, HALF_WALL_M + DOORWAY_DEPTH_M).intersection(
+                Polygon(room.polygon_m).buffer(HALF_WALL_M, join_style="mitre")
             )
             out += _zones("doorway", shape, room, 0.0, FLOOR_ZONE_TOP_M, opening.object_id)
         first = rooms[opening.room_ids[0]]
-        swing = opening_rectangle(opening, 0.06 + opening.width_m).intersection(
+        swing = opening_rectangle(opening, HALF_WALL_M + opening.width_m).intersection(
             Polygon(first.polygon_m)
         )
         out += _zones("swing", swing, first, 0.0, 2.0, opening.object_id)
@@ -183,7 +186,7 @@ def _filled(shape: BaseGeometry) -> BaseGeometry:
 
 
 def _zones(
-    kind: str, shape: BaseGeometry, room: Room, low: float, high: float, source: int | None
+    kind: ZoneKind, shape: BaseGeometry, room: Room, low: float, high: float, source: int | None
 ) -> list[Zone]:
     out = []
     for index, polygon in enumerate(polygons(_filled(shape))):

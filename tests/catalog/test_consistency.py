@@ -5,9 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from sdgen.catalog.consistency import Can, can
+from sdgen.catalog.consistency import cases
 from sdgen.catalog.predicate_yaml import read_predicate
-from sdgen.catalog.records import PlaceRecipe, Predicate, SetRecipe
+from sdgen.catalog.records import PlaceRecipe, SetRecipe
+from sdgen.catalog.terms import Predicate
+from sdgen.catalog.terms.term import Can
 from sdgen.yaml_source import parse_yaml
 
 from .worlds import HAZARD, problems, write
@@ -60,8 +62,8 @@ YES, NO, EITHER = Can(True, False), Can(False, True), Can(True, True)
     ],
 )
 def test_what_a_recipe_leaves_open(text: str, recipe: PlaceRecipe | SetRecipe, wanted: Can) -> None:
-    target = recipe.targets[0] if isinstance(recipe, PlaceRecipe) else None
-    assert can(predicate(text), recipe, "knife", target) == wanted
+    ((_, case),) = cases(recipe)
+    assert predicate(text).possible(case) == wanted
 
 
 @pytest.mark.parametrize(

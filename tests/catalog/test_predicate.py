@@ -7,8 +7,8 @@ import math
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from sdgen.catalog.predicate import Related, Verdict, ZoneShare, evaluate, measure
-from sdgen.catalog.records import (
+from sdgen.catalog.predicate import Related, Verdict, ZoneShare
+from sdgen.catalog.terms import (
     AllTerm,
     AnyTerm,
     CategoryTerm,
@@ -27,7 +27,7 @@ from .worlds import Thing, World, on
 
 def verdict(predicate: Predicate, thing: Thing, **others: Thing) -> Verdict:
     things = {1: thing, **{int(key[1:]): other for key, other in others.items()}}
-    return evaluate(predicate, 1, World(things))
+    return predicate.evaluate(1, World(things))
 
 
 def test_category_and_room() -> None:
@@ -205,13 +205,13 @@ def test_a_near_miss_is_measured_all_the_same() -> None:
     inside = NotTerm(term=HeightTerm(max_m=9.0, evidence="reach_height_m"))
     world = World({1: Thing(height_m=1.8, zones=(ZoneShare("d", "doorway", 0.1),))})
     predicate = AllTerm(terms=(CategoryTerm(any_of=("fork",)), low, wide, far, inside))
-    assert measure(predicate, 1, world) == {"height_m": 1.8, "zone_overlap": 0.1}
+    assert predicate.measure(1, world) == {"height_m": 1.8, "zone_overlap": 0.1}
 
 
 def test_the_category_decides_before_anything_is_measured() -> None:
     world = World({1: Thing("sofa")})
     predicate = AllTerm(terms=(HeightTerm(max_m=1.0), CategoryTerm(any_of=("knife",))))
-    assert evaluate(predicate, 1, world) == Verdict(False, True)
+    assert predicate.evaluate(1, world) == Verdict(False, True)
     assert world.dear == 0
 
 
@@ -251,8 +251,8 @@ def test_a_sure_verdict_survives_any_change_within_the_margins(
         zones = (ZoneShare("h", "heat", share),)
         return World({1: Thing(height_m=height, gaps={("stove",): (gap, 2)}, zones=zones)})
 
-    found = evaluate(predicate, 1, world(*at))
+    found = predicate.evaluate(1, world(*at))
     assume(found.sure)
     moved = [a + b for a, b in zip(at, shift, strict=True)]
-    assert evaluate(predicate, 1, world(*moved)).value == found.value
+    assert predicate.evaluate(1, world(*moved)).value == found.value
     assert all(not isinstance(v, float) or math.isfinite(v) for v in found.evidence.values())

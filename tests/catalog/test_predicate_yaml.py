@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sdgen.catalog.predicate_text import in_words
-from sdgen.catalog.predicate_yaml import TERMS, read_predicate
-from sdgen.catalog.records import (
+from sdgen.catalog.predicate_yaml import read_predicate
+from sdgen.catalog.terms import (
+    TERMS,
     AllTerm,
     AnyTerm,
     CategoryTerm,
@@ -162,18 +162,18 @@ _JUNK = st.recursive(
 def test_junk_gives_problems_or_a_predicate_never_a_traceback(value: Any) -> None:
     source = Source("p.yaml", value)
     found = read_predicate(source, (), value, CATEGORIES, ROOMS)
-    assert isinstance(in_words(found), str)
+    assert isinstance(found.in_words(), str)
     if not isinstance(value, dict | list):
         assert source.problems
 
 
 def test_words_for_people() -> None:
     text = "{category: knife, height: {max_m: 1.3}, not: {relation: INSIDE, target_state: CLOSED}}"
-    assert in_words(read(text)[0]) == (
+    assert read(text)[0].in_words() == (
         "it is a knife, and its lowest point is at most 1.3 m up, "
         "and not (it is INSIDE something that is CLOSED)"
     )
     text = "any: [{zone: doorway}, {distance: {to: stove, to_state: ON, min_m: 0.1, max_m: 0.5}}]"
-    assert in_words(read(text)[0]) == (
+    assert read(text)[0].in_words() == (
         "at least 50% of it is in a doorway, or it is 0.1 to 0.5 m from stove that is ON"
     )

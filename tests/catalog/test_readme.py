@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.predicate import evaluate
-from sdgen.catalog.predicate_yaml import RELATIONS, TERMS, ZONE_KINDS
 from sdgen.catalog.read_hazard import ACTIONS
 from sdgen.catalog.read_world import CATEGORY_KINDS, SUPERCLASSES
 from sdgen.catalog.reader import Reader
+from sdgen.catalog.terms import TERMS
 from sdgen.cli.main import run
 from sdgen.resources import data_path
+from sdgen.vocabulary import RELATIONS, ZONE_KINDS
 
 from .worlds import Thing, World, on
 
@@ -43,8 +43,8 @@ def test_the_examples_load_and_mean_what_they_say(tmp_path: Path) -> None:
     predicate = catalog.hazard("glass_on_floor").predicate
     down = World({1: Thing("drinking_glass", related={"ON": (on(2, "floor"),)})})
     up = World({1: Thing("drinking_glass", related={"ON": (on(2, "coffee_table"),)})})
-    assert evaluate(predicate, 1, down).value
-    assert not evaluate(predicate, 1, up).value
+    assert predicate.evaluate(1, down).value
+    assert not predicate.evaluate(1, up).value
 
 
 def test_the_catalog_commands_run(

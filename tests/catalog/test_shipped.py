@@ -8,8 +8,7 @@ from functools import cache
 import pytest
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.predicate import Related, ZoneShare, evaluate
-from sdgen.catalog.predicate_text import in_words
+from sdgen.catalog.predicate import Related, ZoneShare
 from sdgen.catalog.records import Abode, Catalog, Hazard, PlaceRecipe, Recipe
 from sdgen.library import Asset, Library, load_library
 from sdgen.library.records import Support
@@ -90,7 +89,7 @@ HAZARDS = pytest.mark.parametrize("hazard", CATALOG.hazards, ids=lambda hazard: 
 def test_what_a_recipe_makes_satisfies_the_predicate(hazard: Hazard) -> None:
     for recipe in hazard.anomalies:
         for name, world in _worlds(recipe):
-            found = evaluate(hazard.predicate, 1, world)
+            found = hazard.predicate.evaluate(1, world)
             assert (found.value, found.sure) == (True, True), name
             if hazard.concerns.by_reach:
                 assert isinstance(found.evidence["reach_height_m"], float)
@@ -102,7 +101,7 @@ def test_lookalikes_satisfy_no_predicate(hazard: Hazard) -> None:
     for recipe in hazard.lookalikes:
         for name, world in _worlds(recipe):
             for other in CATALOG.hazards:
-                found = evaluate(other.predicate, 1, world)
+                found = other.predicate.evaluate(1, world)
                 assert (found.value, found.sure) == (False, True), f"{name}: {other.id}"
 
 
@@ -125,7 +124,7 @@ def test_where_things_live_is_no_hazard() -> None:
             for target in abode.targets:
                 world = _at_home(category.name, abode, target)
                 for hazard in CATALOG.hazards:
-                    found = evaluate(hazard.predicate, 1, world)
+                    found = hazard.predicate.evaluate(1, world)
                     name = f"{category.name} {abode.relation} {target}: {hazard.id}"
                     assert (found.value, found.sure) == (False, True), name
 
@@ -135,7 +134,7 @@ def test_the_thirteen_hazards() -> None:
     assert {k: (h.paper_class, h.group, h.label) for k, h in core.items()} == CLASSES
     for hazard in core.values():
         assert len(hazard.source) > 40, "say where the rule comes from"
-        assert in_words(hazard.predicate)
+        assert hazard.predicate.in_words()
 
 
 def _made_of() -> list[tuple[str, str, str | None]]:
@@ -227,7 +226,7 @@ def test_no_category_is_two_hazards_in_one_place() -> None:
     for hazard in CATALOG.hazards:
         for recipe in hazard.anomalies:
             for name, world in _worlds(recipe):
-                found = [h.id for h in CATALOG.hazards if evaluate(h.predicate, 1, world).value]
+                found = [h.id for h in CATALOG.hazards if h.predicate.evaluate(1, world).value]
                 assert found == [hazard.id], name
 
 

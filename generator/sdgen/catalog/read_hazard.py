@@ -5,22 +5,20 @@ from __future__ import annotations
 import re
 
 from sdgen.catalog.consistency import check_recipes
-from sdgen.catalog.predicate_yaml import ZONE_KINDS, read_predicate
+from sdgen.catalog.predicate_yaml import read_predicate
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.records import (
-    AllTerm,
-    AnyTerm,
     Concern,
     Group,
     Hazard,
-    HeightTerm,
     Label,
     PlaceRecipe,
-    Predicate,
     Recipe,
     RemedyRule,
     SetRecipe,
 )
+from sdgen.catalog.terms import AllTerm, AnyTerm, HeightTerm, Predicate
+from sdgen.vocabulary import ZONE_KINDS
 
 #: The label each group carries, and its order in listings.
 LABELS: dict[Group, Label] = {
@@ -157,5 +155,5 @@ def _remedy(reader: Reader, categories: set[str]) -> RemedyRule:
 
 def _measures_reach(predicate: Predicate) -> bool:
     if isinstance(predicate, AllTerm | AnyTerm):
-        return any(_measures_reach(term) for term in predicate.terms)
+        return any(_measures_reach(term) for term in predicate.within())
     return isinstance(predicate, HeightTerm) and predicate.evidence == "reach_height_m"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.records import BaseHome, BaseOpening, BaseRoom, FurnitureItem
+from sdgen.vocabulary import OPENINGS
 
 Rect = tuple[float, float, float, float]
 _EPS = 1e-6
@@ -73,7 +74,7 @@ def _first(words: tuple[str, ...]) -> str | None:
 def _opening(reader: Reader) -> BaseOpening:
     x, y = reader.numbers("center_m", 2, low=-1000.0, high=1000.0)
     opening = BaseOpening(
-        kind=reader.choice("kind", ("door", "front_door", "window")),
+        kind=reader.choice("kind", OPENINGS),
         center_m=(x, y),
         along=reader.choice("along", ("x", "y")),
         sill_m=reader.number("sill_m", 0.0, low=0.0, high=3.0),

@@ -6,121 +6,13 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from sdgen.catalog.terms import Predicate
 from sdgen.geometry import Vec3
 from sdgen.scene import Notify, Record
+from sdgen.vocabulary import OpeningKind
 
 Group = Literal["safety", "sanitation", "child_safety"]
 Label = Literal["unsafe", "unsanitary", "unsafe for children"]
-
-
-# --- the predicate language: one tagged record a term -------------------------------------------
-
-
-class CategoryTerm(Record):
-    """The object is of one of these categories."""
-
-    kind: Literal["category"] = "category"
-    any_of: tuple[str, ...]
-
-
-class StateTerm(Record):
-    """The object is in one of these states."""
-
-    kind: Literal["state"] = "state"
-    any_of: tuple[str, ...]
-
-
-class RelationTerm(Record):
-    """The object stands in ``relation`` to an object (or floor) of one of these categories.
-
-    Empty ``targets`` means any target. ``target_state`` further asks that the target be in
-    that state.
-    """
-
-    kind: Literal["relation"] = "relation"
-    relation: str
-    targets: tuple[str, ...] = ()
-    target_state: str | None = None
-
-
-class RoomTerm(Record):
-    """The object is in a room of one of these types."""
-
-    kind: Literal["room"] = "room"
-    any_of: tuple[str, ...]
-
-
-class HeightTerm(Record):
-    """Height of the object's lowest point above the floor, metres, within limits.
-
-    ``evidence`` names the measured height in the evidence (``reach_height_m`` where a child's
-    reach decides).
-    """
-
-    kind: Literal["height"] = "height"
-    min_m: float | None = None
-    max_m: float | None = None
-    margin_m: float = 0.03
-    evidence: Literal["height_m", "reach_height_m"] = "height_m"
-
-
-class DistanceTerm(Record):
-    """Gap between the object's box and the nearest object of one of these categories."""
-
-    kind: Literal["distance"] = "distance"
-    to: tuple[str, ...]
-    to_state: str | None = None
-    min_m: float | None = None
-    max_m: float | None = None
-    margin_m: float = 0.05
-
-
-class ZoneTerm(Record):
-    """At least half of the object's footprint lies in a zone of one of these kinds."""
-
-    kind: Literal["zone"] = "zone"
-    any_of: tuple[str, ...]
-    overlap: float = 0.5
-    margin: float = 0.15
-
-
-class AllTerm(Record):
-    """Every term holds."""
-
-    kind: Literal["all"] = "all"
-    terms: tuple[Predicate, ...]
-
-
-class AnyTerm(Record):
-    """Some term holds."""
-
-    kind: Literal["any"] = "any"
-    terms: tuple[Predicate, ...]
-
-
-class NotTerm(Record):
-    """The term does not hold."""
-
-    kind: Literal["not"] = "not"
-    term: Predicate
-
-
-Predicate = Annotated[
-    CategoryTerm
-    | StateTerm
-    | RelationTerm
-    | RoomTerm
-    | HeightTerm
-    | DistanceTerm
-    | ZoneTerm
-    | AllTerm
-    | AnyTerm
-    | NotTerm,
-    Field(discriminator="kind"),
-]
-AllTerm.model_rebuild()
-AnyTerm.model_rebuild()
-NotTerm.model_rebuild()
 
 
 # --- how to make an anomaly or a lookalike ------------------------------------------------------
@@ -338,7 +230,7 @@ class BaseOpening(Record):
     A door's leaf swings into the room that is listed first; with ``hinge_flip`` into the other.
     """
 
-    kind: Literal["door", "front_door", "window"]
+    kind: OpeningKind
     center_m: tuple[float, float]
     along: Literal["x", "y"]
     sill_m: float = 0.0

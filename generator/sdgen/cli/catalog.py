@@ -11,7 +11,6 @@ import click
 
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.predicate_text import in_words
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
 from sdgen.cli.params import split_names
 from sdgen.errors import UsageError, did_you_mean
@@ -164,7 +163,7 @@ def _sheet(hazard: Hazard) -> list[str]:
         ("made by", [_recipe_line(item) for item in hazard.anomalies]),
         ("lookalikes", [_recipe_line(item) for item in hazard.lookalikes]),
         ("remedy", [" ".join((r.action, *r.targets)) for r in hazard.remedy]),
-        ("holds when", in_words(hazard.predicate)),
+        ("holds when", hazard.predicate.in_words()),
         ("source", hazard.source),
     ]
     lines = [f"{hazard.id}: {hazard.title}"]

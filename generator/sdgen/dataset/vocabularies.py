@@ -9,20 +9,8 @@ from sdgen.catalog.records import Catalog, Group, Label
 from sdgen.dataset.records import Vocabularies
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Notify
+from sdgen.vocabulary import RELATIONS, TAGS
 
-#: Relations and tags that ``sdgen.relations`` can find.
-RELATIONS = (
-    "BETWEEN",
-    "BLOCKS",
-    "CLOSE",
-    "FACING",
-    "INSIDE",
-    "NEAR_HEAT",
-    "NEAR_WATER",
-    "ON",
-    "UNDER",
-)
-TAGS = ("IN_DOORWAY", "IN_REACH_OF_CHILD", "IN_WALKWAY", "NEAR_EDGE")
 STRUCTURES = ("ceiling", "floor", "wall")
 STRUCTURE_SUPERCLASSES = ("Ceiling", "Floor", "Rooms", "Walls")
 
@@ -39,8 +27,8 @@ def vocabularies(catalog: Catalog, infos: Mapping[str, AssetInfo]) -> Vocabulari
         superclasses=_words([*(c.superclass for c in categories), *STRUCTURE_SUPERCLASSES]),
         properties=_words(name for c in categories for name in c.properties),
         states=_words(state for info in infos.values() for state in info.state_names),
-        relations=RELATIONS,
-        tags=TAGS,
+        relations=_words(RELATIONS),
+        tags=_words(TAGS),
         room_types=_words(room.name for room in catalog.room_types),
     )
 

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from sdgen.geometry import apply, box_corners, matrix
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Camera, Scene
+from sdgen.vocabulary import OPENINGS
 
 #: SVG units a metre.
 SCALE = 60.0
 MARGIN_M = 0.3
-OPENINGS = ("door", "front_door", "window")
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sdgen.catalog.predicate import Verdict, evaluate
+from sdgen.catalog.predicate import Verdict
 from sdgen.catalog.records import Catalog
 from sdgen.library.records import AssetInfo
 from sdgen.relations import Facts
@@ -40,7 +40,7 @@ def survey(facts: Facts, catalog: Catalog) -> Survey:
     pairs = 0
     for item in sorted(facts.scene.objects, key=lambda o: o.id):
         for hazard in catalog.hazards:
-            verdict = evaluate(hazard.predicate, item.id, facts)
+            verdict = hazard.predicate.evaluate(item.id, facts)
             pairs += 1
             if verdict.value or not verdict.sure:
                 found.append(Positive(item.id, hazard.id, verdict))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from sdgen.catalog.predicate import measure
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe
 from sdgen.hazards.certify import Positive
 from sdgen.hazards.ways import Made
@@ -117,7 +116,7 @@ def lookalike_records(
         m.object_id: Lookalike(
             object_id=m.object_id,
             near_miss_of=m.hazard,
-            evidence=measure(catalog.hazard(m.hazard).predicate, m.object_id, facts),
+            evidence=catalog.hazard(m.hazard).predicate.measure(m.object_id, facts),
         )
         for m in made
     }

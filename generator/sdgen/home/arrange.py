@@ -25,7 +25,8 @@ from sdgen.home.layout import Intent, Layout, footprint
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.zones import FLAT_M, OVERHEAD_M, doorway_point, floor_obstacles
+from sdgen.vocabulary import FLAT_M, OVERHEAD_M
+from sdgen.zones import doorway_point, floor_obstacles
 
 ROOM_TRIES = 8
 MODELS_TRIED = 4

@@ -11,11 +11,12 @@ from shapely.geometry import Polygon
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.records import BaseHome, BaseRoom, FurnitureItem
 from sdgen.geometry import Vec3, apply, matrix, quat_from_yaw, round_position, round_quat
-from sdgen.home.layout import FLAT_M, Intent, Layout
+from sdgen.home.layout import Intent, Layout
 from sdgen.home.shell import frame_size
 from sdgen.library.records import Asset, AssetInfo
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
+from sdgen.vocabulary import FLAT_M
 
 #: Which models a scene may use (its split decides): category -> models.
 Models = Callable[[str], tuple[Asset, ...]]

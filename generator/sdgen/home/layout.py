@@ -33,14 +33,11 @@ from sdgen.library.records import AssetInfo, Support
 from sdgen.library.states import object_from_part
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import Rng
+from sdgen.vocabulary import OPENINGS
 
 DROP_M = 0.003
 GAP_M = 0.01
 TRIES = 12
-#: Openings sit in walls: only an open leaf takes space in a room.
-OPENINGS = ("door", "front_door", "window")
-#: Objects this thin lie flat and may be stood on by furniture (rugs, mats).
-FLAT_M = 0.03
 
 
 @dataclass(frozen=True)
@@ -108,6 +105,7 @@ class Layout:
         world = matrix(item.pose.position_m, item.pose.quat_xyzw)
         drawn = info.variants[item.variant]
         out = []
+        # Openings sit in walls: only an open leaf takes space in a room.
         if item.fixed and not info.containers and item.category not in OPENINGS:
             for hull in self.library.hulls(item.asset):
                 if hull.part in drawn:

@@ -18,8 +18,8 @@ from sdgen.geometry import Vec2
 from sdgen.library import Library
 from sdgen.scene import Box, Home, Opening, Room, Structure
 from sdgen.seeding import Rng
+from sdgen.vocabulary import HALF_WALL_M
 
-HALF_WALL_M = 0.06
 FLOOR_THICKNESS_M = 0.1
 CEILING_THICKNESS_M = 0.05
 #: Outer frame sizes of the library's openings (width, height); walls are cut to exactly these.

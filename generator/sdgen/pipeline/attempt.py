@@ -11,7 +11,7 @@ from sdgen.hazards.certify import Positive, Survey, facts_of, survey
 from sdgen.hazards.inject import add_lookalikes, inject, undo
 from sdgen.hazards.ways import Made
 from sdgen.home.clutter import add_clutter
-from sdgen.home.layout import FLAT_M, Layout
+from sdgen.home.layout import Layout
 from sdgen.library import Library
 from sdgen.physics.checks import penetrations
 from sdgen.physics.client import Client
@@ -20,6 +20,7 @@ from sdgen.pipeline.stage import Stage
 from sdgen.relations import Facts
 from sdgen.scene import Pose, Scene
 from sdgen.seeding import Rng
+from sdgen.vocabulary import FLAT_M
 from sdgen.zones import floor_obstacles, swing_blocked
 
 SETTLE_ROUNDS = 4

@@ -7,7 +7,6 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from itertools import islice
 
-from sdgen.catalog.predicate import measure
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
 from sdgen.dataset.reader import SceneItem
@@ -234,7 +233,7 @@ def _lookalikes(
             yield Problem("label", f"{path}: object {lookalike.object_id} is an anomaly")
         else:
             hazard = hazards[lookalike.near_miss_of]
-            derived = measure(hazard.predicate, lookalike.object_id, facts)
+            derived = hazard.predicate.measure(lookalike.object_id, facts)
             for text in islice(differences(lookalike.evidence, derived, "evidence"), SHOWN):
                 yield Problem("label", f"{path}: {text}")
 

@@ -1,0 +1,33 @@
+"""``min_m`` and ``max_m``: a measured length within limits, with a margin."""
+
+from __future__ import annotations
+
+from sdgen.catalog.reader import Reader
+from sdgen.kleene import Kleene, all_of, at_least, at_most
+
+
+def read_limits(reader: Reader) -> tuple[float | None, float | None]:
+    """Both limits of a mapping, metres; one of them may be left out."""
+    low = reader.number("min_m", None, low=0.0, high=100.0)
+    high = reader.number("max_m", None, low=0.0, high=100.0)
+    if low is None and high is None and reader.ok:
+        reader.problem("needs min_m or max_m (metres)")
+    if low is not None and high is not None and low > high:
+        reader.problem(f"min_m ({low:g}) is above max_m ({high:g})", "min_m")
+    return low, high
+
+
+def within(measured: float, low: float | None, high: float | None, margin: float) -> Kleene:
+    """Between the limits; undecided nearer than ``margin`` to one that matters."""
+    parts = [] if low is None else [at_least(measured, low, margin)]
+    parts += [] if high is None else [at_most(measured, high, margin)]
+    return all_of(parts)
+
+
+def limits_in_words(low: float | None, high: float | None) -> str:
+    """``at most 1.3 m``."""
+    if low is not None and high is not None:
+        return f"{low:g} to {high:g} m"
+    if high is not None:
+        return f"at most {high:g} m"
+    return f"at least {low or 0.0:g} m"

@@ -1,0 +1,47 @@
+"""The closed lists of words and the few measures that rooms of the package share.
+
+Words: kinds of openings and zones, relations, tags. Measures: what several rooms must take to be
+the same thing, or a label would say one thing and a home be built by another.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, get_args
+
+#: What fills holes in walls. Categories of objects and kinds of openings are the same words.
+OpeningKind = Literal["door", "front_door", "window"]
+OPENINGS: tuple[OpeningKind, ...] = get_args(OpeningKind)
+#: The openings one walks through.
+DOORS = ("door", "front_door")
+
+#: Regions with a meaning.
+ZoneKind = Literal["doorway", "walkway", "swing", "heat", "water", "child_reach"]
+ZONE_KINDS: tuple[ZoneKind, ...] = get_args(ZoneKind)
+
+#: Relations between an object and another node; the first five are VirtualHome's.
+RELATIONS = (
+    "ON",
+    "INSIDE",
+    "BETWEEN",
+    "CLOSE",
+    "FACING",
+    "UNDER",
+    "BLOCKS",
+    "NEAR_HEAT",
+    "NEAR_WATER",
+)
+#: Unary facts of an object.
+TAGS = ("IN_DOORWAY", "IN_REACH_OF_CHILD", "IN_WALKWAY", "NEAR_EDGE")
+
+#: Half of a wall's thickness, metres: base homes are drawn on the middle lines of walls 0.12 m
+#: thick (a plastered half-brick or stud partition), and each room wears its own half.
+HALF_WALL_M = 0.06
+#: Flatter than this, metres, is walked and stood over: rugs, mats, puddles. ADA 2010, section
+#: 303.2 and 303.3, lets a route step up by 13 mm at most; a rug's pile is pressed down.
+FLAT_M = 0.03
+#: How high a small child grasps things, metres: the reach of a six-year-old, standing, arm up, of
+#: ``hazard_catalog/households.yaml``; three hazards take it as their limit.
+CHILD_REACH_M = 1.3
+#: What hangs higher than this, metres, is walked under: wall cabinets and shelves over furniture
+#: (their lower edges hang at 1.35 m or more in our homes).
+OVERHEAD_M = 1.3

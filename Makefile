@@ -1,5 +1,6 @@
 # make demo    from nothing to a page of labelled homes: .venv, install, 12 scenes, gallery
-# make test    everything CI runs: ruff, mypy, pytest
+# make test    what every change must pass: ruff, mypy, pytest on all cores
+# make test-library  what takes minutes and hangs on the models alone: all of them checked, told apart
 # make lint    ruff and mypy only
 # make docs    write docs/commands.md anew from the commands themselves
 # make assets  make all models again with Blender (minutes to hours; not needed to build homes)
@@ -11,8 +12,10 @@ BLENDER ?= blender
 DEMO_OUT ?= output/demo
 DEMO_OPTIONS ?= --n 12 --seed 7 --views 6 --size 480x360
 PYTEST_OPTIONS ?=
+#: One process a core; more than eight would want more memory than most machines have.
+PYTEST := $(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadgroup --durations 10
 
-.PHONY: help demo test lint docs assets clean env dev-env
+.PHONY: help demo test test-library lint docs assets clean env dev-env
 .DEFAULT_GOAL := help
 
 help:
@@ -36,7 +39,11 @@ lint: dev-env
 	$(BIN)/mypy
 
 test: lint
-	$(BIN)/python -m pytest $(PYTEST_OPTIONS)
+	$(PYTEST) $(PYTEST_OPTIONS)
+
+test-library: dev-env
+	$(PYTEST) -m library $(PYTEST_OPTIONS)
+	$(BIN)/python scripts/library_digest.py --record
 
 docs: dev-env
 	$(BIN)/python scripts/command_reference.py > docs/commands.md

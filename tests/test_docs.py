@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 import shlex
 import subprocess
@@ -13,7 +12,8 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.cli.main import COMMANDS
 
-ROOT = Path(__file__).resolve().parent.parent
+from tests.by_path import ROOT, module_at
+
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 #: Pages whose console and python blocks are run, in order, in one empty folder.
 STORIES = [ROOT / "README.md", ROOT / "docs" / "quickstart.md", ROOT / "docs" / "python.md"]
@@ -84,14 +84,8 @@ def test_every_guide_is_in_the_index() -> None:
 
 
 def test_every_command_and_option_is_documented() -> None:
-    path = ROOT / "scripts" / "command_reference.py"
-    spec = importlib.util.spec_from_file_location("command_reference", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
     written = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
-    assert written == module.reference(), "run 'make docs'"
+    assert written == module_at("scripts/command_reference.py").reference(), "run 'make docs'"
 
 
 def test_every_hazard_is_documented() -> None:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 import pytest
+from sdgen.cameras.choice import Sight
 from sdgen.cameras.parts import part_points
 from sdgen.cameras.pinhole import matrix4
 from sdgen.catalog.load import load_catalog
@@ -23,11 +24,12 @@ from sdgen.library import Library, load_library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.pipeline import make_scene
-from sdgen.pipeline.views import Sight
 from sdgen.scene import Camera, ObjectInstance, SceneBundle
 from sdgen.truth.graph import opaque_name
 from sklearn.ensemble import HistGradientBoostingClassifier
 from threadpoolctl import threadpool_limits
+
+from tests.shared import Shared
 
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
@@ -66,10 +68,9 @@ def library() -> Library:
 
 
 @pytest.fixture(scope="module")
-def scenes(library: Library) -> list[Made]:
+def scenes(library: Library, shared: Shared) -> list[Made]:
     """Scenes without pictures, with the target of every near camera."""
     catalog = load_catalog()
-    made = []
     found: dict[object, int] = {}
     near = Sight.near
 
@@ -81,16 +82,14 @@ def scenes(library: Library) -> list[Made]:
 
     with pytest.MonkeyPatch.context() as patch, Client() as client:
         patch.setattr(Sight, "near", noted)
-        for index in range(SCENES):
+
+        def make(name: str) -> Made:
             found.clear()
-            bundle = make_scene(index, catalog, library, OPTIONS, client)
-            targets = {
-                camera.index: found[camera.world_from_camera]
-                for camera in bundle.cameras
-                if camera.kind == "near"
-            }
-            made.append(Made(bundle, targets))
-    return made
+            bundle = make_scene(int(name.split("-")[-1]), catalog, library, OPTIONS, client)
+            near_ones = [camera for camera in bundle.cameras if camera.kind == "near"]
+            return Made(bundle, {c.index: found[c.world_from_camera] for c in near_ones})
+
+        return shared.values([f"leak-scene-{index}" for index in range(SCENES)], make)
 
 
 def table(scenes: list[Made], row: Callable[[Made, ObjectInstance], list[float] | None]) -> Table:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import subprocess
 import sys
 from pathlib import Path
@@ -12,18 +11,14 @@ import pytest
 from sdgen import Dataset
 from sdgen.library.cache import cache_root
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.by_path import ROOT, module_at
+
 SAMPLE = ROOT / "output" / "sample"
 
 
 @pytest.fixture(scope="module")
 def job() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("whole_job", ROOT / "benchmarks" / "whole_job.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return module_at("benchmarks/whole_job.py")
 
 
 @pytest.mark.slow

@@ -10,12 +10,10 @@ import pytest
 import trimesh
 import yaml
 from PIL import Image
-from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Category
 from sdgen.cli.main import run
 from sdgen.library import Library
 from sdgen.physics.client import Client
-from sdgen.validate.assets import check_assets
 from sdgen.validate.models import Model, check_model
 
 CATEGORY = Category(
@@ -297,8 +295,3 @@ def test_a_folder_that_cannot_be_read_is_an_error(
     (tmp_path / "manifest.yaml").write_text("assets: 3\n", encoding="utf-8")
     assert run(["assets", "validate", str(tmp_path)]) == 1
     assert "expected a list, found int" in capsys.readouterr().err
-
-
-@pytest.mark.slow
-def test_the_shipped_library_is_sound() -> None:
-    assert check_assets([], load_catalog(), workers=2) == []

@@ -21,7 +21,7 @@ from sdgen.geometry import quat_from_yaw, round_position, round_quat
 from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side, sides_of
 from sdgen.home.furnish import Models, put_piece, stand_in, top_of
-from sdgen.home.layout import IN_WALL_M, Intent, Layout, footprint
+from sdgen.home.layout import Intent, Layout, footprint
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
@@ -42,8 +42,7 @@ NEAR_DOOR_M = 0.2
 class _RoomState:
     """One try at a room: what stands there, and the floor that is kept clear for whom.
 
-    ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
-    No furniture stands on ``doors``; leaves swing over ``swings``, where no rug lies either.
+    ``inside`` is the outline with a centimetre to spare; ``prints`` are the floor's occupants.
     """
 
     room: Room
@@ -51,7 +50,6 @@ class _RoomState:
     sides: tuple[Side, ...]
     openings: tuple[Opening, ...]
     doors: BaseGeometry
-    swings: BaseGeometry
     inside: Polygon
     prints: dict[int, Polygon] = field(default_factory=dict)
     placed: dict[str, list[int]] = field(default_factory=dict)
@@ -99,20 +97,17 @@ def _arrange_room(
 def _start(home: Home, room: Room) -> _RoomState:
     mine = tuple(o for o in home.openings if room.id in o.room_ids)
     doors: list[BaseGeometry] = []
-    swings: list[BaseGeometry] = []
     for opening in mine:
         if opening.kind == "window":
             continue
         deep = DOOR_CLEAR_M
         if opening.room_ids[0] == room.id:
             deep = max(deep, opening.width_m + 0.08)
-            swings.append(opening_rectangle(opening, opening.width_m + 0.08))
         doors.append(opening_rectangle(opening, deep))
     outline = Polygon(room.polygon_m)
-    inside = outline.buffer(IN_WALL_M, join_style="mitre")
+    inside = outline.buffer(0.01, join_style="mitre")
     prepare(inside)
-    sides = sides_of(room.polygon_m)
-    return _RoomState(room, outline, sides, mine, union(doors), union(swings), inside)
+    return _RoomState(room, outline, sides_of(room.polygon_m), mine, union(doors), inside)
 
 
 def _follow(
@@ -214,13 +209,11 @@ def _place(
     shape = footprint(asset, x, y, yaw)
     flat = asset.extents_m[2] <= FLAT_M
     on_floor = z < OVERHEAD_M and not flat and rule.where != "on"
-    if not state.inside.contains(shape) or z + asset.extents_m[2] > state.room.height_m:
+    if not state.inside.contains(shape):
         return False
     if _covers_opening(asset, pose, state):
         return False
     front = _front(asset, pose, rule.front_m)
-    if flat and shape.intersects(state.swings):
-        return False
     if on_floor:
         if shape.intersects(state.doors):
             return False

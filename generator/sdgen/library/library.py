@@ -11,14 +11,7 @@ import numpy as np
 from sdgen.errors import AssetError
 from sdgen.library.cache import cached_texture, check_texture, digest, unpack
 from sdgen.library.manifest import read_manifest
-from sdgen.library.meshes import (
-    Hull,
-    MeshData,
-    outline,
-    read_glb,
-    read_hulls,
-    within_meshes,
-)
+from sdgen.library.meshes import Hull, MeshData, outline, read_glb, read_hulls
 from sdgen.library.records import Asset, AssetInfo, Surface
 from sdgen.resources import data_path
 
@@ -109,14 +102,10 @@ class Library:
         return self._meshes[asset_id]
 
     def hulls(self, asset_id: str) -> tuple[Hull, ...]:
-        """Convex collision pieces, none beyond what is drawn.
-
-        Raises AssetError for a missing or broken file.
-        """
+        """Convex collision pieces. Raises AssetError for a missing or broken file."""
         if asset_id not in self._hulls:
             asset = self.assets[asset_id]
-            pieces = read_hulls(self._folder_of[asset_id] / asset.hulls, asset)
-            self._hulls[asset_id] = within_meshes(pieces, self.mesh(asset_id), asset)
+            self._hulls[asset_id] = read_hulls(self._folder_of[asset_id] / asset.hulls, asset)
         return self._hulls[asset_id]
 
     def objs(self, asset_id: str) -> Mapping[str, Path]:

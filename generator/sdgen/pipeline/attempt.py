@@ -20,6 +20,7 @@ from sdgen.pipeline.stage import Stage
 from sdgen.relations import Facts
 from sdgen.scene import Pose, Scene
 from sdgen.seeding import Rng
+from sdgen.vocabulary import FLAT_M
 from sdgen.zones import floor_obstacles, swing_blocked
 
 SETTLE_ROUNDS = 4
@@ -145,10 +146,20 @@ def _settle(
             offenders[object_id] = f"is not {intent.relation} its target"
     if not offenders:
         for violation in penetrations(library, scene, client=client):
+            if _rests_on_mat(layout, violation.objects):
+                continue
             loose = [k for k in violation.objects if not _fixed(layout, k)]
             for object_id in loose or violation.objects[:1]:
                 offenders[object_id] = "cuts into something"
     return settled, offenders
+
+
+def _rests_on_mat(layout: Layout, pair: Sequence[int]) -> bool:
+    """Furniture stands through a rug by the rug's few millimetres; nobody can see it."""
+    items = [layout.items[k] for k in pair if k in layout.items]
+    return all(item.fixed for item in items) and any(
+        layout.info(item.id).extents_m[2] <= FLAT_M for item in items
+    )
 
 
 def _fixed(layout: Layout, object_id: int) -> bool:

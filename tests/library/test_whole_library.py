@@ -1,0 +1,30 @@
+"""All shipped models, one by one: ``make test-library``, run by CI when the library changed."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.library import load_library
+from sdgen.validate.assets import check_assets
+
+from tests.by_path import ROOT, module_at
+
+pytestmark = pytest.mark.library
+SHARES = 16
+
+
+@pytest.mark.parametrize("share", range(SHARES))
+def test_every_model_is_sound(share: int) -> None:
+    models = list(load_library().assets)[share::SHARES]
+    assert check_assets([], load_catalog(), words=models) == []
+
+
+def test_the_geometries_truly_differ(capsys: pytest.CaptureFixture[str]) -> None:
+    module_at("scripts/distinct_geometries.py").main([])
+    counted = int(capsys.readouterr().out.splitlines()[-1].split()[0])
+    assert counted >= 600
+    page = (ROOT / "docs" / "assets.md").read_text(encoding="utf-8")
+    (told,) = re.findall(r"^\| geometries that differ \| (\d+) ", page, re.M)
+    assert counted == int(told)

@@ -73,7 +73,8 @@ def write_gallery(
 
     Colour pictures are linked, not copied: keep the page beside the data set. ``limit`` shows
     only the first scenes. Raises SdgenError when ``out`` holds something else, is a link or lies
-    among a data set's scenes, InputError for a broken scene; a new page that cannot be finished is taken away again.
+    among a data set's scenes, InputError for a broken scene; a new page that cannot be finished
+    is taken away again.
     """
     _refuse_foreign(out)
     fresh = not out.exists()

@@ -8,6 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+#: Problems of one file, or of a whole data set, that are told; more of them rarely say more.
+SHOWN = 100
+
 
 class SdgenError(Exception):
     """Root of all errors sdgen raises on purpose: one line, what and where, how to mend it."""

@@ -164,8 +164,8 @@ def _edit(path: Path, change: Callable[[dict[str, Any]], None]) -> None:
 @pytest.mark.parametrize(
     ("damage", "command", "words"),
     [
-        (_no_models, "detect", "scenes/000000/scene.json: cannot be evaluated (KeyError"),
-        (_no_rooms, "detect", "scenes/000001/scene.json: cannot be evaluated"),
+        (_no_models, "detect", "object 11: asset: 'stove_01' is not in assets.jsonl"),
+        (_no_rooms, "detect", "room_id: scene.json has no room 100"),
         (_flat_room, "detect", "scenes/000001/scene.json: cannot be evaluated"),
         (_no_such_hazard, "evaluate", "no hazard 'stove_off'"),
     ],

@@ -58,6 +58,13 @@ def test_it_is_a_sequence_that_can_be_pickled(path: Path) -> None:
     assert pickle.loads(pickle.dumps(made[1])).scene.index == 1
 
 
+def test_its_repr_says_what_it_is(path: Path) -> None:
+    told = repr(Dataset(path))
+    assert told.startswith(f"<sdgen.Dataset {str(path)!r}: 4 scenes, 2 views, 6 anomalies of 13 ")
+    assert "1 scene of val" in repr(Dataset(path, split="val"))
+    assert "0 twins" in repr(Dataset(path, twins=True))
+
+
 def test_splits_part_the_scenes(path: Path) -> None:
     parts = [Dataset(path, split=name) for name in ("train", "val", "test")]
     assert sorted(item.id for part in parts for item in part) == [f"{k:06d}" for k in range(4)]
@@ -101,6 +108,15 @@ def test_perceived_graph_has_rooms_and_what_views_show(path: Path) -> None:
 def test_unknown_graph_view_is_an_error(path: Path) -> None:
     with pytest.raises(ValueError, match="full, neutral or perceived"):
         Dataset(path).graph(0, graph_view="fulll")  # type: ignore[arg-type]
+
+
+def test_what_is_left_of_a_data_set_can_be_opened(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2, sensors=()))
+    lines = (path / "manifest.jsonl").read_bytes().splitlines(keepends=True)
+    (path / "manifest.jsonl").write_bytes(lines[0])
+    with pytest.raises(InputError, match="not listed: 000001"):
+        Dataset(path)
+    assert [item.id for item in Dataset(path, partial=True)] == ["000000"]
 
 
 def _no_dataset_json(path: Path) -> None:

@@ -148,7 +148,10 @@ def _no_picture(path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("damage", "words"),
-    [(_no_model, "scene.json: cannot be evaluated"), (_no_picture, "not a readable picture")],
+    [
+        (_no_model, "asset: 'stove_01' is not in assets.jsonl"),
+        (_no_picture, "not a readable picture"),
+    ],
 )
 def test_a_broken_scene_is_located_and_leaves_no_half_page(
     tmp_path: Path, damage: Callable[[Path], None], words: str

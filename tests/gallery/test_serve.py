@@ -1,6 +1,7 @@
 """The little server: the page, its pictures, and no file from anywhere else."""
 
 import http.client
+import os
 import threading
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -16,6 +17,7 @@ def site(tmp_path: Path) -> tuple[str, int]:
     (root / "view").mkdir(parents=True)
     (root / "view/index.html").write_text("the page")
     (tmp_path / "secret.txt").write_text("secret")
+    os.mkfifo(root / "pipe.txt")
     (root / "link.txt").symlink_to(tmp_path / "secret.txt")
     ready = threading.Event()
     told: list[str] = []
@@ -45,7 +47,7 @@ def get(site: tuple[str, int], path: str) -> tuple[int, bytes]:
 
 def test_it_serves_the_page_and_nothing_outside(site: tuple[str, int]) -> None:
     assert get(site, "/view/index.html") == (200, b"the page")
-    for path in ("/", "/link.txt", "/../secret.txt", "/%2e%2e/secret.txt", "/none"):
+    for path in ("/", "/link.txt", "/pipe.txt", "/../secret.txt", "/%2e%2e/secret.txt", "/none"):
         status, body = get(site, path)
         assert status == 404, path
         assert b"secret" not in body.replace(b"secret.txt", b"")

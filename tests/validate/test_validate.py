@@ -303,9 +303,14 @@ def _readme(path: Path) -> None:
     (path / "README.md").unlink()
 
 
+def _empty_readme(path: Path) -> None:
+    (path / "README.md").write_text("\n")
+
+
 @pytest.mark.parametrize(
     ("damage", "check", "words"),
     [
+        (_empty_readme, "file", "README.md: empty"),
         (_broken_png, "hash", "rgb.png: changed"),
         (_broken_png, "view", "rgb.png: not a readable picture"),
         (_missing_file, "file", "graph.json: missing"),

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from sdgen.benchmark.predictions import Predictions
 from sdgen.catalog.records import Label
 from sdgen.dataset import Dataset, SceneItem
-from sdgen.dataset.reader import derived_from
+from sdgen.dataset.derived import derived_from
 from sdgen.dataset.records import Report
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.hazards.certify import certify
@@ -64,7 +64,7 @@ def detect(
     detector = DETECTORS[method]
     out: dict[str, tuple[Report, ...]] = {}
     for done, item in enumerate(data, start=1):
-        with derived_from(item):
+        with derived_from(data, item):
             out[item.id] = detector(data, item)
         if on_scene is not None:
             on_scene(done, len(data))

@@ -1,10 +1,10 @@
 """``predictions.jsonl``: one line a scene, read strictly.
 
-An error (all of them at once, ``file:line: key path: problem``): text that is no JSON, unknown or
-missing keys, wrong types, a label or notify outside the vocabulary, a scene the data set does not
-have, a scene told twice, an object id the scene's graph does not have, an object told twice in a
-scene. No error: a scene without a line (nothing detected there), any order of lines and reports,
-a wall or a floor among the objects (a false alarm like any other).
+An error (about a hundred of them at once, ``file:line: key path: problem``): text that is no JSON,
+unknown or missing keys, wrong types, a label or notify outside the vocabulary, a scene the data set
+does not have, a scene told twice, an object id the scene's graph does not have, an object told
+twice in a scene. No error: a scene without a line (nothing detected there), any order of lines and
+reports, a wall or a floor among the objects (a false alarm like any other).
 """
 
 from __future__ import annotations
@@ -16,13 +16,14 @@ from sdgen.dataset import Dataset
 from sdgen.dataset.output_file import write_output
 from sdgen.dataset.records import Prediction, Report
 from sdgen.dataset.text import line_bytes, read_bytes, to_record
-from sdgen.errors import InputError, did_you_mean
+from sdgen.errors import SHOWN, InputError, did_you_mean
 
 Predictions = Mapping[str, tuple[Report, ...]]
 
 
 def read_predictions(path: str | Path, data: Dataset) -> dict[str, tuple[Report, ...]]:
-    """Reports by scene id. Raises InputError with every problem, located."""
+    """Reports by scene id. Raises InputError with the problems, located; it stops reading where
+    there are too many."""
     path = Path(path)
     out: dict[str, tuple[Report, ...]] = {}
     told_at: dict[str, int] = {}
@@ -31,6 +32,9 @@ def read_predictions(path: str | Path, data: Dataset) -> dict[str, tuple[Report,
         if not line.strip():
             continue
         where = f"{path}:{number}"
+        if len(problems) >= SHOWN:
+            problems.append(f"{where}: not read further: too many problems")
+            break
         try:
             prediction = to_record(Prediction, line, where)
         except InputError as error:

@@ -43,8 +43,9 @@ def evaluate(dataset: Path, predictions: Path, split: str | None, as_json: bool)
     if as_json:
         click.echo(found.model_dump_json(indent=1))
         return
-    from rich.console import Console
     from rich.table import Table
+
+    from sdgen.cli.table import echo_table
 
     table = Table("score", "mean ± se", "over")
     for title, name in ROWS.items():
@@ -53,7 +54,7 @@ def evaluate(dataset: Path, predictions: Path, split: str | None, as_json: bool)
     table.add_section()
     for hazard, value in found.recall_by_hazard.items():
         table.add_row(f"recall, {hazard}", _shown(value), f"{value.n} anomalies")
-    Console(highlight=False).print(table)
+    echo_table(table)
 
 
 def _shown(value: Score) -> str:

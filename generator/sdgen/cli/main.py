@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import os
+import select
 import sys
 import traceback
 from collections.abc import Sequence
@@ -13,7 +14,7 @@ from importlib import import_module
 import click
 
 import sdgen
-from sdgen.errors import InputError, SdgenError, did_you_mean
+from sdgen.errors import SHOWN, InputError, SdgenError, did_you_mean
 
 #: Command -> one line for ``sdgen --help``. Module ``sdgen.cli.<name>`` defines ``<name>``; it is
 #: imported only when the command is used, so ``sdgen --help`` stays quick.
@@ -31,6 +32,10 @@ COMMANDS = {
 }
 
 EXIT_INTERRUPTED = 130
+#: What a shell reports of a tool that a closed pipe has ended (128 + SIGPIPE).
+EXIT_PIPE = 141
+#: Packages only some commands need -> the extra of sdgen that brings them.
+EXTRAS = {"coacd": "assets", "ray": "ray", "scipy": "assets"}
 EPILOG = "Example: sdgen build --n 12 --seed 7 && sdgen view output/sdgen-n12-s7"
 
 
@@ -54,6 +59,15 @@ class LazyGroup(click.Group):
             raise click.UsageError(f"no command {args[0]!r}{hint}", ctx)
         return super().resolve_command(ctx, args)
 
+    def invoke(self, ctx: click.Context) -> object:
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError as error:
+            if _reader_gone():
+                raise
+            # Another pipe than ours; click would end without a word.
+            raise SdgenError(f"a process of this command has died ({error})") from error
+
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
@@ -69,6 +83,7 @@ def run(args: Sequence[str] | None = None) -> int:
     """Run one command line; returns its exit code, and every error as one clear line."""
     try:
         result = cli.main(args=args, prog_name="sdgen", standalone_mode=False)
+        sys.stdout.flush()
         return result if isinstance(result, int) else 0
     except click.exceptions.NoArgsIsHelpError as error:
         error.show()
@@ -80,10 +95,12 @@ def run(args: Sequence[str] | None = None) -> int:
     except (click.Abort, KeyboardInterrupt):
         _say("interrupted: resume with the same command")
         return EXIT_INTERRUPTED
-    except BrokenPipeError:
-        # Whoever read our output has gone; keep the interpreter from flushing into the pipe again.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
+    except (BrokenPipeError, SystemExit):  # click and rich turn the one into the other
+        if not _reader_gone():
+            raise
+        # Keep the interpreter from flushing into the pipe again.
+        sys.stdout = sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
+        return EXIT_PIPE
     except Exception as error:
         if os.environ.get("SDGEN_DEBUG"):
             traceback.print_exc()
@@ -94,12 +111,19 @@ def run(args: Sequence[str] | None = None) -> int:
 def describe(error: Exception) -> str:
     """What went wrong, for a person: one line (one a problem for bad input files)."""
     if isinstance(error, InputError):
-        return "\n".join(f"error: {problem}" for problem in error.problems)
+        lines = [f"error: {problem}" for problem in error.problems[:SHOWN]]
+        if len(error.problems) > SHOWN:
+            lines.append(f"error: and {len(error.problems) - SHOWN} more problems")
+        return "\n".join(lines)
     if isinstance(error, SdgenError):
         return f"error: {error}"
     if isinstance(error, OSError) and error.strerror:
         where = f"{error.filename}: " if error.filename else ""
         return f"error: {where}{error.strerror}{_os_advice(error)}"
+    if isinstance(error, ModuleNotFoundError) and error.name:
+        package = error.name.split(".")[0]
+        extra = f" (or sdgen's extra [{EXTRAS[package]}])" if package in EXTRAS else ""
+        return f"error: this needs the package {package!r}: pip install {package}{extra}"
     if isinstance(error, MemoryError):
         return "error: out of memory; use fewer --workers or a smaller --size, then resume"
     text = " ".join(str(error).split()) or "no message"
@@ -107,6 +131,15 @@ def describe(error: Exception) -> str:
         f"error: unexpected {type(error).__name__}: {text} "
         "(a bug in sdgen: please report it with the output of SDGEN_DEBUG=1 and 'sdgen doctor')"
     )
+
+
+def _reader_gone() -> bool:
+    """True when whoever read our standard output or error has left: no error of ours."""
+    poll = select.poll()
+    for stream in (sys.__stdout__, sys.__stderr__):
+        if stream is not None:
+            poll.register(stream.fileno(), 0)
+    return any(event & (select.POLLERR | select.POLLHUP) for _, event in poll.poll(0))
 
 
 def _help_hint(error: click.ClickException) -> str:

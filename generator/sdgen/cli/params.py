@@ -73,6 +73,8 @@ def sensor_list(text: str) -> tuple[Sensor, ...]:
     if words == ["none"]:
         return ()
     for word in words:
+        if word == "none":
+            raise ValueError("says none and others: none stands alone")
         if word not in SENSORS:
             raise ValueError(f"names no sensor {word!r}{did_you_mean(word, [*SENSORS, 'none'])}")
     return tuple(sensor for sensor in SENSORS if sensor in words)

@@ -34,8 +34,9 @@ def stats(dataset: Path, as_json: bool) -> None:
         }
         click.echo(json.dumps(told, indent=1))
         return
-    from rich.console import Console
     from rich.table import Table
+
+    from sdgen.cli.table import echo_table
 
     scenes = max(counts.scenes, 1)
     table = Table(title=f"{dataset}: n {info.n}, seed {info.seed}", show_header=False)
@@ -57,7 +58,7 @@ def stats(dataset: Path, as_json: bool) -> None:
     for split, number in counts.scenes_by_split.items():
         homes = len(info.splits.get(split, ()))
         table.add_row(f"scenes, {split}", _of(number, f"{homes} homes"))
-    Console(highlight=False).print(table)
+    echo_table(table)
 
 
 def _of(number: int, more: str) -> str:

@@ -7,9 +7,7 @@ from pathlib import Path
 import click
 
 from sdgen.cli.build import usable_cores
-
-#: Problems printed; more of them rarely say more.
-SHOWN = 100
+from sdgen.errors import SHOWN
 
 
 @click.command(short_help="Check a data set: schemas, hashes, masks, every label again.")
@@ -61,7 +59,7 @@ def validate(
     if catalogs:
         from sdgen.catalog.load import load_catalog
 
-        extensions = Dataset(dataset).info.options.extensions
+        extensions = Dataset(dataset, partial=True).info.options.extensions
         catalog = load_catalog(catalogs, extensions=extensions)
     with bar("checking") as on_scene:
         problems = check(dataset, catalog, on_scene, workers or usable_cores())

@@ -81,7 +81,8 @@ def read_gray(path: Path, size: tuple[int, int], bits: int, where: str) -> npt.N
 
 def _open(path: Path, size: tuple[int, int], modes: tuple[str, ...], where: str) -> Image.Image:
     try:
-        if path.is_symlink():
+        # Opening a pipe would wait for ever.
+        if path.is_symlink() or (path.exists() and not path.is_file()):
             raise InputError([f"{where}: not a plain file"])
         with Image.open(path, formats=("PNG", "JPEG")) as image:
             if image.size != size:

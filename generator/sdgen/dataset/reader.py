@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import operator
-import re
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -13,17 +11,16 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 import numpy.typing as npt
-from shapely.errors import ShapelyError
 
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.images import read_gray, read_rgb
-from sdgen.dataset.records import VISIBILITY_FILE, DatasetInfo, ManifestEntry
-from sdgen.dataset.scene_folder import BUILD_FOLDER, view_folder
+from sdgen.dataset.opening import open_info, read_manifest, refuse_incomplete
+from sdgen.dataset.records import VISIBILITY_FILE, ManifestEntry
+from sdgen.dataset.scene_folder import view_folder
 from sdgen.dataset.text import read_lines, read_record
 from sdgen.errors import InputError, did_you_mean
 from sdgen.library.records import AssetInfo
 from sdgen.scene import (
-    FORMAT_VERSION,
     Anomalies,
     Camera,
     Graph,
@@ -40,8 +37,6 @@ if TYPE_CHECKING:
     from sdgen.dataset.graph_views import GraphView
 
 R = TypeVar("R", bound=Record)
-
-SAFE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
 
 
 @dataclass(frozen=True)
@@ -158,26 +153,13 @@ class SceneItem:
         return camera.width, camera.height
 
 
-@contextmanager
-def derived_from(item: SceneItem) -> Iterator[None]:
-    """What is derived from a scene inside fails with InputError when its files disagree.
-
-    Records that read well one by one may still name objects, rooms or models that are not there.
-    """
-    try:
-        yield
-    except (LookupError, ValueError, ArithmeticError, ShapelyError) as error:
-        reason = f"{type(error).__name__}: {error}"
-        text = f"{item.where('scene.json')}: cannot be evaluated ({reason})"
-        raise InputError([text]) from None
-
-
 class Dataset(Sequence[SceneItem]):
     """A data set as a sequence of scenes, in the order of their index (twins left out).
 
     ``split`` keeps one of ``train``, ``val``, ``test``; ``twins`` gives each scene's benign twin
     instead; ``graph_view`` says what the scenes' ``.graph`` shows. Works as a map-style data set
-    of PyTorch; picklable. Raises InputError for a folder that is no complete data set.
+    of PyTorch; picklable. Raises InputError for a folder that is no data set, or one that lacks
+    scenes it was finished with (``partial`` opens what is left of it).
     """
 
     def __init__(
@@ -186,18 +168,34 @@ class Dataset(Sequence[SceneItem]):
         split: str | None = None,
         twins: bool = False,
         graph_view: GraphView = "full",
+        partial: bool = False,
     ) -> None:
         self.path = Path(path)
+        self.split = split
+        self.twins = twins
         self.graph_view = graph_view
-        self.info = _open(self.path)
+        self.info = open_info(self.path)
         if split is not None and split not in self.info.splits:
             known = list(self.info.splits)
             raise InputError([f"{self.path}: no split {split!r}{did_you_mean(split, known)}"])
-        self.entries = _manifest(self.path)
+        self.entries = read_manifest(self.path)
+        if not partial:
+            refuse_incomplete(self.path, self.info, self.entries)
         self._shown = tuple(
             entry
             for entry in self.entries
             if (entry.twin_of is not None) == twins and split in (None, entry.split)
+        )
+
+    def __repr__(self) -> str:
+        counts, shown = self.info.counts, len(self)
+        part = f" of {self.split}" if self.split is not None else ""
+        noun = ("twin" if self.twins else "scene") + "s" * (shown != 1)
+        views = f"{self.info.options.views} views" if self.info.options.sensors else "no pictures"
+        return (
+            f"<sdgen.Dataset {str(self.path)!r}: {shown} {noun}{part}, {views}, "
+            f"{counts.anomalies} anomalies of {len(self.info.hazards_enabled)} hazards, "
+            f"seed {self.info.seed}>"
         )
 
     def __len__(self) -> int:
@@ -211,11 +209,14 @@ class Dataset(Sequence[SceneItem]):
 
     def scene(self, scene_id: str) -> SceneItem:
         """The scene of this id, twins too. Raises InputError when there is none."""
-        for entry in self.entries:
-            if entry.id == scene_id:
-                return SceneItem(self.path, entry, self.graph_view)
-        known = [entry.id for entry in self.entries]
-        raise InputError([f"{self.path}: no scene {scene_id!r}{did_you_mean(scene_id, known)}"])
+        if scene_id in self._by_id:
+            return SceneItem(self.path, self._by_id[scene_id], self.graph_view)
+        hint = did_you_mean(scene_id, list(self._by_id))
+        raise InputError([f"{self.path}: no scene {scene_id!r}{hint}"])
+
+    @cached_property
+    def _by_id(self) -> Mapping[str, ManifestEntry]:
+        return {entry.id: entry for entry in self.entries}
 
     def graph(self, index: int, graph_view: GraphView = "full") -> nx.MultiDiGraph:
         """The graph of a scene as ``networkx.MultiDiGraph``; see ``graph_views``."""
@@ -231,41 +232,3 @@ class Dataset(Sequence[SceneItem]):
         """Records of the models the scenes use, by id."""
         assets = read_lines(AssetInfo, self.path / "assets.jsonl", "assets.jsonl")
         return {asset.id: asset for asset in assets}
-
-
-def _open(path: Path) -> DatasetInfo:
-    if not (path / "dataset.json").is_file():
-        if not path.is_dir():
-            problem = "no such folder"
-        elif (path / BUILD_FOLDER).is_dir():
-            problem = "an unfinished build; resume it with the same 'sdgen build' command"
-        else:
-            problem = "no data set (it has no dataset.json)"
-        raise InputError([f"{path}: {problem}"])
-    info = read_record(DatasetInfo, path / "dataset.json", "dataset.json")
-    if info.format_version.split(".")[0] != FORMAT_VERSION.split(".")[0]:
-        raise InputError(
-            [
-                f"dataset.json: format_version: {info.format_version!r} cannot be read by this "
-                f"version of sdgen (it reads {FORMAT_VERSION})"
-            ]
-        )
-    return info
-
-
-def _manifest(path: Path) -> tuple[ManifestEntry, ...]:
-    entries = read_lines(ManifestEntry, path / "manifest.jsonl", "manifest.jsonl")
-    problems = []
-    seen: set[str] = set()
-    for entry in entries:
-        if entry.id in seen:
-            problems.append(f"manifest.jsonl: scene {entry.id} appears twice")
-        seen.add(entry.id)
-        if entry.views > 10_000:
-            problems.append(f"manifest.jsonl: scene {entry.id}: {entry.views} views")
-        for name in entry.files:
-            if not SAFE_NAME.fullmatch(name):
-                problems.append(f"manifest.jsonl: scene {entry.id}: unsafe file name {name!r}")
-    if problems:
-        raise InputError(problems)
-    return entries

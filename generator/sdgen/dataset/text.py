@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from sdgen.errors import InputError, did_you_mean
+from sdgen.errors import SHOWN, InputError, did_you_mean
 
 T = TypeVar("T", bound=BaseModel)
 
@@ -171,7 +171,8 @@ def read_record(model: type[T], path: Path, where: str) -> T:
 
 
 def read_lines(model: type[T], path: Path, where: str) -> tuple[T, ...]:
-    """Records of a ``.jsonl`` file. Raises InputError with every problem, ``where:line: …``."""
+    """Records of a ``.jsonl`` file. Raises InputError with the problems, ``where:line: …``; it
+    stops reading where there are too many."""
     out: list[T] = []
     problems: list[str] = []
     for number, line in enumerate(read_bytes(path, where).split(b"\n"), start=1):
@@ -181,6 +182,9 @@ def read_lines(model: type[T], path: Path, where: str) -> tuple[T, ...]:
             out.append(to_record(model, line, f"{where}:{number}"))
         except InputError as error:
             problems.extend(error.problems)
+            if len(problems) >= SHOWN:
+                problems.append(f"{where}:{number}: not read further: too many problems")
+                break
     if problems:
         raise InputError(problems)
     return tuple(out)

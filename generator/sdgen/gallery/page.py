@@ -11,9 +11,9 @@ from urllib.parse import quote
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from sdgen.dataset import Dataset, SceneItem
+from sdgen.dataset.derived import derived_from
 from sdgen.dataset.disk import remove_tree
 from sdgen.dataset.output_file import refuse_data_set, refuse_links, write_output
-from sdgen.dataset.reader import derived_from
 from sdgen.dataset.records import count
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import SdgenError
@@ -108,7 +108,7 @@ def _write(
         folder = out / item.id
         refuse_links(folder, "folder")
         folder.mkdir(exist_ok=True)
-        with derived_from(item):
+        with derived_from(data, item):
             text = page.render(
                 item=item,
                 index=k,

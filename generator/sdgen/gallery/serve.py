@@ -12,7 +12,7 @@ from sdgen.errors import SdgenError
 
 
 class _Quiet(SimpleHTTPRequestHandler):
-    """Files below one folder: no listings, no links that lead out of it, no log."""
+    """Files below one folder: no listings, no links that lead out of it, no pipes, no log."""
 
     def log_message(self, format: str, *args: object) -> None:
         """Say nothing."""
@@ -25,7 +25,8 @@ class _Quiet(SimpleHTTPRequestHandler):
         """The file asked for, unless it lies elsewhere."""
         root = Path(self.directory).resolve()
         target = Path(self.translate_path(self.path)).resolve()
-        if target != root and root not in target.parents:
+        odd = target.exists() and not target.is_file() and not target.is_dir()
+        if odd or (target != root and root not in target.parents):
             self.send_error(404)
             return None
         return super().send_head()

@@ -8,6 +8,7 @@ from itertools import islice
 from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.dataset import Dataset
 from sdgen.dataset.disk import file_sha256
+from sdgen.dataset.opening import unlisted
 from sdgen.dataset.reader import SceneItem
 from sdgen.dataset.records import CONTENT_FILES, VISIBILITY_FILE, ManifestEntry, count
 from sdgen.dataset.scene_folder import content_sha256, view_files, view_folder
@@ -23,6 +24,8 @@ def check_whole(data: Dataset) -> Iterator[Problem]:
     """Top-level files against each other."""
     yield from _top(data)
     yield from _manifest(data)
+    for text in unlisted(data.path, data.info, data.entries):
+        yield Problem("count", text)
     stored, derived = data.info.counts, count(data.entries)
     for text in islice(differences(stored, derived, "counts"), SHOWN):
         yield Problem("count", f"dataset.json: {text}")
@@ -42,6 +45,8 @@ def _top(data: Dataset) -> Iterator[Problem]:
     for name in TOP_FILES:
         if not (data.path / name).is_file():
             yield Problem("file", f"{name}: missing")
+        elif name == "README.md" and not (data.path / name).read_bytes().strip():
+            yield Problem("file", f"{name}: empty")  # its words change with sdgen's version
     known = {entry.id for entry in data.entries}
     folder = data.path / SCENES
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset, SceneItem
-from sdgen.dataset.reader import derived_from
+from sdgen.dataset.derived import derived_from
 from sdgen.errors import InputError
 from sdgen.validate.files import check_files, check_whole
 from sdgen.validate.labels import check_labels, check_scene, check_zones
@@ -35,7 +35,7 @@ def validate(
     Never raises for bad input.
     """
     try:
-        data = Dataset(path)
+        data = Dataset(path, partial=True)
         problems = list(check_whole(data))
         catalog = catalog_override or data.catalog
         _ = data.infos
@@ -63,7 +63,7 @@ _SHARED: list[tuple[Dataset, Catalog]] = []
 
 
 def _start(path: str, catalog: Catalog) -> None:
-    _SHARED[:] = [(Dataset(path), catalog)]
+    _SHARED[:] = [(Dataset(path, partial=True), catalog)]
 
 
 def _one(index: int) -> list[Problem]:
@@ -78,7 +78,7 @@ def _scene(data: Dataset, item: SceneItem, catalog: Catalog) -> list[Problem]:
         problems += found
         if found:
             return problems  # what would be derived from it would only repeat it
-        with derived_from(item):
+        with derived_from(data, item):
             for check in _deeper(data, item, catalog):
                 problems += check
     except InputError as error:

@@ -1,0 +1,89 @@
+"""Opens a data set's own files: is it one, is it whole, may its names be followed?"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from sdgen.dataset.records import DatasetInfo, ManifestEntry
+from sdgen.dataset.scene_folder import BUILD_FOLDER
+from sdgen.dataset.text import read_lines, read_record
+from sdgen.errors import InputError
+from sdgen.scene import FORMAT_VERSION
+
+SAFE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
+#: Missing scenes named in one line.
+_NAMED = 10
+
+
+def open_info(path: Path) -> DatasetInfo:
+    """``dataset.json`` of a finished data set this version can read. Raises InputError."""
+    if not (path / "dataset.json").is_file():
+        if not path.is_dir():
+            problem = "no such folder"
+        elif (path / BUILD_FOLDER).is_dir():
+            problem = "an unfinished build; resume it with the same 'sdgen build' command"
+        else:
+            problem = "no data set (it has no dataset.json)"
+        raise InputError([f"{path}: {problem}"])
+    info = read_record(DatasetInfo, path / "dataset.json", "dataset.json")
+    if info.format_version.split(".")[0] != FORMAT_VERSION.split(".")[0]:
+        raise InputError(
+            [
+                f"dataset.json: format_version: {info.format_version!r} cannot be read by this "
+                f"version of sdgen (it reads {FORMAT_VERSION})"
+            ]
+        )
+    return info
+
+
+def refuse_incomplete(path: Path, info: DatasetInfo, entries: Sequence[ManifestEntry]) -> None:
+    """Raises InputError when scenes are gone that the data set was finished with."""
+    missing = {entry.id for entry in entries} - _folders(path)
+    problems = [f"scenes/{name}: missing" for name in sorted(missing)]
+    problems += unlisted(path, info, entries)
+    if problems and (path / BUILD_FOLDER).is_dir():
+        problems.append(f"{path}: a build has not finished; resume it with the same 'sdgen build'")
+    if problems:
+        raise InputError(problems)
+
+
+def unlisted(path: Path, info: DatasetInfo, entries: Sequence[ManifestEntry]) -> list[str]:
+    """That the manifest lists fewer or more scenes than ``dataset.json`` counts, and which."""
+    twins = sum(entry.twin_of is not None for entry in entries)
+    listed, counted = (len(entries) - twins, twins), (info.counts.scenes, info.counts.twins)
+    if listed == counted:
+        return []
+    ids = {entry.id for entry in entries}
+    # Their folders tell best; without them, whatever index of 0 to n - 1 is not accounted for.
+    gone = _folders(path) - ids or {f"{k:06d}" for k in range(info.n)} - ids - set(info.failed)
+    names = ", ".join(sorted(gone)[:_NAMED]) + (", ..." if len(gone) > _NAMED else "")
+    return [
+        f"manifest.jsonl: lists {listed[0]} scenes and {listed[1]} twins, dataset.json counts "
+        f"{counted[0]} and {counted[1]}" + (f" (not listed: {names})" if gone else "")
+    ]
+
+
+def _folders(path: Path) -> set[str]:
+    folder = path / "scenes"
+    return {found.name for found in folder.iterdir()} if folder.is_dir() else set()
+
+
+def read_manifest(path: Path) -> tuple[ManifestEntry, ...]:
+    """The lines of ``manifest.jsonl``: each scene once, no name that leads elsewhere."""
+    entries = read_lines(ManifestEntry, path / "manifest.jsonl", "manifest.jsonl")
+    problems = []
+    seen: set[str] = set()
+    for entry in entries:
+        if entry.id in seen:
+            problems.append(f"manifest.jsonl: scene {entry.id} appears twice")
+        seen.add(entry.id)
+        if entry.views > 10_000:
+            problems.append(f"manifest.jsonl: scene {entry.id}: {entry.views} views")
+        for name in entry.files:
+            if not SAFE_NAME.fullmatch(name):
+                problems.append(f"manifest.jsonl: scene {entry.id}: unsafe file name {name!r}")
+    if problems:
+        raise InputError(problems)
+    return entries

@@ -15,41 +15,28 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 import pytest
-from sdgen.cameras.choice import Sight
 from sdgen.cameras.parts import part_points
-from sdgen.cameras.pinhole import matrix4
 from sdgen.catalog.load import load_catalog
 from sdgen.geometry import apply, inverse, rotation_matrix
 from sdgen.library import Library, load_library
-from sdgen.options import BuildOptions
-from sdgen.physics.client import Client
-from sdgen.pipeline import make_scene
-from sdgen.scene import Camera, ObjectInstance, SceneBundle
+from sdgen.scene import Camera, ObjectInstance
 from sdgen.truth.graph import opaque_name
 from sklearn.ensemble import HistGradientBoostingClassifier
 from threadpoolctl import threadpool_limits
 
+from tests.made import Made, made_scenes
 from tests.shared import Shared
 
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
 
 SCENES = int(os.environ.get("SDGEN_LEAK_SCENES", "60"))
-OPTIONS = BuildOptions(n=SCENES, seed=7)
 LIMIT = 0.55
 FOLDS, REPEATS = 5, 4
 #: Fewer homes than this are too few to keep some apart: then scenes are kept apart.
 HOMES_NEEDED = 10
 
 pytestmark = pytest.mark.slow
-
-
-@dataclass(frozen=True)
-class Made:
-    """A scene, and what each of its near cameras was pointed at (by the camera's index)."""
-
-    bundle: SceneBundle
-    targets: dict[int, int]
 
 
 @dataclass(frozen=True)
@@ -69,27 +56,7 @@ def library() -> Library:
 
 @pytest.fixture(scope="module")
 def scenes(library: Library, shared: Shared) -> list[Made]:
-    """Scenes without pictures, with the target of every near camera."""
-    catalog = load_catalog()
-    found: dict[object, int] = {}
-    near = Sight.near
-
-    def noted(sight: Sight, object_id: int, parts: tuple[str, ...] = ()) -> object:
-        view = near(sight, object_id, parts)
-        if view is not None:
-            found[matrix4(view.world_from_camera)] = object_id
-        return view
-
-    with pytest.MonkeyPatch.context() as patch, Client() as client:
-        patch.setattr(Sight, "near", noted)
-
-        def make(name: str) -> Made:
-            found.clear()
-            bundle = make_scene(int(name.split("-")[-1]), catalog, library, OPTIONS, client)
-            near_ones = [camera for camera in bundle.cameras if camera.kind == "near"]
-            return Made(bundle, {c.index: found[c.world_from_camera] for c in near_ones})
-
-        return shared.values([f"leak-scene-{index}" for index in range(SCENES)], make)
+    return made_scenes(shared, load_catalog(), library, range(SCENES))
 
 
 def table(scenes: list[Made], row: Callable[[Made, ObjectInstance], list[float] | None]) -> Table:

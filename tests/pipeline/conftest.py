@@ -1,8 +1,10 @@
-"""What the pipeline's tests share: the shipped catalogue and library, and a small build."""
+"""What the pipeline's tests share: the shipped catalogue and library, and scenes made of them."""
 
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.library import load_library
+
+from tests.made import made_scenes
 
 
 @pytest.fixture(scope="session")
@@ -13,3 +15,13 @@ def catalog():
 @pytest.fixture(scope="session")
 def library():
     return load_library()
+
+
+@pytest.fixture(scope="session")
+def scene_bundle(shared, catalog, library):
+    """Scene ``index`` of ``tests.made.OPTIONS``, made by one of the workers."""
+
+    def made(index):
+        return made_scenes(shared, catalog, library, [index])[0].bundle
+
+    return made

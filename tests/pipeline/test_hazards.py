@@ -56,9 +56,9 @@ def test_a_hazard_is_made_proved_seen_and_undone(hazard, library, renderer):
 
 
 @pytest.mark.slow
-def test_lookalikes_are_benign_and_named(catalog, library):
-    for index in range(3):
-        bundle = make_scene(index, catalog, library, BuildOptions(n=9, seed=5))
+def test_lookalikes_are_benign_and_named(catalog, library, scene_bundle):
+    for index in range(6):
+        bundle = scene_bundle(index)
         positive = {p.object_id for p in certify(bundle.scene, library.infos, catalog)}
         facts = facts_of(bundle.scene, library.infos, catalog)
         assert bundle.anomalies.lookalikes

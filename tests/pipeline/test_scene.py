@@ -10,6 +10,8 @@ from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.pipeline import make_scene
 
+from tests.made import OPTIONS
+
 CONTENT = "from sdgen.cli.main import main; main()"
 
 
@@ -24,27 +26,26 @@ def dump(bundle):
 
 
 @pytest.mark.slow
-def test_the_same_scene_whatever_was_made_before(catalog, library):
-    options = BuildOptions(n=20, seed=7)
+def test_the_same_scene_whatever_was_made_before(catalog, library, scene_bundle):
     with Client() as client:
-        make_scene(4, catalog, library, options, client)
-        used = dump(make_scene(5, catalog, library, options, client))
-    assert used == dump(make_scene(5, catalog, library, options))
+        make_scene(4, catalog, library, OPTIONS, client)
+        used = dump(make_scene(5, catalog, library, OPTIONS, client))
+    assert used == dump(scene_bundle(5))
 
 
 @pytest.mark.slow
-def test_picture_options_change_cameras_only(catalog, library):
+def test_picture_options_change_cameras_only(catalog, library, scene_bundle):
     few = make_scene(
         2, catalog, library, BuildOptions(n=20, seed=7, views=2, width=320, height=240)
     )
-    many = make_scene(2, catalog, library, BuildOptions(n=40, seed=7, views=9, supersample=2))
+    many = scene_bundle(2)
     assert dump(few)[:4] == dump(many)[:4]
-    assert (len(few.cameras), len(many.cameras)) == (2, 9)
+    assert (len(few.cameras), len(many.cameras)) == (2, OPTIONS.views)
 
 
 @pytest.mark.slow
-def test_ids_and_order_say_nothing_and_fit_the_mask(catalog, library):
-    scene = make_scene(1, catalog, library, BuildOptions(n=20, seed=7)).scene
+def test_ids_and_order_say_nothing_and_fit_the_mask(scene_bundle):
+    scene = scene_bundle(1).scene
     ids = [o.id for o in scene.objects]
     everything = ids + [r.id for r in scene.home.rooms] + [s.id for s in scene.home.structures]
     assert len(set(everything)) == len(everything)

@@ -9,7 +9,7 @@ from sdgen.geometry import apply, quat_from_yaw
 from sdgen.hazards.splits import SplitModels
 from sdgen.library import load_library
 from sdgen.library.states import object_from_part
-from sdgen.pipeline.stage import Stage, stage_home
+from sdgen.pipeline.stage import FurnishedHome, furnished_home
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
 from sdgen.zones import swing_blocked, swing_sectors
@@ -62,7 +62,7 @@ def test_a_staged_home_has_the_zones_its_doors_and_appliances_need():
         found
         for attempt in range(5)
         if isinstance(
-            found := stage_home(
+            found := furnished_home(
                 base,
                 catalog,
                 LIBRARY,
@@ -70,7 +70,7 @@ def test_a_staged_home_has_the_zones_its_doors_and_appliances_need():
                 itertools.count(1),
                 lane(0, attempt, "stage"),
             ),
-            Stage,
+            FurnishedHome,
         )
     )
     home, zones = stage.site.home, stage.site.zones

@@ -7,13 +7,12 @@ of the fridge. A knife on a high shelf is the lookalike. Pictures are painted re
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from sdgen.catalog.load import catalog_sha256, load_catalog
+from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import DatasetWriter
 from sdgen.freespace import free_shape, rounded_rings
@@ -21,18 +20,17 @@ from sdgen.geometry import apply, inverse, look_at, quat_from_yaw, round_positio
 from sdgen.hazards.certify import facts_of, survey
 from sdgen.hazards.labels import anomaly_records
 from sdgen.hazards.splits import Split, split_of_home
-from sdgen.hazards.twin import physics_of_twin, undone
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.library.states import derive_states
 from sdgen.options import BuildOptions
+from sdgen.pipeline.finish import benign_twin, certificate
+from sdgen.rejection import Rejection
 from sdgen.scene import (
     AgentStart,
     Anomalies,
     Box,
     Camera,
-    Certificate,
     Frame,
-    Graph,
     Home,
     Household,
     Lookalike,
@@ -264,16 +262,11 @@ def bundle(
     shelf = catalog().hazard("sharp_object").predicate.measure(512, facts)
     return SceneBundle(
         scene=made,
+        graph=build_graph(made, infos(), catalog(), facts),
         anomalies=Anomalies(
             anomalies=anomaly_records(result.found, facts, catalog(), who),
             lookalikes=(Lookalike(object_id=512, near_miss_of="sharp_object", evidence=shelf),),
-            certificate=Certificate(
-                hazards_enabled=tuple(sorted(h.id for h in catalog().hazards)),
-                catalogue_sha256=catalog_sha256(catalog()),
-                assets_sha256=ASSETS_SHA256,
-                pairs_checked=result.pairs,
-                pairs_positive=len(result.found),
-            ),
+            certificate=certificate(catalog(), ASSETS_SHA256, result),
         ),
         household=who,
         physics=PhysicsReport(
@@ -282,7 +275,8 @@ def bundle(
             steps=60,
             home_attempts=1,
             placement_attempts=1,
-            rejections={},
+            rejections=(),
+            taken_away=(),
         ),
         split=SPLITS[index % 3],
         cameras=tuple(camera(k, options) for k in range(options.views)),
@@ -319,11 +313,6 @@ def frames(made: SceneBundle) -> list[Frame]:
     return [frame(made, camera.index) for camera in made.cameras]
 
 
-def graph(made: SceneBundle) -> Graph:
-    """Its graph."""
-    return build_graph(made.scene, infos(), catalog(), facts_of(made.scene, infos(), catalog()))
-
-
 def visibility(made: SceneBundle, pictures: Iterable[Frame]) -> Visibility:
     """Its visibility."""
     options = small()
@@ -347,7 +336,7 @@ def add_scene(writer: DatasetWriter, index: int) -> None:
     """Write toy scene ``index``."""
     made = bundle(index, writer.build.options)
     pictures = frames(made) if writer.build.options.sensors else []
-    writer.scene_writer.write(made, graph(made), visibility(made, pictures), pictures)
+    writer.scene_writer.write(made, visibility(made, pictures), pictures)
 
 
 def build(path: Path, options: BuildOptions | None = None) -> Path:
@@ -363,18 +352,9 @@ def build(path: Path, options: BuildOptions | None = None) -> Path:
 
 def twin(made: SceneBundle) -> SceneBundle:
     """The benign twin of a bundle."""
-    records = made.anomalies
-    benign = undone(made.scene, records.anomalies, catalog(), infos())
-    pairs = len(benign.objects) * len(catalog().hazards)
-    certificate = records.certificate.model_copy(
-        update={"pairs_checked": pairs, "pairs_positive": 0}
-    )
-    return replace(
-        made,
-        scene=benign,
-        anomalies=records.model_copy(update={"anomalies": (), "certificate": certificate}),
-        physics=physics_of_twin(benign, made.physics),
-    )
+    benign = benign_twin(made, catalog(), infos())
+    assert not isinstance(benign, Rejection), benign
+    return benign
 
 
 def build_with_twins(path: Path, n: int = 4) -> Path:
@@ -384,7 +364,7 @@ def build_with_twins(path: Path, n: int = 4) -> Path:
             if f"{index:06d}" not in writer.done:
                 benign = twin(bundle(index, writer.build.options))
                 shown = frames(benign)
-                writer.scene_writer.write(benign, graph(benign), visibility(benign, shown), shown)
+                writer.scene_writer.write(benign, visibility(benign, shown), shown)
                 add_scene(writer, index)
         writer.finish(renderers=("painted",))
     return path

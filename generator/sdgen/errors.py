@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from sdgen.rejection import Causes, causes_in_words, most_frequent
+
 #: Problems of one file, or of a whole data set, that are told; more of them rarely say more.
 SHOWN = 100
 
@@ -39,17 +41,17 @@ class AssetError(InputError):
 class SceneRejected(SdgenError):
     """A scene's stated attempt budget is spent.
 
-    ``reasons`` counts the rejections by reason, most frequent first.
+    ``causes`` counts its rejections, most frequent first.
     """
 
-    def __init__(self, scene_id: str, reasons: dict[str, int]) -> None:
+    def __init__(self, scene_id: str, causes: Causes) -> None:
         self.scene_id = scene_id
-        self.reasons = dict(sorted(reasons.items(), key=lambda item: (-item[1], item[0])))
-        top = ", ".join(f"{reason} x{count}" for reason, count in list(self.reasons.items())[:4])
+        self.causes: Causes = dict(most_frequent(causes))
+        top = causes_in_words(self.causes, 4)
         super().__init__(f"scene {scene_id}: could not be made ({top or 'no reason recorded'})")
 
-    def __reduce__(self) -> tuple[type[SceneRejected], tuple[str, dict[str, int]]]:
-        return (SceneRejected, (self.scene_id, self.reasons))
+    def __reduce__(self) -> tuple[type[SceneRejected], tuple[str, Causes]]:
+        return (SceneRejected, (self.scene_id, self.causes))
 
 
 class BuildIncomplete(SdgenError):

@@ -6,6 +6,8 @@ committed under ``output/schema``. Numpy arrays live in :class:`Frame` only.
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -14,9 +16,11 @@ import numpy.typing as npt
 from pydantic import BaseModel, ConfigDict, Field
 
 from sdgen.geometry import Quat, Vec2, Vec3
+from sdgen.rejection import Cause, Causes
+from sdgen.rejection import Stage as PipelineStage
 from sdgen.vocabulary import OpeningKind, ZoneKind
 
-FORMAT_VERSION = "1.0"
+FORMAT_VERSION = "1.1"
 
 Notify = Literal["now", "summary", "silent"]
 EvidenceValue = bool | int | float | str
@@ -336,15 +340,46 @@ class Contact(Record):
     distance_m: float
 
 
+class CauseCount(Record):
+    """How often one cause threw a try away, or had a small thing taken away."""
+
+    stage: PipelineStage
+    check: str
+    hazard: str | None
+    category: str | None
+    other: str | None
+    count: int = Field(ge=1)
+
+
+def cause_counts(causes: Causes) -> tuple[CauseCount, ...]:
+    """Counted causes as they are written, sorted."""
+    return tuple(
+        CauseCount(**cause._asdict(), count=causes[cause])
+        for cause in sorted(causes, key=Cause.sort_key)
+    )
+
+
+def causes_of(counts: Iterable[CauseCount]) -> Counter[Cause]:
+    """Counted causes as they are added up."""
+    return Counter(
+        {Cause(c.stage, c.check, c.hazard, c.category, c.other): c.count for c in counts}
+    )
+
+
 class PhysicsReport(Record):
-    """``physics.json``."""
+    """``physics.json``: how the scene came to rest, and after how many tries.
+
+    ``rejections`` counts the tries that were thrown away, ``taken_away`` the small things and
+    lookalikes that the last one lost.
+    """
 
     settled_drift_m: dict[str, float]
     contacts: tuple[Contact, ...]
     steps: int
     home_attempts: int
     placement_attempts: int
-    rejections: dict[str, int]
+    rejections: tuple[CauseCount, ...]
+    taken_away: tuple[CauseCount, ...]
 
 
 @dataclass(frozen=True)
@@ -367,11 +402,14 @@ class Frame:
 
 @dataclass(frozen=True)
 class SceneBundle:
-    """All of one finished scene, ready to be written."""
+    """All of one finished scene but its pixels, ready to be drawn and written; ``twin`` is its
+    benign one, where it was asked for."""
 
     scene: Scene
+    graph: Graph
     anomalies: Anomalies
     household: Household
     physics: PhysicsReport
     split: str
     cameras: tuple[Camera, ...]
+    twin: SceneBundle | None = None

@@ -12,7 +12,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import BaseHome, BaseOpening, FurnitureItem
 from sdgen.hazards.splits import SplitModels, split_of_home
 from sdgen.library import Library, load_library
-from sdgen.pipeline.stage import Stage, stage_home
+from sdgen.pipeline.stage import FurnishedHome, furnished_home
 from sdgen.seeding import lane
 from shapely import box
 from shapely.affinity import rotate, translate
@@ -216,5 +216,5 @@ def test_the_home_can_be_furnished_every_time(
     """Whatever models are drawn: every needed piece stands, every room is reached."""
     models = SplitModels(library, split)
     for index in range(8):
-        stage = stage_home(home, CATALOG, library, models, count(1), lane(0, index, "furnish"))
-        assert isinstance(stage, Stage), stage
+        stage = furnished_home(home, CATALOG, library, models, count(1), lane(0, index, "furnish"))
+        assert isinstance(stage, FurnishedHome), stage

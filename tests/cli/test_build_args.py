@@ -18,6 +18,7 @@ from sdgen.cli.main import run
 from sdgen.cli.progress import summary
 from sdgen.engines.report import BuildReport, SceneFailed
 from sdgen.options import BuildOptions
+from sdgen.rejection import Cause
 
 
 @pytest.fixture
@@ -45,7 +46,7 @@ def report(**changes: Any) -> BuildReport:
         "seconds": 40.0,
         "peak_memory_mb": 812.0,
         "home_attempts": 12,
-        "rejections": {"unreachable": 2},
+        "rejections": {Cause("home", "room_cut_off", category="kitchen"): 2},
         "anomalies": {"spill": 4, "stove_on": 5},
         "renderer": "egl llvmpipe",
     }
@@ -172,7 +173,7 @@ def test_out_that_may_not_be_written_is_refused(
 def test_missing_scenes_exit_3_and_are_named(
     asked: list[Any], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    failed = (SceneFailed(4, "000004", {"unreachable": 5}),)
+    failed = (SceneFailed(4, "000004", {Cause("home", "no_free_floor"): 5}),)
     monkeypatch.setattr(build_module, "_run", lambda *_: report(made=9, failed=failed))
     assert run(["build"]) == 3
     assert "1 of 10 scenes could not be made: 000004" in capsys.readouterr().err
@@ -185,7 +186,7 @@ def test_closing_table_has_the_promised_figures() -> None:
     assert rows["frames/s"] == "2.00"
     assert rows["peak memory"] == "812 MB"
     assert rows["accepted"] == "83% of 12 homes tried"
-    assert rows["rejections"] == "unreachable x2"
+    assert rows["rejections"] == "home x2 (room cut off (kitchen) x2)"
     assert rows["anomalies"] == "stove_on x5, spill x4"
 
 

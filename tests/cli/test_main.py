@@ -12,6 +12,7 @@ import pytest
 from sdgen.cli import main as cli_main
 from sdgen.cli.main import COMMANDS, cli, describe, run
 from sdgen.errors import BuildIncomplete, InputError, SceneRejected, SdgenError, UsageError
+from sdgen.rejection import Cause
 
 
 def raising(error: BaseException) -> click.Command:
@@ -70,8 +71,10 @@ def test_a_bug_is_one_line_that_says_how_to_report_it(
 
 
 def test_scene_rejected_names_scene_and_reasons() -> None:
-    text = describe(SceneRejected("000007", {"no_place": 3, "unreachable": 9}))
-    assert text == "error: scene 000007: could not be made (unreachable x9, no_place x3)"
+    causes = {Cause("hazards", "no_place", "spill"): 3, Cause("physics", "no_rest"): 9}
+    text = describe(SceneRejected("000007", causes))
+    told = "physics: no rest x9, spill: no place x3"
+    assert text == f"error: scene 000007: could not be made ({told})"
 
 
 @pytest.mark.parametrize(

@@ -30,7 +30,7 @@ def test_records_come_back_as_they_were_written(path: Path) -> None:
     assert item.household == bundle.household
     assert item.physics == bundle.physics
     assert item.cameras == bundle.cameras
-    assert item.scene_graph == toy.graph(bundle)
+    assert item.scene_graph == bundle.graph
     assert item.visibility == toy.visibility(bundle, toy.frames(bundle))
     assert made.catalog == toy.catalog()
     assert made.infos == toy.infos()

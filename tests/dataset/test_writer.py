@@ -15,6 +15,8 @@ from sdgen.dataset import Dataset, DatasetWriter
 from sdgen.dataset import scene_folder as scene_folder_module
 from sdgen.dataset.scene_folder import BUILD_FOLDER
 from sdgen.errors import SdgenError
+from sdgen.rejection import Cause
+from sdgen.scene import cause_counts
 
 from tests import toy
 
@@ -93,9 +95,7 @@ def test_a_killed_build_resumes_to_the_same_bytes(tmp_path: Path) -> None:
         toy.add_scene(writer, 2)
         toy.add_scene(writer, 0)
         # Killed while scene 1 is half written.
-        half = writer.scene_writer.begin(
-            toy.bundle(1, writer.build.options), toy.graph(toy.bundle(1))
-        )
+        half = writer.scene_writer.begin(toy.bundle(1, writer.build.options))
         half.__enter__()
         half.add(toy.frame(toy.bundle(1, writer.build.options), 0))
     assert not (path / "scenes" / "000001").exists()
@@ -339,16 +339,17 @@ def test_an_interrupted_finish_keeps_every_scene(
 
 
 def test_range_pieces_and_failed_scenes_are_recorded(tmp_path: Path) -> None:
+    causes = {Cause("home", "no_free_floor"): 5, Cause("hazards", "no_place", "spill"): 2}
     with toy.open_writer(tmp_path / "d", toy.small(n=4)) as writer:
         toy.add_scene(writer, 2)
-        info = writer.finish(failed={"000003": {"home: no floor": 5}})
+        info = writer.finish(failed={"000003": causes})
     assert info.n == 4
     assert info.counts.scenes == 1
-    assert info.failed == {"000003": {"home: no floor": 5}}
+    assert info.failed == {"000003": cause_counts(causes)}
     assert "000003" in (tmp_path / "d" / "README.md").read_text(encoding="utf-8")
     with toy.open_writer(tmp_path / "d", toy.small(n=4)) as writer:
         toy.add_scene(writer, 1)  # another range: what failed before is still missing
-        assert writer.finish().failed == {"000003": {"home: no floor": 5}}
+        assert writer.finish().failed == {"000003": cause_counts(causes)}
     with toy.open_writer(tmp_path / "d", toy.small(n=4)) as writer:
         toy.add_scene(writer, 3)
         assert writer.finish().failed == {}

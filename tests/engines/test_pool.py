@@ -6,6 +6,9 @@ import time
 import pytest
 from sdgen.engines.pool import Limits, Outcome, Pool, Recycled, peak_mb, resident_mb
 from sdgen.errors import SceneRejected, SdgenError
+from sdgen.rejection import Cause
+
+NO_PLACE = Cause("hazards", "no_place", hazard="spill")
 
 
 class Work:
@@ -30,7 +33,7 @@ class Work:
             if how.endswith("raise"):
                 raise ZeroDivisionError("oops")
             if how.endswith("reject"):
-                raise SceneRejected(f"{job:06d}", {"no place": 3})
+                raise SceneRejected(f"{job:06d}", {NO_PLACE: 3})
         return job * job
 
     def close(self) -> None:
@@ -70,7 +73,8 @@ def test_a_job_that_always_fails_is_named_and_the_rest_is_done(tmp_path):
     done, _ = outcomes(tmp_path, {4: "always die", 5: "reject"})
     assert [k for k, o in sorted(done.items()) if o.error is None] == [0, 1, 2, 3]
     assert isinstance(done[4].error, SceneRejected)
-    assert done[5].error.reasons == {"no place": 3}
+    assert done[5].error.causes == {NO_PLACE: 3}
+    assert done[4].error.causes == {Cause("worker", "died"): 2}
 
 
 def test_a_bloated_worker_is_recycled(tmp_path):

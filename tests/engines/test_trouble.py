@@ -1,4 +1,4 @@
-"""The command line under trouble: kills, two builds at once, a full disk, a misfit hazard."""
+"""The command line under trouble: kills, two builds at once, a full disk."""
 
 import importlib.util
 import os
@@ -9,13 +9,6 @@ import time
 from pathlib import Path
 
 import pytest
-from sdgen.catalog.load import load_catalog
-from sdgen.engines import local
-from sdgen.engines.fit import Blame, misfits
-from sdgen.errors import InputError, SdgenError
-from sdgen.hazards.draw import draw
-from sdgen.library import load_library
-from sdgen.options import BuildOptions
 
 MAIN = "from sdgen.cli.main import main; main()"
 SMALL = ["--n", "3", "--seed", "7", "--views", "1", "--sensors", "none", "--workers", "2"]
@@ -91,99 +84,3 @@ def test_a_full_disk_is_one_line_and_the_same_command_goes_on(tmp_path):
     assert done.returncode == 0, done.stderr
     assert run(tmp_path / "whole", SMALL).returncode == 0
     assert (out / "manifest.jsonl").read_bytes() == (tmp_path / "whole/manifest.jsonl").read_bytes()
-
-
-@pytest.fixture(scope="module")
-def tools():
-    return {"catalog": load_catalog(), "library": load_library()}
-
-
-def changed(catalog, hazard_id, **changes):
-    """The catalogue with every placing recipe of a hazard changed."""
-    hazard = catalog.hazard(hazard_id)
-    recipes = tuple(r.model_copy(update=changes) for r in hazard.anomalies if r.kind == "place")
-    broken = hazard.model_copy(update={"anomalies": recipes})
-    hazards = tuple(broken if h.id == hazard_id else h for h in catalog.hazards)
-    return catalog.model_copy(update={"hazards": hazards})
-
-
-def test_every_shipped_hazard_fits_somewhere(tools):
-    assert misfits(**tools, options=BuildOptions(seed=1)) == []
-
-
-def test_a_hazard_without_a_target_is_named_before_anything_is_written(
-    tools, tmp_path, monkeypatch
-):
-    # As if the library had a model of it, and no room a place for it.
-    catalog = changed(tools["catalog"], "sharp_object", targets=("stool_of_gold",))
-    monkeypatch.setattr(local, "check_against_library", lambda *_: None)
-    with pytest.raises(InputError, match=r"sharp_object.* in \d+ tries .*stool_of_gold"):
-        local.build(BuildOptions(n=2), tmp_path / "set", catalog, tools["library"])
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_a_hazard_whose_spot_never_fits_is_named(tools):
-    catalog = changed(tools["catalog"], "sharp_object", rooms=("ballroom",))
-    (problem,) = misfits(catalog, tools["library"], BuildOptions(seed=1))
-    assert "sharp_object" in problem
-    assert "nothing fits" in problem
-
-
-def test_a_hazard_that_is_never_proved_ends_the_build_early(tools, tmp_path, monkeypatch):
-    """What is put is never accepted: no scene with it can be made."""
-    catalog = tools["catalog"]
-    hazard = catalog.hazard("sharp_object")
-    never = hazard.model_copy(update={"predicate": catalog.hazard("stove_on").predicate})
-    catalog = catalog.model_copy(
-        update={"hazards": tuple(never if h.id == hazard.id else h for h in catalog.hazards)}
-    )
-    options = BuildOptions(n=40, seed=7, views=1, sensors=(), hazards_min=1, hazards_max=2)
-    monkeypatch.setattr("sdgen.engines.local.SceneWorker", ImpatientWorker)
-    with pytest.raises(SdgenError, match=r"'sharp_object' fits nowhere: never made in \d+ tries"):
-        local.build(options, tmp_path / "set", catalog, tools["library"], workers=2)
-    assert len(list((tmp_path / "set" / "scenes").iterdir())) < 20
-
-
-def ImpatientWorker(setup):
-    """A worker that gives up a scene after few tries, so that the test ends soon."""
-    from sdgen.engines.worker import SceneWorker
-    from sdgen.pipeline import scene
-
-    scene.HOME_ATTEMPTS, scene.PLACEMENT_ATTEMPTS = 1, 2
-    return SceneWorker(setup)
-
-
-def blame(catalog, **changes):
-    return Blame(catalog, BuildOptions(hazards_min=2, hazards_max=2, **changes))
-
-
-def with_hazard(catalog, hazard, count):
-    names = [h.id for h in catalog.hazards]
-    found = [i for i in range(200) if hazard in draw(0, i, names, 2, 2, "balanced")]
-    return found[:count]
-
-
-def test_two_failed_scenes_name_the_hazard_the_tries_and_why(tools):
-    one = blame(tools["catalog"])
-    first, second = with_hazard(tools["catalog"], "spill", 2)
-    assert one.failed(first, {"spill: not proved": 90, "home: no free floor": 10}) is None
-    said = one.failed(second, {"spill: not proved": 100})
-    assert "'spill' fits nowhere: never made in 190 tries for 2 scenes" in said
-    assert "its predicate does not accept" in said
-
-
-def test_a_hazard_that_some_scene_has_does_not_end_the_build(tools):
-    one = blame(tools["catalog"])
-    one.made.add("spill")
-    for index in with_hazard(tools["catalog"], "spill", 4):
-        assert one.failed(index, {"spill: no place found": 100}) is None
-
-
-def test_overlapping_predicates_are_told_as_such(tools):
-    one = blame(tools["catalog"])
-    first, second = with_hazard(tools["catalog"], "spill", 2)
-    one.made.update({h.id for h in tools["catalog"].hazards} - {"spill"})
-    assert one.failed(first, {"tripping_hazard: accidental": 100}) is None
-    said = one.failed(second, {"tripping_hazard: accidental": 100})
-    assert "'spill'" in said
-    assert "also is tripping_hazard: make the two predicates exclude each other" in said

@@ -13,7 +13,7 @@ from sdgen.home.anchors import sides_of
 from sdgen.home.layout import footprint
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
-from sdgen.pipeline.stage import Stage, pick_home, stage_home
+from sdgen.pipeline.stage import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
 from sdgen.zones import derive_zones, floor_obstacles
 from shapely.geometry import Polygon
@@ -23,23 +23,23 @@ LIBRARY = load_library([])
 OPTIONS = BuildOptions(n=20, seed=9, homes="procedural")
 
 
-def stage(index: int) -> Stage:
+def stage(index: int) -> FurnishedHome:
     choice = pick_home(CATALOG, OPTIONS, index)
     base = choice.plan(CATALOG, lane(9, index, "plan:0"))
     assert base is not None
     ids = iter((lane(9, index, "ids").permutation(65535) + 1).tolist())
     models = SplitModels(LIBRARY, "test")
-    made = stage_home(base, CATALOG, LIBRARY, models, ids, lane(9, index, "furnish"))
-    assert isinstance(made, Stage), made
+    made = furnished_home(base, CATALOG, LIBRARY, models, ids, lane(9, index, "furnish"))
+    assert isinstance(made, FurnishedHome), made
     return made
 
 
 @pytest.fixture(scope="module")
-def stages() -> list[Stage]:
+def stages() -> list[FurnishedHome]:
     return [stage(index) for index in range(6)]
 
 
-def pieces(made: Stage):
+def pieces(made: FurnishedHome):
     for item in made.layout.items.values():
         if item.category not in ("door", "front_door", "window"):
             yield item, made.layout.info(item.id)
@@ -122,7 +122,7 @@ def test_a_generated_home_keeps_its_id_and_split_through_attempts():
 
 def test_what_is_left_free_is_what_a_reader_of_the_scene_finds(stages):
     for made in stages:
-        scene = made.scene(0, made.layout)
+        scene = made.scene(0, made.layout.items)
         free = free_shape(scene.home, floor_obstacles(scene.objects, LIBRARY.infos))
         assert rounded_rings(free) == made.free_space
         traits = {c.name: c.properties for c in CATALOG.categories}

@@ -7,7 +7,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import LEAST_THINGS, add_clutter
 from sdgen.library import load_library
-from sdgen.pipeline.stage import Stage, stage_home
+from sdgen.pipeline.stage import FurnishedHome, furnished_home
 from sdgen.seeding import lane
 
 
@@ -18,8 +18,8 @@ def test_every_home_holds_sixty_things(home):
     base = next(h for h in catalog.homes if h.id == home)
     for seed in range(3):
         ids = iter(range(1, 60000))
-        stage = stage_home(base, catalog, library, models, ids, lane(seed, 0, "furnish"))
-        assert isinstance(stage, Stage)
+        stage = furnished_home(base, catalog, library, models, ids, lane(seed, 0, "furnish"))
+        assert isinstance(stage, FurnishedHome)
         layout = stage.layout.copy()
         add_clutter(
             layout, stage.site.home, stage.site.zones, catalog, models, lane(seed, 0, "place")

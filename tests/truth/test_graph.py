@@ -9,7 +9,7 @@ from tests import toy
 
 def test_every_room_structure_and_object_is_a_node_sorted_by_id() -> None:
     made = toy.bundle(3)
-    graph = toy.graph(made)
+    graph = made.graph
     home = made.scene.home
     ids = {r.id for r in home.rooms} | {s.id for s in home.structures}
     ids |= {item.id for item in made.scene.objects}
@@ -17,7 +17,7 @@ def test_every_room_structure_and_object_is_a_node_sorted_by_id() -> None:
 
 
 def test_keys_are_virtualhomes() -> None:
-    node = toy.graph(toy.bundle(0)).model_dump()["nodes"][0]
+    node = toy.bundle(0).graph.model_dump()["nodes"][0]
     assert set(node) == {
         "id",
         "class_name",
@@ -34,7 +34,7 @@ def test_keys_are_virtualhomes() -> None:
 
 
 def test_edges_say_what_stands_where() -> None:
-    graph = toy.graph(toy.bundle(3))
+    graph = toy.bundle(3).graph
     edges = {(e.from_id, e.relation_type, e.to_id) for e in graph.edges}
     assert (600, "ON", 77) in edges  # knife on the table
     assert (4000, "ON", 77) in edges
@@ -47,7 +47,7 @@ def test_edges_say_what_stands_where() -> None:
 
 
 def test_edges_are_sorted_and_unique() -> None:
-    edges = toy.graph(toy.bundle(3)).edges
+    edges = toy.bundle(3).graph.edges
     keys = [(e.from_id, e.to_id, e.relation_type) for e in edges]
     assert keys == sorted(set(keys))
 
@@ -55,14 +55,14 @@ def test_edges_are_sorted_and_unique() -> None:
 def test_close_keeps_to_a_room() -> None:
     made = toy.bundle(3)
     room = {item.id: item.room_id for item in made.scene.objects}
-    for edge in toy.graph(made).edges:
+    for edge in made.graph.edges:
         if edge.relation_type == "CLOSE":
             assert room[edge.from_id] == room[edge.to_id]
 
 
 def test_prefab_names_say_nothing_of_the_variant() -> None:
-    on = {n.id: n for n in toy.graph(toy.bundle(1)).nodes}[11]
-    off = {n.id: n for n in toy.graph(toy.bundle(0)).nodes}[11]
+    on = {n.id: n for n in toy.bundle(1).graph.nodes}[11]
+    off = {n.id: n for n in toy.bundle(0).graph.nodes}[11]
     assert on.states == ("ON",)
     assert off.states == ("OFF",)
     assert on.prefab_name == off.prefab_name
@@ -76,7 +76,7 @@ def test_opaque_names_tell_models_apart_and_never_change() -> None:
 
 
 def test_room_box_spans_floor_to_ceiling() -> None:
-    room = {n.id: n for n in toy.graph(toy.bundle(0)).nodes}[101]
+    room = {n.id: n for n in toy.bundle(0).graph.nodes}[101]
     assert room.bounding_box.center == (2.0, 4.55, 1.25)
     assert room.bounding_box.size == (4.0, 2.9, 2.5)
 

@@ -112,12 +112,12 @@ class Sight:
         return room_views(self._scene, self._cast, count, rng, self._eye_height_m)
 
 
-def unseen(sight: Sight, anomalies: Sequence[Anomaly]) -> str | None:
-    """Reason of rejection when some anomaly has no near view. ``sight`` at the usual eye height:
-    an option of pictures must not decide content."""
+def unseen(sight: Sight, anomalies: Sequence[Anomaly]) -> Anomaly | None:
+    """The first anomaly that has no near view. ``sight`` at the usual eye height: an option of
+    pictures must not decide content."""
     for anomaly in anomalies:
         if sight.near(anomaly.object_id, anomaly.evidence_parts) is None:
-            return f"{anomaly.hazard}: cannot be seen"
+            return anomaly
     return None
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 import click
@@ -20,6 +20,7 @@ from sdgen.engines.report import (
     SceneDone,
     SceneFailed,
 )
+from sdgen.rejection import Causes, causes_in_words
 
 #: Scenes made between two lines about the pace, where there is no bar.
 LINES_BETWEEN = 20
@@ -103,7 +104,9 @@ def _line(event: BuildEvent) -> str:
     if isinstance(event, Note):
         return event.text
     if isinstance(event, SceneFailed):
-        return f"scene {event.scene_id} could not be made: {_counts(event.reasons)}"
+        return (
+            f"scene {event.scene_id} could not be made: {causes_in_words(event.causes) or 'none'}"
+        )
     return f"scene {event.scene_id} in {event.seconds:.1f} s: {_hazards(event)}"
 
 
@@ -111,7 +114,7 @@ def _hazards(event: SceneDone) -> str:
     return ", ".join(event.hazards) or "no hazard"
 
 
-def _counts(counts: dict[str, int]) -> str:
+def _counts(counts: Mapping[str, int]) -> str:
     pairs = sorted(counts.items(), key=lambda pair: (-pair[1], pair[0]))
     return ", ".join(f"{name} x{count}" for name, count in pairs) or "none"
 
@@ -141,17 +144,16 @@ def _resumed(report: BuildReport) -> str:
     return f" ({report.resumed} were there already)" if report.resumed else ""
 
 
-def _by_hazard(counts: dict[str, int]) -> str:
-    """Rejections, those of a hazard together: ``spill x5 (no place found x3, not proved x2)``."""
+def _by_hazard(causes: Causes) -> str:
+    """Rejections, those of a hazard together: ``spill x5 (no place x3, not proved x2)``."""
     groups: dict[str, Counter[str]] = {}
-    for reason, count in counts.items():
-        whose, colon, what = reason.partition(": ")
-        groups.setdefault(whose, Counter()).update({what: count} if colon else {"": count})
-    shown = []
-    for whose, reasons in sorted(groups.items(), key=lambda pair: (-pair[1].total(), pair[0])):
-        detail = {what: count for what, count in reasons.items() if what}
-        more = f" ({_counts(detail)})" if detail else ""
-        shown.append(f"{whose} x{reasons.total()}{more}")
+    for cause, count in causes.items():
+        whose = cause.hazard or cause.stage
+        groups.setdefault(whose, Counter())[cause.what()] += count
+    shown = [
+        f"{whose} x{checks.total()} ({_counts(checks)})"
+        for whose, checks in sorted(groups.items(), key=lambda pair: (-pair[1].total(), pair[0]))
+    ]
     return ", ".join(shown) or "none"
 
 

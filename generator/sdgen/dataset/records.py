@@ -8,7 +8,7 @@ from pydantic import Field
 
 from sdgen.catalog.records import Label
 from sdgen.options import BuildOptions
-from sdgen.scene import FORMAT_VERSION, Notify, Record
+from sdgen.scene import FORMAT_VERSION, CauseCount, Notify, Record
 
 LICENCE = "CC-BY-4.0"
 
@@ -86,7 +86,7 @@ class DatasetInfo(Record):
 
     ``versions`` names what decides bytes (sdgen, pybullet, numpy …, the architecture),
     ``renderers`` whatever drew the pictures, ``failed`` the scenes that could not be made, with
-    the reasons counted.
+    the causes counted.
     """
 
     format_version: str
@@ -101,7 +101,7 @@ class DatasetInfo(Record):
     vocabularies: Vocabularies
     splits: dict[str, tuple[str, ...]]
     counts: Counts
-    failed: dict[str, dict[str, int]] = Field(default_factory=dict)
+    failed: dict[str, tuple[CauseCount, ...]] = Field(default_factory=dict)
     licence: str = LICENCE
 
     def build(self) -> Build:

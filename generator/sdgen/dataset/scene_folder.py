@@ -23,7 +23,7 @@ from sdgen.dataset.images import gray_bytes, rgb_bytes
 from sdgen.dataset.records import CONTENT_FILES, VISIBILITY_FILE, ManifestEntry
 from sdgen.dataset.text import record_bytes
 from sdgen.options import BuildOptions
-from sdgen.scene import Frame, Graph, Record, SceneBundle, Visibility
+from sdgen.scene import Frame, Record, SceneBundle, Visibility
 
 BUILD_FOLDER = ".build"
 
@@ -35,11 +35,11 @@ class FinishedScene(Record):
     assets: tuple[str, ...]
 
 
-def content_files(bundle: SceneBundle, graph: Graph) -> dict[str, bytes]:
+def content_files(bundle: SceneBundle) -> dict[str, bytes]:
     """The bytes of all files that decide a scene's ``content_sha256``."""
     records: dict[str, BaseModel] = {
         "scene.json": bundle.scene,
-        "graph.json": graph,
+        "graph.json": bundle.graph,
         "anomalies.json": bundle.anomalies,
         "household.json": bundle.household,
         "physics.json": bundle.physics,
@@ -79,15 +79,15 @@ class SceneWriter:
     root: Path
     options: BuildOptions
 
-    def begin(self, bundle: SceneBundle, graph: Graph) -> SceneFolder:
+    def begin(self, bundle: SceneBundle) -> SceneFolder:
         """Start a scene's folder; use as a context manager and ``finish`` it."""
-        return SceneFolder(self, bundle, graph)
+        return SceneFolder(self, bundle)
 
     def write(
-        self, bundle: SceneBundle, graph: Graph, visibility: Visibility, frames: Iterable[Frame]
+        self, bundle: SceneBundle, visibility: Visibility, frames: Iterable[Frame]
     ) -> ManifestEntry:
         """Write a whole scene at once. OSError (a full disk, say) leaves nothing behind."""
-        with self.begin(bundle, graph) as folder:
+        with self.begin(bundle) as folder:
             for frame in frames:
                 folder.add(frame)
             return folder.finish(visibility)
@@ -99,7 +99,6 @@ class SceneFolder:
 
     writer: SceneWriter
     bundle: SceneBundle
-    graph: Graph
     _hashes: dict[str, str] = field(default_factory=dict)
 
     def __enter__(self) -> SceneFolder:
@@ -132,7 +131,7 @@ class SceneFolder:
     def finish(self, visibility: Visibility) -> ManifestEntry:
         """Write the records, then show the scene: its manifest line first, the folder last."""
         bundle = self.bundle
-        files = content_files(bundle, self.graph)
+        files = content_files(bundle)
         for name, data in files.items():
             self._put(name, data)
         self._put(VISIBILITY_FILE, record_bytes(visibility))

@@ -31,6 +31,8 @@ from sdgen.dataset.vocabularies import vocabularies
 from sdgen.errors import InputError, SdgenError
 from sdgen.library.records import AssetInfo
 from sdgen.options import BuildOptions
+from sdgen.rejection import Causes
+from sdgen.scene import cause_counts, causes_of
 
 #: Files ``finish`` writes at the top of a data set, ``dataset.json`` last.
 TOP_FILES = ("catalogue.json", "assets.jsonl", "README.md", "manifest.jsonl", "dataset.json")
@@ -53,7 +55,7 @@ class DatasetWriter:
         self.done: dict[str, ManifestEntry] = {}
         self.repaired: tuple[str, ...] = ()
         self._assets: set[str] = set()
-        self._failed: dict[str, dict[str, int]] = {}
+        self._failed: dict[str, Causes] = {}
         self._renderers: set[str] = set()
         self._lock: FolderLock | None = None
 
@@ -109,12 +111,12 @@ class DatasetWriter:
     def finish(
         self,
         renderers: tuple[str, ...] = (),
-        failed: Mapping[str, Mapping[str, int]] | None = None,
+        failed: Mapping[str, Causes] | None = None,
     ) -> DatasetInfo:
         """Take in the finished scenes and write the files of the whole, ``dataset.json`` last.
 
         ``renderers`` drew this run's pictures; ``failed`` maps scenes that could not be made to
-        their counted reasons. Those of earlier runs (other ranges) stay, until they are made.
+        their counted causes. Those of earlier runs (other ranges) stay, until they are made.
         """
         for path in sorted((self.root / BUILD_FOLDER).glob("entries/*.json")):
             scene = read_record(FinishedScene, path, str(path))
@@ -190,7 +192,7 @@ class DatasetWriter:
         if (self.root / "dataset.json").is_file():
             info = read_record(DatasetInfo, self.root / "dataset.json", "dataset.json")
             self._renderers.update(info.renderers)
-            self._failed.update(info.failed)
+            self._failed.update({k: causes_of(v) for k, v in info.failed.items()})
             manifest = read_lines(ManifestEntry, self.root / "manifest.jsonl", "manifest.jsonl")
             known.update({entry.id: entry for entry in manifest})
             assets = read_lines(AssetInfo, self.root / "assets.jsonl", "assets.jsonl")
@@ -225,7 +227,7 @@ class DatasetWriter:
         self,
         entries: tuple[ManifestEntry, ...],
         renderers: tuple[str, ...],
-        failed: Mapping[str, Mapping[str, int]],
+        failed: Mapping[str, Causes],
     ) -> DatasetInfo:
         splits = {name: sorted({e.home for e in entries if e.split == name}) for name in _SPLITS}
         return DatasetInfo(
@@ -241,7 +243,7 @@ class DatasetWriter:
             vocabularies=vocabularies(self.catalog, self.infos),
             splits={name: tuple(homes) for name, homes in splits.items()},
             counts=count(entries),
-            failed={key: dict(failed[key]) for key in sorted(failed)},
+            failed={key: cause_counts(failed[key]) for key in sorted(failed)},
         )
 
 

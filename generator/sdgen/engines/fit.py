@@ -1,71 +1,129 @@
-"""Does every hazard fit somewhere? Said before a long build starts, or soon after.
+"""Does every hazard fit somewhere? Said before a long build starts.
 
-``misfits`` tries each hazard in some furnished homes without physics: a second, and it finds the
-hazard whose target no home has. ``Blame`` watches the build for one that can be put somewhere but
-never proved: a predicate that its recipe does not meet, or two hazards that overlap.
+Each hazard is tried in some furnished homes without physics: seconds, and it finds the hazard
+whose target no home has, and the one whose recipe always makes what another hazard's predicate
+claims too (a scene shows each drawn hazard once and nothing else, so no such try is ever kept).
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import dataclass, field
 
 from sdgen.catalog.records import Catalog, Hazard, SetRecipe
-from sdgen.hazards.draw import draw
+from sdgen.hazards.certify import facts_of
 from sdgen.hazards.inject import inject
 from sdgen.hazards.splits import SplitModels
 from sdgen.library import Library
 from sdgen.options import BuildOptions
-from sdgen.pipeline.stage import Stage, pick_home, stage_home
+from sdgen.pipeline.spec import node_ids
+from sdgen.pipeline.stage import FurnishedHome, furnished_home, pick_home
+from sdgen.rejection import Rejection, reject
 from sdgen.seeding import lane
 
 HOMES_TRIED = 12
 TRIES = 20
-#: Scenes that fail for good, mostly through one hazard that no scene has, before a build ends.
-FAILURES = 2
-MOSTLY = 0.5
+#: Two hazards exclude each other in practice when fewer placements than this are one's alone:
+#: a scene's hundred tries would seldom find one of those that also stands, shows and is proved.
+ALONE_SHARE = 0.1
+
+
+@dataclass
+class _Trial:
+    """What became of the tries to place one hazard."""
+
+    tries: int = 0
+    placed: int = 0
+    claimed: Counter[str] = field(default_factory=Counter)
+    alone: int = 0
+
+    @property
+    def fits(self) -> bool:
+        """True as soon as enough of the placements are this hazard's alone."""
+        return self.alone > 0 and self.alone >= ALONE_SHARE * self.placed
 
 
 def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> list[str]:
-    """One line a hazard that found no place in any of some homes."""
-    left = {hazard.id: hazard for hazard in catalog.hazards}
+    """One line a hazard that found no place in any of some homes, or none of its own."""
+    trials = {hazard.id: _Trial() for hazard in catalog.hazards}
     seen: set[str] = set()
     homes = 0
     for index in range(HOMES_TRIED):
+        left = [name for name, trial in trials.items() if not trial.fits]
         if not left:
             return []
-        stage = _stage(index, catalog, library, options)
-        if isinstance(stage, str):
+        home = _home(index, catalog, library, options)
+        if isinstance(home, Rejection):
             continue
         homes += 1
-        seen.update(item.category for item in stage.layout.items.values())
-        for hazard_id in [name for name in left if _fits(name, index, stage, options)]:
-            del left[hazard_id]
+        seen.update(item.category for item in home.layout.items.values())
+        for name in left:
+            _try(trials[name], name, index, home, library, options)
     if homes == 0:
         return []  # the homes are at fault; the build says how
     return [
-        f"hazard {name!r} fits nowhere: no place found in {TRIES * homes} tries in {homes} homes; "
-        f"{_missing(hazard, seen, library)}"
-        for name, hazard in sorted(left.items())
+        _problem(catalog.hazard(name), trial, homes, seen, library)
+        for name, trial in sorted(trials.items())
+        if not trial.fits
     ]
 
 
-def _stage(index: int, catalog: Catalog, library: Library, options: BuildOptions) -> Stage | str:
+def _home(
+    index: int, catalog: Catalog, library: Library, options: BuildOptions
+) -> FurnishedHome | Rejection:
     rng = lane(options.seed, index, "fit")
-    ids = iter((rng.permutation(65535) + 1).tolist())
-    base = pick_home(catalog, options, index).plan(catalog, rng)
-    if base is None:
-        return "home: no floor plan"
-    return stage_home(base, catalog, library, SplitModels(library, "test"), ids, rng)
+    ids = node_ids(rng)
+    plan = pick_home(catalog, options, index).plan(catalog, rng)
+    if plan is None:
+        return reject("home", "no_floor_plan")
+    return furnished_home(plan, catalog, library, SplitModels(library, "test"), ids, rng)
 
 
-def _fits(hazard: str, index: int, stage: Stage, options: BuildOptions) -> bool:
+def _try(
+    trial: _Trial,
+    hazard: str,
+    index: int,
+    home: FurnishedHome,
+    library: Library,
+    options: BuildOptions,
+) -> None:
+    """Place the hazard in this home until it fits, TRIES times at most."""
     rng = lane(options.seed, index, f"fit:{hazard}")
     for _ in range(TRIES):
-        if inject([hazard], stage.layout.copy(), stage.site, False, rng).failed is None:
-            return True
-    return False
+        layout = home.layout.copy()
+        made = inject([hazard], layout, home.site, False, rng)
+        trial.tries += 1
+        if isinstance(made, Rejection):
+            continue
+        trial.placed += 1
+        facts = facts_of(home.scene(index, layout.items), library.infos, home.site.catalog)
+        others = [
+            other.id
+            for other in home.site.catalog.hazards
+            if other.id != hazard
+            and all(other.predicate.evaluate(m.object_id, facts).value for m in made)
+        ]
+        trial.claimed.update(others)
+        trial.alone += not others
+        if trial.fits:
+            return
+
+
+def _problem(
+    hazard: Hazard, trial: _Trial, homes: int, seen: Collection[str], library: Library
+) -> str:
+    if trial.placed == 0:
+        return (
+            f"hazard {hazard.id!r} fits nowhere: no place found in {trial.tries} tries in {homes} "
+            f"homes; {_missing(hazard, seen, library)}"
+        )
+    other, count = max(trial.claimed.items(), key=lambda pair: (pair[1], pair[0]))
+    return (
+        f"hazard {hazard.id!r} overlaps {other!r}: {count} of the {trial.placed} placements that "
+        f"its recipes made in {homes} homes satisfy the predicate of {other!r} too, and an object "
+        "shows one hazard; let the two predicates exclude each other, or leave one of them out"
+    )
 
 
 def _missing(hazard: Hazard, seen: Collection[str], library: Library) -> str:
@@ -92,73 +150,3 @@ def _any_of(names: Collection[str]) -> str:
     some = sorted(names)
     more = f" or {len(some) - 6} more" if len(some) > 6 else ""
     return ", ".join(some[:6]) + more
-
-
-@dataclass
-class Blame:
-    """Finds the hazard for whose sake scenes fail, while no scene of the build has it."""
-
-    catalog: Catalog
-    options: BuildOptions
-    made: set[str] = field(default_factory=set)
-    _failures: list[tuple[tuple[str, ...], Mapping[str, int]]] = field(default_factory=list)
-
-    def failed(self, index: int, reasons: Mapping[str, int]) -> str | None:
-        """Take in a scene that failed for good; what to say when going on is in vain."""
-        options = self.options
-        names = [hazard.id for hazard in self.catalog.hazards]
-        drawn = draw(
-            options.seed, index, names, options.hazards_min, options.hazards_max, options.draw
-        )
-        self._failures.append((drawn, reasons))
-        suspects = {name: self._against(name) for name in names if name not in self.made}
-        name = max(suspects, key=lambda key: (suspects[key].total(), key), default=None)
-        if name is None or not suspects[name]:
-            return None
-        scenes = sum(
-            drawn_for(name, drawn, reasons).total() >= MOSTLY * sum(reasons.values())
-            for drawn, reasons in self._failures
-        )
-        if scenes < FAILURES:
-            return None
-        why = suspects[name]
-        shown = ", ".join(f"{reason} x{count}" for reason, count in why.most_common(4))
-        return (
-            f"hazard {name!r} fits nowhere: never made in {why.total()} tries for {scenes} scenes "
-            f"({shown}); {_hint(name, why)}"
-        )
-
-    def _against(self, name: str) -> Counter[str]:
-        out: Counter[str] = Counter()
-        for drawn, reasons in self._failures:
-            out.update(drawn_for(name, drawn, reasons))
-        return out
-
-
-def drawn_for(name: str, drawn: Collection[str], reasons: Mapping[str, int]) -> Counter[str]:
-    """The rejections of one scene that speak against hazard ``name``, if it was drawn.
-
-    ``other: accidental`` does too: what one hazard's recipe made, another's predicate claimed.
-    """
-    if name not in drawn:
-        return Counter()
-    out: Counter[str] = Counter()
-    for reason, count in reasons.items():
-        whose, _, what = reason.partition(": ")
-        if (whose == name) != what.startswith("accidental"):
-            out[reason] += count
-    return out
-
-
-def _hint(name: str, why: Counter[str]) -> str:
-    reason = why.most_common(1)[0][0]
-    whose, _, what = reason.partition(": ")
-    if what.startswith("accidental"):
-        return f"what it puts there also is {whose}: make the two predicates exclude each other"
-    if what == "no place found":
-        return "look at the targets, rooms, zones and heights of its recipes"
-    if what == "not proved":
-        return "its recipes make what its predicate does not accept"
-    if what == "cannot be seen":
-        return "no camera sees enough of it: look at the size and the place"
-    return "look at its recipes and models"

@@ -9,7 +9,8 @@ from pathlib import Path
 from sdgen.catalog.load import check_against_library
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.writer import DatasetWriter
-from sdgen.engines.fit import Blame, misfits
+from sdgen.engines.early_stop import EarlyStop
+from sdgen.engines.fit import misfits
 from sdgen.engines.pool import Limits, Outcome, Pool, resident_mb
 from sdgen.engines.report import (
     BuildReport,
@@ -25,6 +26,7 @@ from sdgen.hazards.draw import check_range
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline.scene import HOME_ATTEMPTS
+from sdgen.rejection import Cause
 from sdgen.render.backend import Choice, choose_renderer, install_hint
 
 #: Seconds a scene may take: so many, and these for each million pixels drawn. A scene takes a few
@@ -69,15 +71,16 @@ def build(
             on_event(Note(f"scene {scene_id} was damaged and will be made again"))
         anomalies: Counter[str] = Counter()
         counts: Counter[int] = Counter()
+        stop = EarlyStop((hazard.id for hazard in catalog.hazards), wanted.values())
         resumed = [key for key in wanted if key in writer.done]
         for key in resumed:
             entry = writer.done[key]
             anomalies.update(entry.hazards)
             counts[entry.anomalies] += 1
             names = tuple(Counter(entry.hazards).elements())
+            stop.made(entry.index, names)
             on_event(SceneDone(entry.index, entry.id, names, resumed=True))
         jobs = [index for key, index in wanted.items() if key not in writer.done]
-        blame = Blame(catalog, options, set(anomalies))
         setup = WorkerSetup(
             catalog=catalog,
             library_folders=library.folders,
@@ -88,7 +91,7 @@ def build(
             one_thread=workers >= (cores or workers),
         )
         failed: list[SceneFailed] = []
-        rejections: Counter[str] = Counter()
+        rejections: Counter[Cause] = Counter()
         made = frames = homes = 0
         memory: list[float] = []
         unseen: list[str] = []
@@ -99,17 +102,14 @@ def build(
                     on_event(Note(f"worker replaced: {event.why}"))
                     continue
                 if isinstance(event.error, SceneRejected):
-                    failure = SceneFailed(event.job, f"{event.job:06d}", event.error.reasons)
+                    failure = SceneFailed(event.job, f"{event.job:06d}", event.error.causes)
                     failed.append(failure)
-                    rejections.update(event.error.reasons)
+                    rejections.update(event.error.causes)
                     homes += HOME_ATTEMPTS
                     on_event(failure)
-                    hopeless = blame.failed(event.job, event.error.reasons)
-                    if hopeless is not None:
-                        raise SdgenError(
-                            f"{hopeless}; mend it and start anew with --overwrite "
-                            f"({made + len(resumed)} scenes are kept in {out})"
-                        )
+                    vain = stop.failed(event.job, event.error.causes)
+                    if vain is not None:
+                        raise SdgenError(_mend(vain, made + len(resumed), out))
                     continue
                 result = event.result
                 assert isinstance(result, SceneResult)
@@ -119,7 +119,9 @@ def build(
                 rejections.update(result.rejections)
                 anomalies.update(result.hazards)
                 counts[len(result.hazards)] += 1
-                blame.made.update(result.hazards)
+                vain = stop.made(event.job, result.hazards)
+                if vain is not None:
+                    raise SdgenError(_mend(vain, made + len(resumed), out))
                 memory.append(event.memory_mb)
                 if not result.all_visible and options.views > options.hazards_max:
                     unseen.append(result.scene_id)
@@ -139,7 +141,7 @@ def build(
             on_event(Note(f"{len(unseen)} scenes do not show every anomaly: {shown}"))
         writer.finish(
             renderers=(choice.renderer_string,) if choice is not None and made else (),
-            failed={item.scene_id: item.reasons for item in failed},
+            failed={item.scene_id: item.causes for item in failed},
         )
     return BuildReport(
         out=out,
@@ -157,6 +159,10 @@ def build(
         anomaly_counts=dict(sorted(counts.items())),
         worker_mb=tuple(memory),
     )
+
+
+def _mend(why: str, kept: int, out: Path) -> str:
+    return f"{why}; mend it and start anew with --overwrite ({kept} scenes are kept in {out})"
 
 
 def scene_timeout_s(options: BuildOptions) -> float:

@@ -21,6 +21,7 @@ from multiprocessing.context import SpawnProcess
 from typing import Any
 
 from sdgen.errors import SceneRejected, SdgenError
+from sdgen.rejection import Cause
 
 RETRIES = 1
 _POLL_S = 1.0
@@ -113,7 +114,7 @@ def _serve(pipe: Connection, factory: Factory, args: tuple[Any, ...], quiet: boo
             except SdgenError as error:
                 pipe.send(("error", job, error, resident_mb(), peak_mb()))
             except BaseException:
-                pipe.send(("crash", job, _last_line(), resident_mb(), peak_mb()))
+                pipe.send(("crash", job, ("raised", _last_line()), resident_mb(), peak_mb()))
                 break
     with contextlib.suppress(Exception):
         work.close()
@@ -201,13 +202,14 @@ class Pool:
                     continue
                 self._retire(worker, gently=False)
                 tries[job] = tries.get(job, 0) + 1
-                yield Recycled(f"scene {job:06d}: {payload}")
+                check, text = payload
+                yield Recycled(f"scene {job:06d}: {text}")
                 if tries[job] <= RETRIES:
                     waiting.appendleft(job)
                 else:
                     open_jobs -= 1
-                    reason = {f"worker: {payload}": tries[job]}
-                    yield Outcome(job, error=SceneRejected(f"{job:06d}", reason))
+                    causes = {Cause("worker", check): tries[job]}
+                    yield Outcome(job, error=SceneRejected(f"{job:06d}", causes))
 
     def _hand_out(self, waiting: deque[int]) -> None:
         idle = [worker for worker in self._workers if worker.job is None]
@@ -264,14 +266,15 @@ class Pool:
                 out.append((worker, ("crash", worker.job, trouble)))
         return out
 
-    def _trouble(self, worker: _Worker) -> str | None:
-        """What is wrong with a worker that is still at its job, if anything."""
+    def _trouble(self, worker: _Worker) -> tuple[str, str] | None:
+        """What is wrong with a worker that is still at its job, if anything: check and words."""
         if time.monotonic() - worker.since > self._limits.timeout_s:
-            return f"no answer in {self._limits.timeout_s:.0f} s"
+            return "no_answer", f"no answer in {self._limits.timeout_s:.0f} s"
         held = resident_mb(worker.process.pid or 0)
         worker.peak_mb = max(worker.peak_mb, held)
         if held > self._limits.bloat_mb:
-            return f"held {held:.0f} MB, more than {self._limits.bloat_mb:.0f}"
+            text = f"held {held:.0f} MB, more than {self._limits.bloat_mb:.0f}"
+            return "too_much_memory", text
         return None
 
     def _hear(self, worker: _Worker) -> tuple[str, int, Any]:
@@ -280,7 +283,8 @@ class Pool:
             kind, job, payload, resident, peak = worker.pipe.recv()
         except (EOFError, OSError):
             worker.process.join(1)
-            return "crash", worker.job, f"worker died (exit code {worker.process.exitcode})"
+            text = f"worker died (exit code {worker.process.exitcode})"
+            return "crash", worker.job, ("died", text)
         worker.resident_mb, worker.job_peak_mb = resident, peak
         worker.peak_mb = max(worker.peak_mb, peak)
         self.peak_mb = max(self.peak_mb, resident_mb() + sum(w.peak_mb for w in self._workers))

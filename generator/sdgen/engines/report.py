@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from sdgen.rejection import Causes
+
 #: Scenes at the start and at the end of a build whose memory is compared.
 MEMORY_SPAN = 100
 
@@ -28,11 +30,11 @@ class SceneDone:
 
 @dataclass(frozen=True)
 class SceneFailed:
-    """A scene's attempt budget is spent; ``reasons`` counts its rejections."""
+    """A scene's attempt budget is spent; ``causes`` counts its rejections."""
 
     index: int
     scene_id: str
-    reasons: dict[str, int] = field(default_factory=dict)
+    causes: Causes = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,7 @@ class BuildReport:
 
     ``made`` scenes were built in this run, ``resumed`` were there already, ``failed`` could not
     be made. ``home_attempts`` counts the homes tried for the made and the failed ones;
-    ``rejections`` says by reason why tries were thrown away, ``anomalies`` counts by hazard over
+    ``rejections`` says by cause why tries were thrown away, ``anomalies`` counts by hazard over
     all good scenes of the range, ``anomaly_counts`` these scenes by their number of anomalies.
     ``peak_memory_mb`` is the most one run's processes held together; ``worker_mb`` the most a
     worker held making each scene, in the order they came: it must not grow.
@@ -71,7 +73,7 @@ class BuildReport:
     seconds: float
     peak_memory_mb: float
     home_attempts: int
-    rejections: dict[str, int]
+    rejections: Causes
     anomalies: dict[str, int]
     renderer: str
     anomaly_counts: dict[int, int] = field(default_factory=dict)

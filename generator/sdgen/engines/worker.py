@@ -1,4 +1,4 @@
-"""What a worker process does with a scene number: make it, draw it, write it."""
+"""What a worker process does with a scene number: have it made, draw it, write it."""
 
 from __future__ import annotations
 
@@ -9,19 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sdgen.catalog.records import Catalog
-from sdgen.dataset.scene_folder import SceneWriter
+from sdgen.dataset.scene_folder import SceneFolder, SceneWriter
 from sdgen.errors import SdgenError
-from sdgen.hazards.certify import certify, facts_of
-from sdgen.hazards.twin import physics_of_twin, undone
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.pipeline import make_scene
+from sdgen.rejection import Causes
 from sdgen.render.backend import Choice
 from sdgen.render.frames import Renderer
-from sdgen.scene import Frame, SceneBundle, ViewVisibility
-from sdgen.truth.graph import build_graph
-from sdgen.truth.visibility import assemble, part_names, view_visibility
+from sdgen.scene import Frame, SceneBundle, causes_of
+from sdgen.truth import visibility_of
 
 
 @dataclass(frozen=True)
@@ -47,7 +45,7 @@ class SceneResult:
     seconds: float
     home_attempts: int
     placement_attempts: int
-    rejections: dict[str, int]
+    rejections: Causes
     all_visible: bool
 
 
@@ -70,21 +68,23 @@ class SceneWorker:
         bundle = make_scene(index, setup.catalog, self._library, setup.options, self._client)
         try:
             # The twin first: a scene that is there has its twin beside it.
-            frames = self._write_scene(self._twin(bundle))[1] if setup.options.twins else 0
-            all_visible, drawn = self._write_scene(bundle)
+            if bundle.twin is not None:
+                self._draw_and_write(bundle.twin)
+            all_visible = self._draw_and_write(bundle)
         except OSError as error:
             raise SdgenError(
                 f"{setup.writer.root}: scene {bundle.scene.id} cannot be written: "
                 f"{error.strerror or error}; what is finished is kept, the same command goes on"
             ) from None
+        drawn = len(bundle.cameras) if self._renderer is not None else 0
         return SceneResult(
             scene_id=bundle.scene.id,
             hazards=tuple(a.hazard for a in bundle.anomalies.anomalies),
-            frames=frames + drawn,
+            frames=drawn if bundle.twin is None else 2 * drawn,
             seconds=time.monotonic() - start,
             home_attempts=bundle.physics.home_attempts,
             placement_attempts=bundle.physics.placement_attempts,
-            rejections=bundle.physics.rejections,
+            rejections=causes_of(bundle.physics.rejections),
             all_visible=all_visible,
         )
 
@@ -94,51 +94,27 @@ class SceneWorker:
         if self._renderer is not None:
             self._renderer.close()
 
-    def _write_scene(self, bundle: SceneBundle) -> tuple[bool, int]:
-        setup = self._setup
-        infos = self._library.infos
-        facts = facts_of(bundle.scene, infos, setup.catalog)
-        graph = build_graph(bundle.scene, infos, setup.catalog, facts)
-        parts_of = part_names(bundle.scene)
-        views: list[ViewVisibility] = []
-        anomalies = bundle.anomalies.anomalies
-        with setup.writer.begin(bundle, graph) as folder:
-            for frame in self._frames(bundle):
-                folder.add(frame)
-                views.append(view_visibility(frame, parts_of))
-            visibility = assemble(views, anomalies, setup.options.width, setup.options.height)
+    def _draw_and_write(self, bundle: SceneBundle) -> bool:
+        """One scene's folder; True when its views show every anomaly."""
+        options = self._setup.options
+        with self._setup.writer.begin(bundle) as folder:
+            visibility = visibility_of(
+                bundle.scene,
+                bundle.anomalies.anomalies,
+                self._drawn(bundle, folder),
+                options.width,
+                options.height,
+            )
             folder.finish(visibility)
-        return visibility.all_visible, len(views)
+        return visibility.all_visible
 
-    def _frames(self, bundle: SceneBundle) -> Iterator[Frame]:
+    def _drawn(self, bundle: SceneBundle, folder: SceneFolder) -> Iterator[Frame]:
+        """The scene's frames one at a time, each written on its way."""
         if self._renderer is None:
             return
         options = self._setup.options
-        yield from self._renderer.render(
+        for frame in self._renderer.render(
             self._library, bundle.scene, bundle.cameras, options.sensors, options.supersample
-        )
-
-    def _twin(self, bundle: SceneBundle) -> SceneBundle:
-        catalog, infos = self._setup.catalog, self._library.infos
-        scene = undone(bundle.scene, bundle.anomalies.anomalies, catalog, infos)
-        left = certify(scene, infos, catalog)
-        assert not left, f"the twin of {bundle.scene.id} is not benign: {left}"
-        benign = bundle.anomalies.model_copy(
-            update={
-                "anomalies": (),
-                "certificate": bundle.anomalies.certificate.model_copy(
-                    update={
-                        "pairs_checked": len(scene.objects) * len(catalog.hazards),
-                        "pairs_positive": 0,
-                    }
-                ),
-            }
-        )
-        return SceneBundle(
-            scene=scene,
-            anomalies=benign,
-            household=bundle.household,
-            physics=physics_of_twin(scene, bundle.physics),
-            split=bundle.split,
-            cameras=bundle.cameras,
-        )
+        ):
+            folder.add(frame)
+            yield frame

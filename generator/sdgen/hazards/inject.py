@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
-from sdgen.catalog.records import SetRecipe
 from sdgen.hazards.splits import withheld_anomaly
 from sdgen.hazards.ways import Made, Site, Way, bring_about, shuffled, ways
 from sdgen.home.layout import Layout
+from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
 
 WAYS_TRIED = 20
@@ -16,17 +15,9 @@ LOOKALIKE_SHARE = 0.85
 LOOKALIKE_WAYS_TRIED = 6
 
 
-@dataclass(frozen=True)
-class Injection:
-    """What was brought about; ``failed`` names the hazard that found no way."""
-
-    anomalies: tuple[Made, ...]
-    failed: str | None = None
-
-
 def inject(
     hazards: Sequence[str], layout: Layout, site: Site, training: bool, rng: Rng
-) -> Injection:
+) -> tuple[Made, ...] | Rejection:
     """One anomaly of each drawn hazard. ``training`` leaves withheld unique anomalies out."""
     made: list[Made] = []
     for hazard_id in hazards:
@@ -37,9 +28,9 @@ def inject(
         taken = {m.object_id for m in made}
         one = _first(shuffled(found, rng)[:WAYS_TRIED], layout, site, taken, rng)
         if one is None:
-            return Injection(tuple(made), hazard_id)
+            return reject("hazards", "no_place", hazard=hazard_id)
         made.append(one)
-    return Injection(tuple(made))
+    return tuple(made)
 
 
 def add_lookalikes(
@@ -72,12 +63,3 @@ def _first(
         if one is not None:
             return one
     return None
-
-
-def undo(made: Made, layout: Layout) -> None:
-    """Take back what was brought about: a new object goes, a changed one is as it was."""
-    if isinstance(made.way.recipe, SetRecipe):
-        assert made.before is not None
-        layout.put(made.before)
-    else:
-        layout.drop(made.object_id)

@@ -45,7 +45,8 @@ def physics_of_twin(scene: Scene, report: PhysicsReport) -> PhysicsReport:
                 key: value for key, value in report.settled_drift_m.items() if int(key) in present
             },
             "contacts": tuple(c for c in report.contacts if {c.a, c.b} <= present),
-            "rejections": {},
+            "rejections": (),
+            "taken_away": (),
         }
     )
 

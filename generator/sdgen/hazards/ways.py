@@ -88,7 +88,8 @@ def ways(hazard: str, recipes: Sequence[Recipe], layout: Layout, site: Site) -> 
 def shuffled(found: Sequence[Way], rng: Rng) -> list[Way]:
     """Ways in a random order that follows the recipes' weights; no category crowds out another.
 
-    Efraimidis and Spirakis (2006): sorting by u^(1/w) draws without replacement by weight.
+    Efraimidis and Spirakis (2006): sorting by u^(1/w) draws without replacement by weight; its
+    logarithm, log(u)/w, does not underflow where weights are tiny.
     """
     if not found:
         return []
@@ -99,7 +100,7 @@ def shuffled(found: Sequence[Way], rng: Rng) -> list[Way]:
     weights = np.array(
         [max(way.recipe.weight, 1e-9) / per[(id(way.recipe), way.unique.category)] for way in found]
     )
-    keys = rng.random(len(found)) ** (1.0 / weights)
+    keys = np.log(np.maximum(rng.random(len(found)), np.finfo(float).tiny)) / weights
     return [found[k] for k in np.argsort(-keys, kind="stable").tolist()]
 
 

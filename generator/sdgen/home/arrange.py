@@ -23,6 +23,7 @@ from sdgen.home.anchors import PlacedAt, Side, sides_of
 from sdgen.home.furnish import Models, put_piece, stand_in, top_of
 from sdgen.home.layout import Intent, Layout, footprint
 from sdgen.library.records import AssetInfo
+from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
 from sdgen.vocabulary import FLAT_M, OVERHEAD_M
@@ -60,38 +61,42 @@ class _RoomState:
         return [k for c in categories for k in self.placed.get(c, ())]
 
 
-def arrange(home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng) -> str | None:
-    """Furniture of every room by its type's rules. Returns the category that found no place."""
+def arrange(
+    home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng
+) -> Layout | Rejection:
+    """The layout with the furniture of every room by its type's rules."""
     types = {t.name: t for t in catalog.room_types}
     for room in home.rooms:
-        failed: str | None = None
-        for _ in range(ROOM_TRIES):
-            failed = _arrange_room(home, room, types[room.type], layout, models, rng)
-            if failed is None:
-                break
-        if failed is not None:
-            return failed
-    return None
+        arranged = _arrange_room(home, room, types[room.type], layout, models, rng)
+        if isinstance(arranged, Rejection):
+            return arranged
+        layout = arranged
+    return layout
 
 
 def _arrange_room(
     home: Home, room: Room, room_type: RoomType, layout: Layout, models: Models, rng: Rng
-) -> str | None:
+) -> Layout | Rejection:
+    """The layout with this room's furniture, after ROOM_TRIES tries at most."""
+    for _ in range(ROOM_TRIES - 1):
+        arranged = _try_room(home, room, room_type, layout.copy(), models, rng)
+        if isinstance(arranged, Layout):
+            return arranged
+    return _try_room(home, room, room_type, layout.copy(), models, rng)
+
+
+def _try_room(
+    home: Home, room: Room, room_type: RoomType, layout: Layout, models: Models, rng: Rng
+) -> Layout | Rejection:
     state = _start(home, room)
-    present = set(layout.items)
-    failed: str | None = None
     for rule in room_type.furniture:
         count = int(rng.integers(rule.count[0], rule.count[1] + 1))
         made = _follow(rule, count, state, layout, models, rng)
         if rule.needed and not made:
-            failed = rule.category or "/".join(rule.row)
-            break
-    if failed is None and not _passable(state, layout):
-        failed = f"a way through the {room.type}"
-    if failed is not None:
-        for object_id in [k for k in layout.items if k not in present]:
-            layout.drop(object_id)
-    return failed
+            return reject("home", "no_place", category=rule.category or rule.row[0])
+    if not _passable(state, layout):
+        return reject("home", "no_way_through", category=room.type)
+    return layout
 
 
 def _start(home: Home, room: Room) -> _RoomState:

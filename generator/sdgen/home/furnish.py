@@ -14,6 +14,7 @@ from sdgen.geometry import Vec3, apply, matrix, quat_from_yaw, round_position, r
 from sdgen.home.layout import Intent, Layout
 from sdgen.home.shell import frame_size
 from sdgen.library.records import Asset, AssetInfo
+from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
 from sdgen.vocabulary import FLAT_M
@@ -28,13 +29,15 @@ SWITCHED_ON_SHARE = 0.35
 SWITCHED = ("floor_lamp", "desk_lamp", "tv")
 
 
-def fill_openings(base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng) -> bool:
-    """Doors and windows into their holes. False when a kind has no model of the right size."""
+def fill_openings(
+    base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng
+) -> Layout | Rejection:
+    """The layout with doors and windows in their holes; rejected when no model has the size."""
     for source, opening in zip(base.openings, home.openings, strict=True):
         width, _ = frame_size(source)
         fitting = [m for m in models(opening.kind) if abs(m.extents_m[1] - width) < 0.06]
         if not fitting:
-            return False
+            return reject("home", "no_model_fits", category=opening.kind)
         asset = fitting[int(rng.integers(len(fitting)))]
         item = ObjectInstance(
             id=opening.object_id,
@@ -52,7 +55,7 @@ def fill_openings(base: BaseHome, home: Home, layout: Layout, models: Models, rn
                 item.model_copy(update={"joints": {joint.name: round(value, 4)}}), asset
             )
         layout.put(item)
-    return True
+    return layout
 
 
 def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
@@ -75,18 +78,21 @@ def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
     return quat_from_yaw(math.atan2(dy, dx))
 
 
-def furnish(base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng) -> str | None:
-    """Furniture of every room. Returns the category that found no place, or None."""
+def furnish(
+    base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng
+) -> Layout | Rejection:
+    """The layout with the furniture of every room."""
     for source, room in zip(base.rooms, home.rooms, strict=True):
-        failed = _furnish_room(source, room, layout, models, rng)
-        if failed is not None:
-            return failed
-    return None
+        furnished = _furnish_room(source, room, layout, models, rng)
+        if isinstance(furnished, Rejection):
+            return furnished
+        layout = furnished
+    return layout
 
 
 def _furnish_room(
     source: BaseRoom, room: Room, layout: Layout, models: Models, rng: Rng
-) -> str | None:
+) -> Layout | Rejection:
     placed: dict[str, list[int]] = {}
     for piece in source.furniture:
         skip = rng.random() >= OPTIONAL_SHARE
@@ -100,8 +106,8 @@ def _furnish_room(
             if done:
                 break
         if not done and not piece.optional:
-            return piece.category
-    return None
+            return reject("home", "no_place", category=piece.category)
+    return layout
 
 
 def _wide_enough(piece: FurnitureItem, model: AssetInfo) -> bool:

@@ -88,9 +88,10 @@ class Layout:
         self._table = None
         self.intents.pop(object_id, None)
 
-    def copy(self) -> Layout:
-        """An independent layout with the same objects (ids are drawn from the same source)."""
-        out = Layout(self.library, self.ids)
+    def copy(self, ids: Iterator[int] | None = None) -> Layout:
+        """An independent layout with the same objects; new ones get their ids from ``ids``, or
+        from the same source."""
+        out = Layout(self.library, ids or self.ids)
         out.items, out.intents = dict(self.items), dict(self.intents)
         out._blocks = dict(self._blocks)
         return out

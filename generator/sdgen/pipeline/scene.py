@@ -1,38 +1,38 @@
-"""One scene, from its number to everything that is written of it.
+"""One scene, from its number to everything that is written of it but pixels.
 
-The draw comes first and survives every retry; a rejected try changes where things are, never what
-is asked for. At most ``HOME_ATTEMPTS`` homes with ``PLACEMENT_ATTEMPTS`` tries each.
+    spec      what is asked: drawn hazards, home, split, household (survives every retry)
+    home      shell, openings, furniture, zones, free floor            up to HOME_ATTEMPTS
+    attempt   hazards, lookalikes, clutter -> physics -> proof         up to PLACEMENT_ATTEMPTS each
+    finish    labels, views, graph, benign twin
+
+A rejected try changes where things are, never what is asked for, and no try depends on another.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 
-from sdgen.cameras import Sight, choose_views, unseen
-from sdgen.catalog.load import catalog_sha256
 from sdgen.catalog.records import Catalog
 from sdgen.errors import SceneRejected
-from sdgen.hazards.draw import draw
-from sdgen.hazards.labels import anomaly_records, lookalike_records
-from sdgen.hazards.splits import SplitModels, split_of_home
-from sdgen.households import sample_household
+from sdgen.hazards.splits import SplitModels
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
-from sdgen.physics.rays import RayWorld
-from sdgen.pipeline.attempt import Proved, attempt
-from sdgen.pipeline.stage import pick_home, stage_home
-from sdgen.scene import (
-    Anomalies,
-    Certificate,
-    PhysicsReport,
-    SceneBundle,
-)
-from sdgen.seeding import Rng, lane
+from sdgen.pipeline.attempt import attempt
+from sdgen.pipeline.finish import finish, with_history
+from sdgen.pipeline.spec import SceneSpec, draw_spec, node_ids
+from sdgen.pipeline.stage import FurnishedHome, furnished_home
+from sdgen.rejection import Cause, Causes, Rejection, reject
+from sdgen.scene import SceneBundle
 
 HOME_ATTEMPTS = 5
 PLACEMENT_ATTEMPTS = 20
+#: A home is left after so many tries when this share of them failed since one hazard's anomaly is
+#: another's too, and the scene is given up when two homes were left for the same two hazards:
+#: twenty tries tell what a hundred would (without this, two minutes a scene).
+OVERLAP_TRIES = 10
+OVERLAP_SHARE = 0.8
+OVERLAP_HOMES = 2
 
 
 def make_scene(
@@ -42,7 +42,7 @@ def make_scene(
     options: BuildOptions,
     client: Client | None = None,
 ) -> SceneBundle:
-    """Scene ``index`` with labels, household and cameras; no pixel is looked at.
+    """Scene ``index`` with labels, household, cameras, graph and, if asked for, its benign twin.
 
     Depends on (catalogue, library, content options, seed, index) alone; the cameras also on the
     view options. ``client`` lets a worker reuse its physics client. Raises SceneRejected when
@@ -51,87 +51,69 @@ def make_scene(
     if client is None:
         with Client() as own:
             return make_scene(index, catalog, library, options, own)
-    hazards = draw(
-        options.seed,
-        index,
-        [h.id for h in catalog.hazards],
-        options.hazards_min,
-        options.hazards_max,
-        options.draw,
-    )
-    choice = pick_home(catalog, options, index)
-    split = split_of_home(choice.id)
-    models = SplitModels(library, split)
-    household = sample_household(catalog, lane(options.seed, index, "household"))
-    reasons: Counter[str] = Counter()
+    spec = draw_spec(index, catalog, options)
+    rejections: Counter[Cause] = Counter()
+    left_for: Counter[Cause] = Counter()
     tries = 0
     for home_attempt in range(HOME_ATTEMPTS):
-        ids = _ids(lane(options.seed, index, f"ids:{home_attempt}"))
-        base = choice.plan(catalog, lane(options.seed, index, f"plan:{home_attempt}"))
-        if base is None:
-            reasons["home: no floor plan"] += 1
+        home = furnish_for(spec, home_attempt, catalog, library)
+        if isinstance(home, Rejection):
+            rejections[home.cause] += 1
             continue
-        rng = lane(options.seed, index, f"furnish:{home_attempt}")
-        stage = stage_home(base, catalog, library, models, ids, rng)
-        if isinstance(stage, str):
-            reasons[stage] += 1
-            continue
+        here: Counter[Cause] = Counter()
         for placement in range(PLACEMENT_ATTEMPTS):
             tries += 1
-            rng = lane(options.seed, index, f"place:{home_attempt}:{placement}")
-            proved = attempt(index, stage, hazards, split == "train", library, client, rng)
-            if isinstance(proved, str):
-                reasons[proved] += 1
-                continue
-            anomalies = anomaly_records(proved.positives, proved.facts, catalog, household)
-            with RayWorld(library, proved.scene, client) as world:
-                sight = Sight(library, proved.scene, world.cast, options.seed)
-                hidden = unseen(sight, anomalies)
-                if hidden is not None:
-                    reasons[hidden] += 1
-                    continue
-                lookalikes = lookalike_records(proved.lookalikes, proved.facts, catalog)
-                cameras = choose_views(sight, catalog, anomalies, lookalikes, options)
-            return SceneBundle(
-                scene=proved.scene,
-                anomalies=Anomalies(
-                    anomalies=anomalies,
-                    lookalikes=lookalikes,
-                    certificate=Certificate(
-                        hazards_enabled=tuple(sorted(h.id for h in catalog.hazards)),
-                        catalogue_sha256=catalog_sha256(catalog),
-                        assets_sha256=library.sha256,
-                        pairs_checked=proved.pairs,
-                        pairs_positive=len(anomalies),
-                    ),
-                ),
-                household=household,
-                physics=_report(proved, reasons, home_attempt, tries),
-                split=split,
-                cameras=cameras,
-            )
-    raise SceneRejected(f"{index:06d}", dict(reasons))
+            made = try_scene(spec, home, home_attempt, placement, library, options, client)
+            if not isinstance(made, Rejection):
+                return with_history(made, home_attempt + 1, tries, rejections)
+            rejections[made.cause] += 1
+            here[made.cause] += 1
+            overlap = overlap_of(here)
+            if overlap is not None:
+                left_for[overlap] += 1
+                break
+        if max(left_for.values(), default=0) >= OVERLAP_HOMES:
+            break
+    raise SceneRejected(f"{index:06d}", rejections)
 
 
-def _ids(rng: Rng) -> Iterator[int]:
-    """Node ids 1 … 65535 in a random order, so that neither id nor order says anything."""
-    return iter((rng.permutation(65535) + 1).tolist())
+def overlap_of(tries: Causes) -> Cause | None:
+    """The overlap of two hazards for which nearly all of a home's tries so far failed."""
+    total = sum(tries.values())
+    for cause, count in tries.items():
+        if total >= OVERLAP_TRIES and cause.overlap and count >= OVERLAP_SHARE * total:
+            return cause
+    return None
 
 
-def _report(proved: Proved, reasons: Counter[str], home_attempt: int, tries: int) -> PhysicsReport:
-    present = {item.id for item in proved.scene.objects}
-    rejections = Counter(reasons)
-    rejections.update({f"clutter {why}": n for why, n in proved.removed.items()})
-    return PhysicsReport(
-        settled_drift_m={
-            str(k): round(v, 5) for k, v in sorted(proved.settled.drift_m.items()) if k in present
-        },
-        contacts=tuple(
-            c.model_copy(update={"distance_m": round(c.distance_m, 5)})
-            for c in proved.settled.contacts
-        ),
-        steps=proved.settled.steps,
-        home_attempts=home_attempt + 1,
-        placement_attempts=tries,
-        rejections=dict(sorted(rejections.items())),
+def furnish_for(
+    spec: SceneSpec, home_attempt: int, catalog: Catalog, library: Library
+) -> FurnishedHome | Rejection:
+    """The home of a scene as this attempt plans and furnishes it; nothing else decides it."""
+    plan = spec.home.plan(catalog, spec.lane(f"plan:{home_attempt}"))
+    if plan is None:
+        return reject("home", "no_floor_plan")
+    return furnished_home(
+        plan,
+        catalog,
+        library,
+        SplitModels(library, spec.split),
+        node_ids(spec.lane(f"ids:{home_attempt}")),
+        spec.lane(f"furnish:{home_attempt}"),
     )
+
+
+def try_scene(
+    spec: SceneSpec,
+    home: FurnishedHome,
+    home_attempt: int,
+    placement: int,
+    library: Library,
+    options: BuildOptions,
+    client: Client,
+) -> SceneBundle | Rejection:
+    """One try at the scene in this home: the same whatever was tried before."""
+    proved = attempt(spec, home, home_attempt, placement, library, client)
+    if isinstance(proved, Rejection):
+        return proved
+    return finish(spec, proved, home.site.catalog, library, options, client)

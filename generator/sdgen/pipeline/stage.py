@@ -18,8 +18,9 @@ from sdgen.home.layout import Layout
 from sdgen.home.shell import build_shell
 from sdgen.library import AssetInfo, Library
 from sdgen.options import BuildOptions
+from sdgen.rejection import Rejection, reject
 from sdgen.relations import room_at
-from sdgen.scene import AgentStart, Home, Room, Scene
+from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
 from sdgen.seeding import Rng, lane
 from sdgen.zones import derive_zones, floor_obstacles, swing_blocked
 
@@ -28,7 +29,7 @@ BASE_SHARE = 0.25
 
 
 @dataclass(frozen=True)
-class Stage:
+class FurnishedHome:
     """Where a scene can play: the home, the furniture, and what follows from them."""
 
     site: Site
@@ -36,8 +37,15 @@ class Stage:
     free_space: tuple[tuple[Vec2, ...], ...]
     agent_start: AgentStart
 
-    def scene(self, index: int, layout: Layout) -> Scene:
-        """The scene with everything that ``layout`` holds, objects sorted by id."""
+    @property
+    def ids(self) -> frozenset[int]:
+        """Every node id that is in use."""
+        home = self.site.home
+        rooms, structures = (r.id for r in home.rooms), (s.id for s in home.structures)
+        return frozenset((*rooms, *structures, *self.layout.items))
+
+    def scene(self, index: int, items: Mapping[int, ObjectInstance]) -> Scene:
+        """The scene with these objects, sorted by id."""
         return Scene(
             id=f"{index:06d}",
             index=index,
@@ -45,7 +53,7 @@ class Stage:
             zones=tuple(self.site.zones),
             free_space=self.free_space,
             agent_start=self.agent_start,
-            objects=tuple(layout.items[k] for k in sorted(layout.items)),
+            objects=tuple(items[k] for k in sorted(items)),
         )
 
 
@@ -89,41 +97,42 @@ def pick_home(catalog: Catalog, options: BuildOptions, index: int) -> HomeChoice
     return HomeChoice(base.id, base)
 
 
-def stage_home(
+def furnished_home(
     base: BaseHome,
     catalog: Catalog,
     library: Library,
     models: SplitModels,
     ids: Iterator[int],
     rng: Rng,
-) -> Stage | str:
-    """A furnished home, or the reason why this try came to nothing."""
+) -> FurnishedHome | Rejection:
+    """A furnished, still empty home. ``ids`` are used up."""
     home = build_shell(base, library, ids, rng)
-    layout = Layout(library, ids)
-    if not fill_openings(base, home, layout, models, rng):
-        return "home: no model fits a door or window"
+    layout = fill_openings(base, home, Layout(library, ids), models, rng)
+    if isinstance(layout, Rejection):
+        return layout
     if base.kind == "procedural":
-        failed = arrange(home, layout, catalog, models, rng)
+        layout = arrange(home, layout, catalog, models, rng)
     else:
-        failed = furnish(base, home, layout, models, rng)
-    if failed is not None:
-        return f"home: no place for {failed}"
+        layout = furnish(base, home, layout, models, rng)
+    if isinstance(layout, Rejection):
+        return layout
     home = _sorted(home)
     # By id, as anyone has it who reads the scene: a union's last digits depend on the order.
     furniture = [layout.items[k] for k in sorted(layout.items)]
     properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
     infos: Mapping[str, AssetInfo] = library.infos
     free = free_shape(home, floor_obstacles(furniture, infos))
-    if reachable(home, free):
-        return "home: a room cannot be reached"
+    cut_off = reachable(home, free)
+    if cut_off:
+        return reject("home", "room_cut_off", category=cut_off[0].type)
     in_swing = swing_blocked(furniture, infos)
     if in_swing:
-        return f"home: {layout.items[in_swing[0]].category} in a door's swing"
+        return reject("home", "in_door_swing", category=layout.items[in_swing[0]].category)
     start = random_point(free, rng)
     if start is None:
-        return "home: no free floor"
+        return reject("home", "no_free_floor")
     zones = derive_zones(home, furniture, infos, properties)
-    return Stage(
+    return FurnishedHome(
         site=Site(home, zones, catalog, models),
         layout=layout,
         free_space=rounded_rings(free),

@@ -8,10 +8,8 @@ from sdgen.dataset import Dataset
 from sdgen.dataset.scene_folder import content_files, content_sha256
 from sdgen.dataset.versions import package_versions
 from sdgen.errors import SceneRejected
-from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
 from sdgen.pipeline import make_scene
-from sdgen.truth import build_graph
 from sdgen.validate.problems import Problem
 
 
@@ -55,9 +53,7 @@ def _rebuild(
         except SceneRejected as error:
             yield Problem("rebuild", f"{where}: {error}")
             continue
-        facts = facts_of(bundle.scene, library.infos, data.catalog)
-        graph = build_graph(bundle.scene, library.infos, data.catalog, facts)
-        files = content_files(bundle, graph)
+        files = content_files(bundle)
         for name, made in files.items():
             if made != (data.path / where / name).read_bytes():
                 yield Problem("rebuild", f"{where}/{name}: made again, it is another file")

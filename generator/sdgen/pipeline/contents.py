@@ -1,0 +1,133 @@
+"""What one try puts into a home, as a value: every step returns new contents or a rejection."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from sdgen.hazards.inject import add_lookalikes, inject
+from sdgen.hazards.ways import Made
+from sdgen.home.clutter import add_clutter
+from sdgen.home.layout import Intent, Layout
+from sdgen.pipeline.stage import FurnishedHome
+from sdgen.rejection import Rejection, Stage, reject
+from sdgen.scene import ObjectInstance, Pose
+from sdgen.seeding import Rng
+
+
+@dataclass(frozen=True)
+class Contents:
+    """Every object of a scene by id, what placed ones are meant to lie on or in, and which were
+    put (or switched) there as drawn anomalies and as lookalikes."""
+
+    items: Mapping[int, ObjectInstance]
+    intents: Mapping[int, Intent]
+    anomalies: Mapping[int, Made]
+    lookalikes: Mapping[int, Made]
+
+    def benign(self) -> list[ObjectInstance]:
+        """All but the anomalies."""
+        return [item for item in self.items.values() if item.id not in self.anomalies]
+
+    def objection(
+        self,
+        object_id: int,
+        stage: Stage,
+        check: str,
+        *,
+        other: str | None = None,
+        measured: float | None = None,
+        limit: float | None = None,
+    ) -> Rejection:
+        """A rejection for the sake of one object; its hazard is at fault if it is an anomaly."""
+        made = self.anomalies.get(object_id)
+        return reject(
+            stage,
+            check,
+            hazard=None if made is None else made.hazard,
+            category=self.items[object_id].category,
+            other=other,
+            objects=(object_id,),
+            measured=measured,
+            limit=limit,
+        )
+
+    def posed(self, poses: Mapping[int, Pose]) -> Contents:
+        """The same things at these poses."""
+        moved = {
+            key: item.model_copy(update={"pose": poses[key]}) if key in poses else item
+            for key, item in self.items.items()
+        }
+        return replace(self, items=moved)
+
+
+def fill(
+    hazards: Sequence[str], home: FurnishedHome, layout: Layout, training: bool, rng: Rng
+) -> Contents | Rejection:
+    """Anomalies of the drawn hazards, lookalikes and clutter, placed in ``layout`` (taken over).
+
+    ``training`` leaves withheld unique anomalies out.
+    """
+    anomalies = inject(hazards, layout, home.site, training, rng)
+    if isinstance(anomalies, Rejection):
+        return anomalies
+    lookalikes = add_lookalikes(layout, home.site, anomalies, rng)
+    site = home.site
+    add_clutter(layout, site.home, site.zones, site.catalog, site.models, rng)
+    return Contents(
+        items=dict(layout.items),
+        intents=dict(layout.intents),
+        anomalies={made.object_id: made for made in anomalies},
+        lookalikes={made.object_id: made for made in lookalikes},
+    )
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """Contents after things were taken away, and why each of them went."""
+
+    contents: Contents
+    taken_away: tuple[Rejection, ...]
+
+
+def without(contents: Contents, offenders: Mapping[int, Rejection]) -> Reduced | Rejection:
+    """Contents without these clutter things and lookalikes, and without what stands on them.
+
+    A lookalike by state is switched back. Rejected when an anomaly or furniture is at fault.
+    """
+    going = _with_dependents(contents, offenders)
+    for object_id, rejection in going.items():
+        item = contents.items[object_id]
+        if object_id in contents.anomalies:
+            return rejection
+        if item.fixed and object_id not in contents.lookalikes:
+            return rejection
+    items, intents = dict(contents.items), dict(contents.intents)
+    for object_id in going:
+        made = contents.lookalikes.get(object_id)
+        if made is not None and made.before is not None:
+            items[object_id] = made.before
+            continue
+        del items[object_id]
+        intents.pop(object_id, None)
+    lookalikes = {k: made for k, made in contents.lookalikes.items() if k not in going}
+    left = Contents(items, intents, contents.anomalies, lookalikes)
+    return Reduced(left, tuple(going.values()))
+
+
+def _with_dependents(
+    contents: Contents, offenders: Mapping[int, Rejection]
+) -> dict[int, Rejection]:
+    """Offenders, and whatever lies on or in one that will go."""
+    going = dict(offenders)
+    grew = True
+    while grew:
+        grew = False
+        for object_id, intent in contents.intents.items():
+            target = contents.items.get(intent.target_id)
+            if object_id in going or intent.target_id not in going:
+                continue
+            if target is not None and not target.fixed:
+                going[object_id] = contents.objection(object_id, "physics", "lost_its_support")
+                grew = True
+    return going

@@ -1,0 +1,136 @@
+"""A proved scene made whole: labels, views, graph and benign twin, or why it cannot be."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+from sdgen.cameras import Sight, choose_views, unseen
+from sdgen.catalog.load import catalog_sha256
+from sdgen.catalog.records import Catalog
+from sdgen.hazards.certify import Survey, facts_of, survey
+from sdgen.hazards.labels import anomaly_records, lookalike_records
+from sdgen.hazards.twin import physics_of_twin, undone
+from sdgen.library import Library
+from sdgen.library.records import AssetInfo
+from sdgen.options import BuildOptions
+from sdgen.physics.client import Client
+from sdgen.physics.rays import RayWorld
+from sdgen.physics.settle import Settled
+from sdgen.pipeline.attempt import Proved
+from sdgen.pipeline.spec import SceneSpec
+from sdgen.rejection import Causes, Rejection, reject
+from sdgen.scene import (
+    Anomalies,
+    Certificate,
+    PhysicsReport,
+    SceneBundle,
+    cause_counts,
+)
+from sdgen.truth.graph import build_graph
+
+
+def finish(
+    spec: SceneSpec,
+    proved: Proved,
+    catalog: Catalog,
+    library: Library,
+    options: BuildOptions,
+    client: Client,
+) -> SceneBundle | Rejection:
+    """The bundle of a proved scene, as if it were the first try."""
+    facts, scene = proved.facts, proved.facts.scene
+    anomalies = anomaly_records(proved.surveyed.found, facts, catalog, spec.household)
+    lookalikes = lookalike_records(proved.lookalikes, facts, catalog)
+    with RayWorld(library, scene, client) as world:
+        sight = Sight(library, scene, world.cast, options.seed)
+        hidden = unseen(sight, anomalies)
+        if hidden is not None:
+            return reject("views", "unseen", hazard=hidden.hazard, objects=(hidden.object_id,))
+        cameras = choose_views(sight, catalog, anomalies, lookalikes, options)
+    bundle = SceneBundle(
+        scene=scene,
+        graph=build_graph(scene, library.infos, catalog, facts),
+        anomalies=Anomalies(
+            anomalies=anomalies,
+            lookalikes=lookalikes,
+            certificate=certificate(catalog, library.sha256, proved.surveyed),
+        ),
+        household=spec.household,
+        physics=physics_report(proved.settled, proved.taken_away, facts.bodies),
+        split=spec.split,
+        cameras=cameras,
+    )
+    twin = benign_twin(bundle, catalog, library.infos)
+    if isinstance(twin, Rejection):
+        return twin
+    return replace(bundle, twin=twin) if options.twins else bundle
+
+
+def certificate(catalog: Catalog, assets_sha256: str, surveyed: Survey) -> Certificate:
+    """What was checked of a scene whose survey holds nothing in doubt."""
+    return Certificate(
+        hazards_enabled=tuple(sorted(hazard.id for hazard in catalog.hazards)),
+        catalogue_sha256=catalog_sha256(catalog),
+        assets_sha256=assets_sha256,
+        pairs_checked=surveyed.pairs,
+        pairs_positive=len(surveyed.found),
+    )
+
+
+def physics_report(settled: Settled, taken_away: Causes, present: Collection[int]) -> PhysicsReport:
+    """How a scene came to rest, as the outcome of a first try."""
+    return PhysicsReport(
+        settled_drift_m={
+            str(k): round(v, 5) for k, v in sorted(settled.drift_m.items()) if k in present
+        },
+        contacts=tuple(
+            c.model_copy(update={"distance_m": round(c.distance_m, 5)}) for c in settled.contacts
+        ),
+        steps=settled.steps,
+        home_attempts=1,
+        placement_attempts=1,
+        rejections=(),
+        taken_away=cause_counts(taken_away),
+    )
+
+
+def benign_twin(
+    bundle: SceneBundle, catalog: Catalog, infos: Mapping[str, AssetInfo]
+) -> SceneBundle | Rejection:
+    """The scene with its anomalies undone; rejected when some hazard still holds, or may."""
+    scene = undone(bundle.scene, bundle.anomalies.anomalies, catalog, infos)
+    facts = facts_of(scene, infos, catalog)
+    surveyed = survey(facts, catalog)
+    for left in surveyed.found:
+        check = "not_benign" if left.verdict.sure else "in_doubt"
+        category = facts.category(left.object_id)
+        return reject(
+            "twin", check, category=category, other=left.hazard, objects=(left.object_id,)
+        )
+    records = bundle.anomalies
+    benign = {
+        "anomalies": (),
+        "certificate": certificate(catalog, records.certificate.assets_sha256, surveyed),
+    }
+    return replace(
+        bundle,
+        scene=scene,
+        graph=build_graph(scene, infos, catalog, facts),
+        anomalies=records.model_copy(update=benign),
+        physics=physics_of_twin(scene, bundle.physics),
+    )
+
+
+def with_history(
+    bundle: SceneBundle, home_attempts: int, placement_attempts: int, rejections: Causes
+) -> SceneBundle:
+    """The bundle with the tries it took; a twin does not tell why they failed."""
+    twin = bundle.twin
+    history = {"home_attempts": home_attempts, "placement_attempts": placement_attempts}
+    told = {**history, "rejections": cause_counts(rejections)}
+    return replace(
+        bundle,
+        physics=bundle.physics.model_copy(update=told),
+        twin=twin and replace(twin, physics=twin.physics.model_copy(update=history)),
+    )

@@ -1,0 +1,104 @@
+"""Lets a try's contents come to rest and says what does not stand as it was meant to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sdgen.geometry import round_position, round_quat
+from sdgen.hazards.certify import facts_of
+from sdgen.library import Library
+from sdgen.physics.checks import penetrations
+from sdgen.physics.client import Client
+from sdgen.physics.settle import Settled, settle
+from sdgen.pipeline.contents import Contents
+from sdgen.pipeline.stage import FurnishedHome
+from sdgen.rejection import Rejection
+from sdgen.relations import Facts
+from sdgen.scene import Pose
+
+#: After things were taken away, the rest must stand as it stood: this is the play that contacts
+#: have when Bullet starts anew from rounded poses; what loses its support moves much further.
+STILL_M = 0.003
+
+
+@dataclass(frozen=True)
+class Rested:
+    """Contents at rest, their poses rounded as written, with the facts of that scene.
+
+    ``offenders`` maps the objects that did not come to rest where they were meant to be to why.
+    """
+
+    contents: Contents
+    facts: Facts
+    settled: Settled
+    offenders: Mapping[int, Rejection]
+
+
+def come_to_rest(
+    index: int,
+    home: FurnishedHome,
+    contents: Contents,
+    again: bool,
+    library: Library,
+    client: Client,
+) -> Rested:
+    """Let everything loose fall, then look whether all of it stands, on its target, uncut.
+
+    ``again``: all of it stood already, and something else was taken away.
+    """
+    scene = home.scene(index, contents.items)
+    loose = [item.id for item in scene.objects if not item.fixed]
+    settled = settle(library, scene, loose, client)
+    contents = contents.posed(
+        {
+            key: Pose(
+                position_m=round_position(pose.position_m), quat_xyzw=round_quat(pose.quat_xyzw)
+            )
+            for key, pose in settled.poses.items()
+        }
+    )
+    scene = home.scene(index, contents.items)
+    facts = facts_of(scene, library.infos, home.site.catalog)
+    offenders = _restless(contents, settled, again)
+    offenders |= _off_target(contents, facts, offenders)
+    if not offenders:
+        for violation in penetrations(library, scene, client=client):
+            there = [k for k in violation.objects if k in contents.items]
+            for key in [k for k in there if not contents.items[k].fixed] or there[:1]:
+                offenders[key] = contents.objection(
+                    key,
+                    "physics",
+                    "penetrates",
+                    measured=violation.measured,
+                    limit=violation.limit,
+                )
+    return Rested(contents, facts, settled, offenders)
+
+
+def _restless(contents: Contents, settled: Settled, again: bool) -> dict[int, Rejection]:
+    """What fell, tipped or kept moving, or moved although it had stood before."""
+    offenders: dict[int, Rejection] = {}
+    for key, drift in settled.drift_m.items():
+        if again and drift > STILL_M:
+            offenders[key] = contents.objection(
+                key, "physics", "moved_again", measured=drift, limit=STILL_M
+            )
+        elif key in settled.unstable:
+            # It fell or tipped too far, or was still moving: the report has how far.
+            offenders[key] = contents.objection(key, "physics", "would_not_stand")
+    return offenders
+
+
+def _off_target(
+    contents: Contents, facts: Facts, offenders: Mapping[int, Rejection]
+) -> dict[int, Rejection]:
+    """What surely no longer is on or in what it was put on or into."""
+    left: dict[int, Rejection] = {}
+    for key, intent in contents.intents.items():
+        if key in offenders or contents.items[key].fixed:
+            continue
+        related = facts.related(key, intent.relation)
+        if not any(r.target_id == intent.target_id and r.holds and r.sure for r in related):
+            left[key] = contents.objection(key, "physics", f"not_{intent.relation.lower()}_target")
+    return left

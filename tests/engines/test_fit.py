@@ -1,0 +1,71 @@
+"""A hazard that fits nowhere, or only where another one does, is named before a build starts."""
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.engines import local
+from sdgen.engines.fit import misfits
+from sdgen.errors import InputError, SdgenError
+from sdgen.library import load_library
+from sdgen.options import BuildOptions
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def tools():
+    return {"catalog": load_catalog(), "library": load_library()}
+
+
+def changed(catalog, hazard_id, **changes):
+    """The catalogue with every placing recipe of a hazard changed."""
+    hazard = catalog.hazard(hazard_id)
+    recipes = tuple(r.model_copy(update=changes) for r in hazard.anomalies if r.kind == "place")
+    broken = hazard.model_copy(update={"anomalies": recipes})
+    hazards = tuple(broken if h.id == hazard_id else h for h in catalog.hazards)
+    return catalog.model_copy(update={"hazards": hazards})
+
+
+def test_every_shipped_hazard_fits_somewhere(tools):
+    assert misfits(**tools, options=BuildOptions(seed=1)) == []
+
+
+def test_a_hazard_without_a_target_is_named_before_anything_is_written(
+    tools, tmp_path, monkeypatch
+):
+    # As if the library had a model of it, and no room a place for it.
+    catalog = changed(tools["catalog"], "sharp_object", targets=("stool_of_gold",))
+    monkeypatch.setattr(local, "check_against_library", lambda *_: None)
+    with pytest.raises(InputError, match=r"sharp_object.* in \d+ tries .*stool_of_gold"):
+        local.build(BuildOptions(n=2), tmp_path / "set", catalog, tools["library"])
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_hazard_whose_spot_never_fits_is_named(tools):
+    catalog = changed(tools["catalog"], "sharp_object", rooms=("ballroom",))
+    (problem,) = misfits(catalog, tools["library"], BuildOptions(seed=1))
+    assert "sharp_object" in problem
+    assert "nothing fits" in problem
+
+
+def test_a_hazard_that_is_never_proved_ends_the_build_early(tools, tmp_path, monkeypatch):
+    """What is put is never accepted: no scene with it can be made."""
+    catalog = tools["catalog"]
+    hazard = catalog.hazard("sharp_object")
+    never = hazard.model_copy(update={"predicate": catalog.hazard("stove_on").predicate})
+    catalog = catalog.model_copy(
+        update={"hazards": tuple(never if h.id == hazard.id else h for h in catalog.hazards)}
+    )
+    options = BuildOptions(n=40, seed=7, views=1, sensors=(), hazards_min=1, hazards_max=2)
+    monkeypatch.setattr("sdgen.engines.local.SceneWorker", ImpatientWorker)
+    with pytest.raises(SdgenError, match=r"'sharp_object' fits nowhere: never made in \d+ tries"):
+        local.build(options, tmp_path / "set", catalog, tools["library"], workers=2)
+    assert len(list((tmp_path / "set" / "scenes").iterdir())) < 20
+
+
+def ImpatientWorker(setup):
+    """A worker that gives up a scene after few tries, so that the test ends soon."""
+    from sdgen.engines.worker import SceneWorker
+    from sdgen.pipeline import scene
+
+    scene.HOME_ATTEMPTS, scene.PLACEMENT_ATTEMPTS = 1, 2
+    return SceneWorker(setup)

@@ -24,7 +24,7 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
         ("options",),
         ("library",),
         ("catalog",),
-        ("relations", "freespace"),
+        ("facts", "freespace"),
         ("zones",),
         ("actions",),
     ),

@@ -5,9 +5,9 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from sdgen.facts import Edge, Facts, room_at
 from sdgen.geometry import quat_from_yaw
 from sdgen.library.records import AssetInfo
-from sdgen.relations import Edge, Facts, room_at
 from sdgen.scene import (
     AgentStart,
     Box,
@@ -98,9 +98,10 @@ INFOS = {
         asset("sofa", (0.9, 2.0, 0.8)),
         asset("tv", (0.1, 1.0, 0.6)),
         asset("stove", (0.6, 0.6, 0.9)),
+        asset("door", (0.12, 0.9, 2.1)),
     )
 }
-FIXED = {"table", "fridge", "sofa", "tv", "stove", "rug"}
+FIXED = {"table", "fridge", "sofa", "tv", "stove", "rug", "door"}
 
 
 def thing(number, name, x, y, z=0.0, yaw=0.0, room=ROOM, **more):
@@ -205,10 +206,11 @@ def test_inside_a_fridge_is_not_on_it_and_a_shut_door_shuts_in():
     f = facts(shut, milk)
     assert f.holds(2, "INSIDE") == (1,)
     assert f.holds(2, "ON") == ()
-    assert f.shut_in(2)
+    (found,) = f.related(2, "INSIDE")
+    assert found.states == ("CLOSED",)
     assert "IN_REACH_OF_CHILD" not in f.tags(2)
     opened = shut.model_copy(update={"joints": {"door": 1.0}})
-    assert not facts(opened, milk).shut_in(2)
+    assert "IN_REACH_OF_CHILD" in facts(opened, milk).tags(2)
 
 
 def test_near_the_mouth_of_a_container_is_in_doubt():
@@ -243,7 +245,8 @@ def test_a_door_is_between_its_rooms_and_a_box_in_its_zone_blocks_it():
         room_id=ROOM,
         source_id=DOOR,
     )
-    f = facts(thing(1, "box", 3.7, 2), thing(2, "rug", 3.0, 2), zones=[zone])
+    door = thing(DOOR, "door", 4.06, 2)
+    f = facts(thing(1, "box", 3.7, 2), thing(2, "rug", 3.0, 2), door, zones=[zone])
     assert {(e.to_id) for e in f.edges() if e.relation == "BETWEEN"} == {ROOM, HALL}
     assert Edge(1, DOOR, "BLOCKS") in f.edges()
     assert Edge(2, DOOR, "BLOCKS") not in f.edges()
@@ -281,10 +284,8 @@ def test_turning_and_moving_together_changes_no_relation(x, y, yaw):
 
 def test_distance_is_between_boxes():
     f = facts(thing(1, "stove", 1, 1), thing(2, "box", 2.0, 1), thing(3, "box", 3, 3))
-    gap, nearest = f.distance(2, {"stove"}, None)
-    assert gap == pytest.approx(0.55)
-    assert nearest == 1
-    assert f.distance(2, {"tv"}, None) == (math.inf, None)
+    assert f.gaps(2, {"stove"}) == ((pytest.approx(0.55), 1),)
+    assert f.gaps(2, {"tv"}) == ()
 
 
 def test_room_at_reaches_half_a_wall():

@@ -18,10 +18,10 @@ from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
+from sdgen.facts import Body
 from sdgen.freespace import Grid, free_shape, opening_rectangle, polygons
 from sdgen.geometry import Vec2, apply, matrix
 from sdgen.library.records import AssetInfo
-from sdgen.relations import Body
 from sdgen.scene import Home, ObjectInstance, Opening, Room, Zone
 from sdgen.vocabulary import (
     CHILD_REACH_M,

@@ -83,10 +83,10 @@ def test_height_between_two_limits(height: float, value: bool, sure: bool) -> No
 
 def test_distance_to_the_nearest() -> None:
     near, far = DistanceTerm(to=("stove",), max_m=0.5), DistanceTerm(to=("stove",), min_m=0.5)
-    close_by = Thing(gaps={("stove",): (0.2, 7)})
+    close_by = Thing(gaps={("stove",): ((0.2, 7),)})
     assert verdict(near, close_by) == Verdict(True, True, {"distance_m": 0.2, "nearest_id": 7})
     assert verdict(far, close_by) == Verdict(False, True)
-    assert not verdict(near, Thing(gaps={("stove",): (0.48, 7)})).sure
+    assert not verdict(near, Thing(gaps={("stove",): ((0.48, 7),)})).sure
     assert verdict(near, Thing()) == Verdict(False, True)
     assert verdict(far, Thing()) == Verdict(True, True)
 
@@ -249,7 +249,7 @@ def test_a_sure_verdict_survives_any_change_within_the_margins(
 ) -> None:
     def world(height: float, gap: float, share: float) -> World:
         zones = (ZoneShare("h", "heat", share),)
-        return World({1: Thing(height_m=height, gaps={("stove",): (gap, 2)}, zones=zones)})
+        return World({1: Thing(height_m=height, gaps={("stove",): ((gap, 2),)}, zones=zones)})
 
     found = predicate.evaluate(1, world(*at))
     assume(found.sure)

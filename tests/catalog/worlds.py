@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.predicate import Related, ZoneShare
+from sdgen.catalog.predicate import Bearing, Related, ZoneShare
 from sdgen.errors import InputError
 
 
@@ -22,7 +23,8 @@ class Thing:
     height_m: float = 0.75
     related: dict[str, tuple[Related, ...]] = field(default_factory=dict)
     zones: tuple[ZoneShare, ...] = ()
-    gaps: dict[tuple[str, ...], tuple[float, int | None]] = field(default_factory=dict)
+    gaps: dict[tuple[str, ...], tuple[tuple[float, int], ...]] = field(default_factory=dict)
+    bearings: dict[tuple[str, ...], tuple[Bearing, ...]] = field(default_factory=dict)
 
 
 @dataclass
@@ -41,8 +43,8 @@ class World:
     def undecided_states(self, object_id: int) -> tuple[str, ...]:
         return self.things[object_id].undecided
 
-    def room_type(self, object_id: int) -> str:
-        return self.things[object_id].room
+    def room_types(self, object_id: int) -> tuple[str, ...]:
+        return tuple(self.things[object_id].room.split("|"))
 
     def height(self, object_id: int) -> float:
         self.dear += 1
@@ -52,11 +54,13 @@ class World:
         self.dear += 1
         return self.things[object_id].related.get(relation, ())
 
-    def distance(
-        self, object_id: int, categories: tuple[str, ...], state: str | None
-    ) -> tuple[float, int | None]:
+    def gaps(self, object_id: int, categories: Collection[str]) -> tuple[tuple[float, int], ...]:
         self.dear += 1
-        return self.things[object_id].gaps.get(categories, (float("inf"), None))
+        return self.things[object_id].gaps.get(tuple(categories), ())
+
+    def bearings(self, object_id: int, categories: Collection[str]) -> tuple[Bearing, ...]:
+        self.dear += 1
+        return self.things[object_id].bearings.get(tuple(categories), ())
 
     def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
         self.dear += 1

@@ -1,9 +1,9 @@
 """A made scene's cameras stand where a robot can."""
 
 import pytest
+from sdgen.facts import room_at
 from sdgen.options import BuildOptions
 from sdgen.pipeline import make_scene
-from sdgen.relations import room_at
 from shapely.geometry import Point, Polygon
 from shapely.ops import unary_union
 

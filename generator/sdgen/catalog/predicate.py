@@ -8,13 +8,19 @@ evaluates the published poses again agrees. The terms are in ``sdgen.catalog.ter
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from sdgen.kleene import YES, Kleene
 from sdgen.scene import EvidenceValue
 
 Evidence = dict[str, EvidenceValue]
+
+
+def rounded(measured: float) -> float:
+    """A measurement as evidence has it, to 1e-4; never -0.0."""
+    return round(measured, 4) + 0.0
 
 
 @dataclass(frozen=True)
@@ -37,11 +43,25 @@ class Related:
 
 @dataclass(frozen=True)
 class ZoneShare:
-    """``fraction`` (0–1) of an object's footprint that lies in one zone."""
+    """``fraction`` (0-1) of an object's footprint that lies in one zone; ``level`` says whether
+    its range of heights meets the zone's."""
 
     name: str
     kind: str
     fraction: float
+    level: Kleene = YES
+
+
+@dataclass(frozen=True)
+class Bearing:
+    """Where another thing is, seen from an object's front: ``angle_rad`` 0 straight ahead, pi
+    behind. ``clear`` is False when the angle means nothing (they are one above the other, say);
+    ``together`` says whether both are in one room."""
+
+    target_id: int
+    angle_rad: float
+    clear: bool = True
+    together: Kleene = YES
 
 
 class FactSource(Protocol):
@@ -59,8 +79,9 @@ class FactSource(Protocol):
         """States whose joint lies in the dead band."""
         ...
 
-    def room_type(self, object_id: int) -> str:
-        """Type of the room the object is in."""
+    def room_types(self, object_id: int) -> tuple[str, ...]:
+        """Types of the rooms it may be in, nearest first: one where that is decided; none (or an
+        empty word among them) outdoors."""
         ...
 
     def height(self, object_id: int) -> float:
@@ -71,10 +92,12 @@ class FactSource(Protocol):
         """Candidates of ``relation`` with the object as its source, unsure ones too."""
         ...
 
-    def distance(
-        self, object_id: int, categories: Collection[str], state: str | None
-    ) -> tuple[float, int | None]:
-        """Gap in metres to the nearest such object, and its id; (inf, None) when none is."""
+    def gaps(self, object_id: int, categories: Collection[str]) -> Sequence[tuple[float, int]]:
+        """Gap in metres to each other object of these categories, and its id, nearest first."""
+        ...
+
+    def bearings(self, object_id: int, categories: Collection[str]) -> Sequence[Bearing]:
+        """Where things of these categories are that are, or may be, in the object's room."""
         ...
 
     def zones(self, object_id: int) -> tuple[ZoneShare, ...]:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from sdgen.catalog.predicate import Verdict
 from sdgen.catalog.records import Catalog
+from sdgen.facts import Facts
 from sdgen.library.records import AssetInfo
-from sdgen.relations import Facts
 from sdgen.scene import Scene
 
 

@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping, Sequence
 
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe
+from sdgen.facts import Facts
 from sdgen.hazards.certify import Positive
 from sdgen.hazards.ways import Made
 from sdgen.households import decide
 from sdgen.library.states import state_parts
-from sdgen.relations import Facts
 from sdgen.scene import Anomaly, Household, Lookalike, Remedy
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
+from sdgen.facts import Facts
 from sdgen.freespace import free_shape, reachable
 from sdgen.hazards.certify import Survey, survey
 from sdgen.hazards.ways import Made
@@ -16,7 +17,6 @@ from sdgen.pipeline.rest import Rested, come_to_rest
 from sdgen.pipeline.spec import SceneSpec, node_ids
 from sdgen.pipeline.stage import FurnishedHome
 from sdgen.rejection import Cause, Rejection, reject
-from sdgen.relations import Facts
 from sdgen.zones import floor_obstacles, swing_blocked
 
 #: Most tries rest in the first round or, with some clutter gone, in the second.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from sdgen.facts import Facts
 from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
@@ -14,7 +15,6 @@ from sdgen.physics.settle import Settled, settle
 from sdgen.pipeline.contents import Contents
 from sdgen.pipeline.stage import FurnishedHome
 from sdgen.rejection import Rejection
-from sdgen.relations import Facts
 from sdgen.scene import Pose
 
 #: After things were taken away, the rest must stand as it stood: this is the play that contacts

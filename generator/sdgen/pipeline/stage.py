@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from sdgen.catalog.records import BaseHome, Catalog
 from sdgen.errors import UsageError
+from sdgen.facts import room_at
 from sdgen.freespace import free_shape, random_point, reachable, rounded_rings
 from sdgen.geometry import Vec2
 from sdgen.hazards.splits import SplitModels
@@ -19,7 +20,6 @@ from sdgen.home.shell import build_shell
 from sdgen.library import AssetInfo, Library
 from sdgen.options import BuildOptions
 from sdgen.rejection import Rejection, reject
-from sdgen.relations import room_at
 from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
 from sdgen.seeding import Rng, lane
 from sdgen.zones import derive_zones, floor_obstacles, swing_blocked

@@ -1,7 +1,7 @@
 """The scene graph, with VirtualHome's keys and spelling (Puig et al. 2018), in our Z-up world.
 
 A node's ``prefab_name`` is opaque: it tells models apart and says nothing of their variant. The
-boxes, edges and tags are :class:`~sdgen.relations.Facts`' alone; this module only gives them
+boxes, edges and tags are :class:`~sdgen.facts.Facts`' alone; this module only gives them
 VirtualHome's shape.
 """
 
@@ -11,9 +11,9 @@ import hashlib
 from collections.abc import Mapping
 
 from sdgen.catalog.records import Catalog
+from sdgen.facts import Facts
 from sdgen.geometry import Vec3, vec3
 from sdgen.library.records import AssetInfo
-from sdgen.relations import Facts
 from sdgen.scene import (
     BoundingBox,
     Graph,

@@ -10,13 +10,13 @@ from itertools import islice
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
 from sdgen.dataset.reader import SceneItem
+from sdgen.facts import Facts
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import QUATERNION_STEP, round_position
 from sdgen.hazards.certify import Survey, facts_of, survey
 from sdgen.hazards.labels import anomaly_records
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import derive_states
-from sdgen.relations import Facts
 from sdgen.scene import FORMAT_VERSION, ObjectInstance, Scene
 from sdgen.truth import build_graph
 from sdgen.validate.problems import SHOWN, Problem, differences

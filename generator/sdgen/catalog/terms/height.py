@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from sdgen.catalog.predicate import Evidence, FactSource, Verdict
+from sdgen.catalog.predicate import Evidence, FactSource, Verdict, rounded
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.limits import limits_in_words, read_limits, within
 from sdgen.catalog.terms.term import EITHER, NEVER, Can, Case, Scope, Term
@@ -44,10 +44,10 @@ class HeightTerm(Term):
     def evaluate(self, object_id: int, facts: FactSource) -> Verdict:
         height = facts.height(object_id)
         value, sure = within(height, self.min_m, self.max_m, self.margin_m)
-        return Verdict(value, sure, {self.evidence: round(height, 4)} if value else {})
+        return Verdict(value, sure, {self.evidence: rounded(height)} if value else {})
 
     def measure(self, object_id: int, facts: FactSource) -> Evidence:
-        return {self.evidence: round(facts.height(object_id), 4)}
+        return {self.evidence: rounded(facts.height(object_id))}
 
     def in_words(self) -> str:
         return f"its lowest point is {limits_in_words(self.min_m, self.max_m)} up"

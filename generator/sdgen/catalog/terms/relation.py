@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from sdgen.catalog.predicate import Evidence, FactSource, Related, Verdict, any_verdict
+from sdgen.catalog.predicate import Evidence, FactSource, Related, Verdict, any_verdict, rounded
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.state import in_state
 from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Term, either
@@ -49,7 +49,7 @@ class RelationTerm(Term):
     def _to(self, item: Related, facts: FactSource) -> Verdict:
         evidence: Evidence = {"relation": self.relation, "target_id": item.target_id}
         evidence["target_category"] = item.target_category
-        evidence.update({key: round(value, 4) + 0.0 for key, value in item.evidence.items()})
+        evidence.update({key: rounded(value) for key, value in item.evidence.items()})
         if self.target_state is None:
             return Verdict(item.holds, item.sure, evidence if item.holds else {})
         wanted = (self.target_state,)

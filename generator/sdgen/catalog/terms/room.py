@@ -1,4 +1,7 @@
-"""``room: kitchen``: the type of the room the object is in."""
+"""``room: kitchen``: the type of the room the object is in.
+
+Undecided where the room is (in the middle of a doorway) and the answer depends on it.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +27,9 @@ class RoomTerm(Term):
         return cls(any_of=reader.words("room", choices=scope.rooms, what="room type"))
 
     def evaluate(self, object_id: int, facts: FactSource) -> Verdict:
-        return Verdict(facts.room_type(object_id) in self.any_of, True)
+        types = facts.room_types(object_id)
+        among = [name in self.any_of for name in types]
+        return Verdict(bool(among) and among[0], all(among) or not any(among))
 
     def in_words(self) -> str:
         return f"it is in a {either(self.any_of)}"

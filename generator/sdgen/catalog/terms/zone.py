@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Literal
 
-from sdgen.catalog.predicate import Evidence, FactSource, Verdict, ZoneShare
+from sdgen.catalog.predicate import Evidence, FactSource, Verdict, ZoneShare, any_verdict, rounded
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Term, either
-from sdgen.kleene import at_least
+from sdgen.kleene import all_of, at_least
 from sdgen.vocabulary import ZONE_KINDS
 
 OVERLAP = 0.5
@@ -40,23 +40,23 @@ class ZoneTerm(Term):
         return term
 
     def evaluate(self, object_id: int, facts: FactSource) -> Verdict:
-        share = self._share(object_id, facts)
-        fraction = share.fraction if share is not None else 0.0
-        value, sure = at_least(fraction, self.overlap, self.margin)
-        if not value or share is None:
-            return Verdict(value, sure)
-        overlap = round(fraction, 4)
-        return Verdict(
-            True, sure, {"zone": share.kind, "zone_name": share.name, "zone_overlap": overlap}
-        )
+        return any_verdict(self._in(share) for share in self._shares(object_id, facts))
+
+    def _in(self, share: ZoneShare) -> Verdict:
+        enough = at_least(share.fraction, self.overlap, self.margin)
+        value, sure = all_of((enough, share.level))
+        evidence: Evidence = {"zone": share.kind, "zone_name": share.name}
+        evidence["zone_overlap"] = rounded(share.fraction)
+        return Verdict(value, sure, evidence if value else {})
 
     def measure(self, object_id: int, facts: FactSource) -> Evidence:
-        share = self._share(object_id, facts)
-        return {"zone_overlap": round(share.fraction if share else 0.0, 4)}
+        shares = self._shares(object_id, facts)
+        return {"zone_overlap": rounded(shares[0].fraction if shares else 0.0)}
 
-    def _share(self, object_id: int, facts: FactSource) -> ZoneShare | None:
+    def _shares(self, object_id: int, facts: FactSource) -> list[ZoneShare]:
+        """Shares of zones of these kinds, largest first."""
         shares = [share for share in facts.zones(object_id) if share.kind in self.any_of]
-        return max(shares, key=lambda share: (share.fraction, share.name), default=None)
+        return sorted(shares, key=lambda share: (share.fraction, share.name), reverse=True)
 
     def in_words(self) -> str:
         return f"at least {self.overlap:.0%} of it is in a {either(self.any_of)}"

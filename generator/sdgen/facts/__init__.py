@@ -1,0 +1,12 @@
+"""What follows from poses and states: relations, tags and measured terms.
+
+ON, INSIDE, CLOSE and FACING follow VirtualHome's geometry (Puig et al. 2018 and its graph code).
+Every threshold is in :mod:`sdgen.facts.thresholds`, with the margin within which nothing is
+claimed. Predicates, graph edges and tags all ask :class:`Facts`, so they cannot disagree.
+"""
+
+from sdgen.facts.body import Body
+from sdgen.facts.front import Edge, Facts
+from sdgen.facts.rooms import Rooms, room_at
+
+__all__ = ["Body", "Edge", "Facts", "Rooms", "room_at"]

@@ -1,0 +1,51 @@
+"""World geometry of one object: its outline in the world, and gaps between outlines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+import shapely
+from shapely.geometry.base import BaseGeometry
+
+from sdgen.geometry import Array, apply, matrix
+from sdgen.library.records import AssetInfo
+from sdgen.scene import ObjectInstance
+
+
+class Body:
+    """World geometry of one object: ``corners`` (N, 3) of its outline, ``low`` and ``high`` of its
+    box, and its ``center``: the middle of its extents, wherever its joints are."""
+
+    def __init__(self, item: ObjectInstance, info: AssetInfo) -> None:
+        self.item = item
+        self.info = info
+        self.world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
+        self.corners = apply(self.world_from_object, info.outermost_m)
+        self.low = self.corners.min(axis=0)
+        self.high = self.corners.max(axis=0)
+        self.center = self.world_from_object[:3, 3] + self.world_from_object[:3, 2] * (
+            info.extents_m[2] / 2
+        )
+
+    @cached_property
+    def footprint(self) -> BaseGeometry:
+        """The convex outline seen from above."""
+        return shapely.convex_hull(shapely.multipoints(self.corners[:, :2]))
+
+    def covered_by(self, shape: BaseGeometry) -> float:
+        """Share (0-1) of the footprint that lies in a shape."""
+        shared = shape.intersection(self.footprint).area
+        return float(shared / max(self.footprint.area, 1e-9))
+
+
+def gaps(low: Array, high: Array, lows: Array, highs: Array) -> Array:
+    """Distances (N,) of one axis-aligned box to N others, 0 where they touch."""
+    apart = np.maximum(lows - high, low - highs).clip(min=0)
+    return np.asarray(np.linalg.norm(apart, axis=-1), dtype=np.float64)
+
+
+def rows(values: Sequence[object], *shape: int) -> Array:
+    """The values as an array (N, *shape), also when there are none."""
+    return np.array(values, dtype=np.float64).reshape(len(values), *shape)

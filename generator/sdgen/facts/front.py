@@ -1,0 +1,199 @@
+"""The facts of a scene: what predicates ask, what the graph writes."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from sdgen.catalog.predicate import Bearing, Related, ZoneShare
+from sdgen.facts import spatial
+from sdgen.facts.body import Body, gaps, rows
+from sdgen.facts.containers import Containers
+from sdgen.facts.relations import FINDERS
+from sdgen.facts.rooms import Rooms, types_of
+from sdgen.facts.supports import Supports
+from sdgen.facts.tags import tags
+from sdgen.facts.zones import ZoneIndex
+from sdgen.geometry import Array, Vec3, vec3
+from sdgen.library.records import AssetInfo
+from sdgen.library.states import derive_states, undecided_states
+from sdgen.scene import Scene
+
+
+class Edge(NamedTuple):
+    """A relation between two nodes."""
+
+    from_id: int
+    to_id: int
+    relation: str
+
+
+class Facts:
+    """Measured facts of a scene, derived from poses, joints, variants and asset records alone.
+
+    ``properties`` maps category to its catalogue properties (LOOKABLE, SITTABLE …), needed for
+    FACING only. Keeps to :class:`~sdgen.catalog.predicate.FactSource`.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        infos: Mapping[str, AssetInfo],
+        properties: Mapping[str, Collection[str]] | None = None,
+    ) -> None:
+        self.scene = scene
+        self.properties = properties or {}
+        self.bodies = {item.id: Body(item, infos[item.asset]) for item in scene.objects}
+        self.rooms = Rooms(scene.home)
+        self.supports = Supports(self.bodies, scene.home)
+        self.containers = Containers(self.bodies)
+        self.zone_index = ZoneIndex(scene.zones)
+        self._structures = {s.id: s for s in scene.home.structures}
+        self._related: dict[tuple[int, str], tuple[Related, ...]] = {}
+        self._rooms: dict[int, tuple[int, ...]] = {}
+        self._shares: dict[int, tuple[ZoneShare, ...]] = {}
+
+    # --- what predicates ask ---------------------------------------------------------------------
+
+    def category(self, object_id: int) -> str:
+        """Category of an object or structure."""
+        if object_id in self.bodies:
+            return self.bodies[object_id].item.category
+        return self._structures[object_id].category
+
+    def states(self, object_id: int) -> tuple[str, ...]:
+        """States that hold, from variant and joints; none for structures and rooms."""
+        body = self.bodies.get(object_id)
+        if body is None:
+            return ()
+        return derive_states(body.info, body.item.variant, body.item.joints)
+
+    def undecided_states(self, object_id: int) -> tuple[str, ...]:
+        """States within the dead band between their limits."""
+        body = self.bodies.get(object_id)
+        if body is None:
+            return ()
+        return undecided_states(body.info, body.item.variant, body.item.joints)
+
+    def room_types(self, object_id: int) -> tuple[str, ...]:
+        """Types of the rooms the object may be in, nearest first; one where that is decided."""
+        return types_of(self.rooms.by_id, self.room_ids(object_id))
+
+    def height(self, object_id: int) -> float:
+        """Height of the object's lowest point above the floor, metres."""
+        return float(self.bodies[object_id].low[2])
+
+    def related(self, object_id: int, relation: str) -> tuple[Related, ...]:
+        """Targets the object stands, or nearly stands, in ``relation`` to."""
+        key = (object_id, relation)
+        if key not in self._related:
+            self._related[key] = tuple(FINDERS[relation](self, object_id))
+        return self._related[key]
+
+    def gaps(self, object_id: int, categories: Collection[str]) -> tuple[tuple[float, int], ...]:
+        """Gap in metres to each other object of these categories, and its id, nearest first."""
+        ids = [k for k in self._ids_of(categories) if k != object_id]
+        body = self.bodies[object_id]
+        lows = rows([self.bodies[k].low for k in ids], 3)
+        highs = rows([self.bodies[k].high for k in ids], 3)
+        apart = gaps(body.low, body.high, lows, highs).tolist()
+        return tuple(sorted(zip(apart, ids, strict=True)))
+
+    def bearings(self, object_id: int, categories: Collection[str]) -> tuple[Bearing, ...]:
+        """Where things of these categories in its room are, as seen from the object's front."""
+        return tuple(spatial.bearings(self, object_id, self._ids_of(categories)))
+
+    def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
+        """Zones the object's footprint touches, where its height range meets the zone's."""
+        if object_id not in self._shares:
+            self._shares[object_id] = tuple(self.zone_index.shares(self.bodies[object_id]))
+        return self._shares[object_id]
+
+    # --- what the graph writes -------------------------------------------------------------------
+
+    def bounding_box(self, object_id: int) -> tuple[Vec3, Vec3]:
+        """World box of an object, structure or room: centre and size."""
+        if object_id in self.bodies:
+            low, high = self.bodies[object_id].low, self.bodies[object_id].high
+        elif object_id in self.rooms.by_id:
+            room = self.rooms.by_id[object_id]
+            points = np.array(room.polygon_m)
+            low = np.array([*points.min(axis=0), 0.0])
+            high = np.array([*points.max(axis=0), room.height_m])
+        else:
+            pieces = self._structures[object_id].pieces
+            centers = np.array([p.center_m for p in pieces])
+            sizes = np.array([p.size_m for p in pieces])
+            low, high = (centers - sizes / 2).min(axis=0), (centers + sizes / 2).max(axis=0)
+        return vec3((low + high) / 2), vec3(high - low)
+
+    def holds(self, object_id: int, relation: str) -> tuple[int, ...]:
+        """Ids of the targets the relation holds to."""
+        found = (r.target_id for r in self.related(object_id, relation) if r.holds)
+        return tuple(dict.fromkeys(found))
+
+    def edges(self) -> tuple[Edge, ...]:
+        """All relations of the scene, sorted; who is in which room is written as INSIDE."""
+        out = [Edge(s.id, s.room_id, "INSIDE") for s in self._structures.values()]
+        for object_id, body in self.bodies.items():
+            out.append(Edge(object_id, body.item.room_id, "INSIDE"))
+            for relation in FINDERS:
+                out += [Edge(object_id, t, relation) for t in self.holds(object_id, relation)]
+        return tuple(sorted(set(out), key=lambda e: (e.from_id, e.relation, e.to_id)))
+
+    def tags(self, object_id: int) -> tuple[str, ...]:
+        """Unary facts of an object, sorted; none for structures and rooms."""
+        return tags(self, object_id) if object_id in self.bodies else ()
+
+    # --- what the units share --------------------------------------------------------------------
+
+    def room_ids(self, object_id: int) -> tuple[int, ...]:
+        """Ids of the rooms the object may be in, by its pose, nearest first (0: outdoors)."""
+        if object_id not in self._rooms:
+            center = self.bodies[object_id].center
+            self._rooms[object_id] = self.rooms.of(object_id, center)
+        return self._rooms[object_id]
+
+    def room_type(self, object_id: int) -> str:
+        """Type of the room that is nearest to the object."""
+        return next(iter(self.room_types(object_id)), "")
+
+    @cached_property
+    def boxes(self) -> tuple[list[int], Array, Array]:
+        """Ids of all objects, and the low and high corners of their boxes (N, 3)."""
+        bodies = self.bodies.values()
+        return (
+            list(self.bodies),
+            rows([b.low for b in bodies], 3),
+            rows([b.high for b in bodies], 3),
+        )
+
+    @cached_property
+    def roofs(self) -> tuple[list[int], Array, Array]:
+        """What things can be under."""
+        return self.supports.roofs(self.bodies)
+
+    def having(self, trait: str) -> tuple[int, ...]:
+        """Ids of the objects whose category has a property."""
+        return self._by_property.get(trait, ())
+
+    @cached_property
+    def _by_property(self) -> dict[str, tuple[int, ...]]:
+        out: dict[str, tuple[int, ...]] = {}
+        for key, body in self.bodies.items():
+            for trait in self.properties.get(body.item.category, ()):
+                out[trait] = (*out.get(trait, ()), key)
+        return out
+
+    def _ids_of(self, categories: Collection[str]) -> list[int]:
+        return [key for name in sorted(categories) for key in self._by_category.get(name, ())]
+
+    @cached_property
+    def _by_category(self) -> dict[str, list[int]]:
+        out: dict[str, list[int]] = {}
+        for key, body in self.bodies.items():
+            out.setdefault(body.item.category, []).append(key)
+        return out

@@ -1,0 +1,75 @@
+"""Which room a thing is in, from its pose alone.
+
+It is the room whose outline is nearest to the thing's centre: 0 for the room it stands in; what
+hangs in a wall or stands in a doorway belongs to the side its centre is on, and is undecided in
+the very middle. Doors and windows fill an opening and belong to the room that is named first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+import numpy as np
+import shapely
+from shapely.geometry import Point, Polygon
+
+from sdgen.catalog.predicate import Related
+from sdgen.facts.thresholds import OUTDOORS_M, ROOM_M
+from sdgen.geometry import Array
+from sdgen.kleene import NO, YES, Kleene
+from sdgen.scene import Home, Room
+
+
+class Rooms:
+    """The rooms of a home, and who is in them."""
+
+    def __init__(self, home: Home) -> None:
+        self.by_id = {room.id: room for room in home.rooms}
+        self._ids = [room.id for room in home.rooms]
+        self._outlines = np.array([Polygon(room.polygon_m) for room in home.rooms])
+        self._openings = {o.object_id: o for o in home.openings}
+
+    def of(self, object_id: int, center: Collection[float] | Array) -> tuple[int, ...]:
+        """Ids of the rooms a thing may be in, nearest first: one where that is decided, none
+        where it is surely outdoors (and 0 among them where it may be)."""
+        opening = self._openings.get(object_id)
+        if opening is not None:
+            return opening.room_ids[:1]
+        x, y = list(center)[:2]
+        far = shapely.distance(self._outlines, Point(x, y))
+        order = np.argsort(far, kind="stable")
+        nearest = float(far[order[0]])
+        outdoors = OUTDOORS_M.at_least(nearest)
+        if outdoors == YES:
+            return ()
+        maybe = [self._ids[k] for k in order if far[k] - nearest < ROOM_M.above]
+        if outdoors == NO:
+            return tuple(maybe)
+        return (0, *maybe) if outdoors.value else (*maybe, 0)
+
+    def between(self, object_id: int) -> Iterable[Related]:
+        """Rooms a door is BETWEEN: known from the plan, so exact."""
+        opening = self._openings.get(object_id)
+        if opening is not None and opening.kind != "window":
+            for room_id in opening.room_ids:
+                yield Related(room_id, self.by_id[room_id].type, True, True)
+
+
+def same_room(a: Collection[int], b: Collection[int]) -> Kleene:
+    """Whether two things are in one room, given the rooms each may be in, nearest first."""
+    if not set(a) & set(b):
+        return NO
+    return Kleene(next(iter(a)) == next(iter(b)), len(a) == len(b) == 1)
+
+
+def room_at(rooms: Iterable[Room], x: float, y: float) -> Room | None:
+    """The room whose outline holds the point or is nearest to it; None outdoors."""
+    point = Point(x, y)
+    near = [(Polygon(room.polygon_m).distance(point), room) for room in rooms]
+    gap, room = min(near, key=lambda found: found[0], default=(OUTDOORS_M.limit + 1, None))
+    return room if gap <= OUTDOORS_M.limit else None
+
+
+def types_of(rooms: Mapping[int, Room], ids: Collection[int]) -> tuple[str, ...]:
+    """Types of rooms, without repeats; "" for outdoors."""
+    return tuple(dict.fromkeys(rooms[k].type if k in rooms else "" for k in ids))

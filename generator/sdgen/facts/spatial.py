@@ -1,0 +1,90 @@
+"""CLOSE, FACING and UNDER: how bodies stand to each other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sdgen.catalog.predicate import Bearing, Related
+from sdgen.facts.body import Body, gaps
+from sdgen.facts.rooms import same_room
+from sdgen.facts.thresholds import (
+    BEARING_LEAST_M,
+    BEARING_LEVEL,
+    CLOSE_M,
+    FACING_RAD,
+    UNDER_M,
+    UNDER_SHARE,
+)
+from sdgen.kleene import NO, Kleene, all_of
+
+if TYPE_CHECKING:
+    from sdgen.facts.front import Facts
+
+
+def close(facts: Facts, object_id: int) -> Iterable[Related]:
+    """Things of the same room within reach of a few steps."""
+    body = facts.bodies[object_id]
+    ids, lows, highs = facts.boxes
+    apart = gaps(body.low, body.high, lows, highs)
+    for index in np.flatnonzero(apart < CLOSE_M.above):
+        other = ids[index]
+        if other != object_id:
+            together = same_room(facts.room_ids(object_id), facts.room_ids(other))
+            holds = all_of((together, CLOSE_M.less(float(apart[index]))))
+            yield from _related(facts, other, holds)
+
+
+def bearing(body: Body, other: Body) -> tuple[float, bool]:
+    """Angle between an object's front and the direction to another's centre, seen from above, 0
+    to pi; False when the other is too near, or the front too steep, to say."""
+    x, y = body.world_from_object[:2, 0]
+    dx, dy = (other.center - body.center)[:2]
+    turn = math.atan2(dy, dx) - math.atan2(y, x)
+    clear = math.hypot(dx, dy) >= BEARING_LEAST_M and math.hypot(x, y) >= BEARING_LEVEL
+    return abs(math.atan2(math.sin(turn), math.cos(turn))), clear
+
+
+def bearings(facts: Facts, object_id: int, others: Iterable[int]) -> Iterable[Bearing]:
+    """Bearings of other things that are, or may be, in the same room."""
+    body = facts.bodies[object_id]
+    for other in others:
+        together = same_room(facts.room_ids(object_id), facts.room_ids(other))
+        if other != object_id and together != NO:
+            angle, clear = bearing(body, facts.bodies[other])
+            yield Bearing(other, angle, clear, together)
+
+
+def facing(facts: Facts, object_id: int) -> Iterable[Related]:
+    """What can be looked at before something that can be sat on."""
+    if object_id in facts.having("SITTABLE"):
+        for found in bearings(facts, object_id, facts.having("LOOKABLE")):
+            ahead = FACING_RAD.less(found.angle_rad)
+            ahead = Kleene(ahead.value, ahead.sure and found.clear)
+            yield from _related(facts, found.target_id, all_of((found.together, ahead)))
+
+
+def under(facts: Facts, object_id: int) -> Iterable[Related]:
+    """Built-in things with a surface over the object, unless it is inside something."""
+    body = facts.bodies[object_id]
+    free = [Kleene(r.holds, r.sure).negated() for r in facts.related(object_id, "INSIDE")]
+    ids, tops, boxes = facts.roofs
+    room = tops - body.high[2]
+    over = room > UNDER_M.below
+    over &= (boxes[:, 0] <= body.high[0]) & (boxes[:, 2] >= body.low[0])
+    over &= (boxes[:, 1] <= body.high[1]) & (boxes[:, 3] >= body.low[1])
+    for index in np.flatnonzero(over):
+        other = facts.bodies[ids[index]]
+        if other is body or other.high[2] <= body.high[2]:
+            continue
+        share = UNDER_SHARE.more(body.covered_by(other.footprint))
+        holds = all_of((*free, UNDER_M.more(float(room[index])), share))
+        yield from _related(facts, ids[index], holds)
+
+
+def _related(facts: Facts, target: int, holds: Kleene) -> Iterable[Related]:
+    if holds != NO:
+        yield Related(target, facts.category(target), *holds)

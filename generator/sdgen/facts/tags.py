@@ -1,0 +1,43 @@
+"""Unary facts of an object: the same terms that predicates use, so that they cannot disagree."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from sdgen.catalog.terms import AllTerm, HeightTerm, Term, ZoneTerm
+from sdgen.vocabulary import CHILD_REACH_M
+
+if TYPE_CHECKING:
+    from sdgen.facts.front import Facts
+
+#: Tag -> the predicate that says it. IN_REACH_OF_CHILD is for loose things only.
+PREDICATES: dict[str, Term] = {
+    "IN_DOORWAY": ZoneTerm(any_of=("doorway",)),
+    "IN_REACH_OF_CHILD": AllTerm(terms=(HeightTerm(max_m=CHILD_REACH_M),)),
+    "IN_WALKWAY": ZoneTerm(any_of=("walkway",)),
+}
+
+
+def tags(facts: Facts, object_id: int) -> tuple[str, ...]:
+    """Tags that hold, sorted; as measured, also within a margin."""
+    body = facts.bodies[object_id]
+    out = [
+        name
+        for name, predicate in PREDICATES.items()
+        if not (name == "IN_REACH_OF_CHILD" and body.item.fixed)
+        and not (name == "IN_REACH_OF_CHILD" and _shut_in(facts, object_id))
+        and predicate.evaluate(object_id, facts).value
+    ]
+    furniture = [target for target in facts.holds(object_id, "ON") if target in facts.bodies]
+    if any(facts.supports.near_edge(body, target) for target in furniture):
+        out.append("NEAR_EDGE")
+    return tuple(sorted(out))
+
+
+def _shut_in(facts: Facts, object_id: int) -> bool:
+    """Inside a container whose joint is closed."""
+    return any(
+        "CLOSED" in facts.states(target)
+        and any(c.closed_by for c in facts.bodies[target].info.containers)
+        for target in facts.holds(object_id, "INSIDE")
+    )

@@ -1,0 +1,89 @@
+"""Every threshold of a relation or tag, and the margin within which it is undecided.
+
+Margins are far above what re-evaluation can move (poses are rounded to 1e-5 m before they are
+proved) and wide enough that a person would call the thing borderline, too.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from sdgen.kleene import EPS, Kleene
+
+
+class Threshold(NamedTuple):
+    """A limit, and the values from which a measurement is surely below or surely above it."""
+
+    limit: float
+    below: float
+    above: float
+
+    def at_most(self, measured: float) -> Kleene:
+        """``measured`` is at most the limit."""
+        return Kleene(measured <= self.limit + EPS, self._clear(measured))
+
+    def at_least(self, measured: float) -> Kleene:
+        """``measured`` is at least the limit."""
+        return Kleene(measured >= self.limit - EPS, self._clear(measured))
+
+    def more(self, measured: float) -> Kleene:
+        """``measured`` is more than the limit."""
+        return Kleene(measured > self.limit, self._clear(measured))
+
+    def less(self, measured: float) -> Kleene:
+        """``measured`` is less than the limit."""
+        return Kleene(measured < self.limit, self._clear(measured))
+
+    def _clear(self, measured: float) -> bool:
+        return measured <= self.below + EPS or measured >= self.above - EPS
+
+
+def around(limit: float, margin: float) -> Threshold:
+    """A threshold with the same margin on both sides."""
+    return Threshold(limit, limit - margin, limit + margin)
+
+
+#: ON: the gap between an object's lowest point and the surface, metres (VirtualHome: 1 cm).
+#: Settled things lie within a millimetre or two; what floats 2 cm is on something else.
+ON_GAP_M = Threshold(0.01, 0.007, 0.02)
+#: ON: more than half of the footprint over the surface, or it would topple.
+ON_SHARE = around(0.5, 0.1)
+#: ON: of surfaces that would carry a thing, the highest does. Lower by this is another level.
+ON_LEVEL_M = around(1e-3, 5e-4)
+#: A surface tilted more than this, metres of height between its corners, carries nothing: its
+#: owner lies on its side.
+TILTED_M = 0.02
+#: INSIDE: how far the centre lies within the hollow's box, metres.
+INSIDE_M = around(0.0, 0.003)
+#: CLOSE: the gap between the boxes, metres (VirtualHome).
+CLOSE_M = around(1.5, 0.05)
+#: FACING: the angle between the front and the direction to the other's centre (VirtualHome).
+FACING_RAD = around(math.radians(75), math.radians(5))
+#: A bearing needs the other's centre at least this far away, metres, and a front that points
+#: along the floor (cosine): nearer or steeper, a small change would turn it about.
+BEARING_LEAST_M = 0.1
+BEARING_LEVEL = 0.5
+#: UNDER: share of the footprint below the other's.
+UNDER_SHARE = around(0.5, 0.1)
+#: UNDER: how far a thing's top lies below the other's highest surface, metres. Half a
+#: centimetre higher still counts: what just fits in touches.
+UNDER_M = around(-0.005, 0.003)
+#: Zones: share of the footprint in the zone, for tags and BLOCKS (a zone term has its own).
+ZONE_SHARE = around(0.5, 0.15)
+#: Zones: how far the object's range of heights and the zone's overlap, metres.
+ZONE_LEVEL_M = around(0.0, 0.02)
+#: BLOCKS: a thing lower than this, metres, is stepped over without noticing.
+BLOCKING_HEIGHT_M = around(0.03, 0.005)
+#: NEAR_HEAT: gap to the heat zone, metres: radiant heat ignites paper and cloth so near a hob.
+NEAR_HEAT_M = around(0.3, 0.05)
+#: NEAR_WATER: gap to the basin, metres: about how far a splash or an arm carries water.
+NEAR_WATER_M = around(0.5, 0.05)
+#: Room: how much farther the next room's outline is than the nearest one's, metres. Inside a room
+#: that is at least a wall's thickness; only in a doorway or a wall is it less.
+ROOM_M = around(0.0, 0.04)
+#: Room: farther than this from every room's outline, metres, is outdoors: the shell ends half a
+#: wall outside, windows and doors stick out of it by their frames.
+OUTDOORS_M = around(0.13, 0.02)
+#: Tag NEAR_EDGE: the centre's distance from the edge of the surface, metres.
+NEAR_EDGE_M = 0.05

@@ -1,0 +1,89 @@
+"""Shares of zones, and what follows: BLOCKS, NEAR_HEAT, NEAR_WATER.
+
+An object is in a zone by the share of its footprint, where its range of heights meets the zone's.
+A zone that starts at the floor has no lower limit: nothing is below the floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from shapely.geometry import Polygon
+
+from sdgen.catalog.predicate import ZoneShare
+from sdgen.facts.body import Body, rows
+from sdgen.facts.thresholds import (
+    BLOCKING_HEIGHT_M,
+    NEAR_HEAT_M,
+    NEAR_WATER_M,
+    ZONE_LEVEL_M,
+    ZONE_SHARE,
+)
+from sdgen.kleene import NO, Kleene, all_of, any_of
+from sdgen.scene import Zone
+
+_NEAR = {"NEAR_HEAT": ("heat", NEAR_HEAT_M), "NEAR_WATER": ("water", NEAR_WATER_M)}
+_BLOCKED = ("doorway", "swing")
+
+
+class ZoneIndex:
+    """All zones of a scene."""
+
+    def __init__(self, zones: Sequence[Zone]) -> None:
+        self._zones = [(zone, Polygon(zone.polygon_m)) for zone in zones]
+        self._boxes = rows(
+            [
+                (*outline.bounds, zone.z_min_m if zone.z_min_m > 0 else -np.inf, zone.z_max_m)
+                for zone, outline in self._zones
+            ],
+            6,
+        )
+
+    def _near(self, body: Body, within_m: float) -> Iterable[tuple[Zone, Polygon, Kleene]]:
+        """Zones whose boxes come near the body, and whether their heights meet its own."""
+        x0, y0, x1, y1, low, high = self._boxes.T
+        overlap = np.minimum(high - body.low[2], body.high[2] - low)
+        meets = overlap > ZONE_LEVEL_M.below
+        meets &= (body.low[0] <= x1 + within_m) & (body.high[0] >= x0 - within_m)
+        meets &= (body.low[1] <= y1 + within_m) & (body.high[1] >= y0 - within_m)
+        for index in np.flatnonzero(meets):
+            yield (*self._zones[index], ZONE_LEVEL_M.at_least(float(overlap[index])))
+
+    def shares(self, body: Body) -> Iterable[ZoneShare]:
+        """Zones the footprint touches, but those the object makes itself."""
+        if body.footprint.area <= 0:
+            return
+        for zone, outline, level in self._near(body, 0.0):
+            if zone.source_id != body.item.id and outline.intersects(body.footprint):
+                yield ZoneShare(zone.name, zone.kind, body.covered_by(outline), level)
+
+    def blocks(self, body: Body, shares: Sequence[ZoneShare]) -> dict[int, Kleene]:
+        """Doors in whose zones a loose thing stands, so high that it must be walked around."""
+        tall = BLOCKING_HEIGHT_M.more(float(body.high[2] - body.low[2]))
+        found: dict[int, list[Kleene]] = {}
+        sources = {zone.name: zone.source_id for zone, _ in self._zones}
+        for share in shares:
+            source = sources[share.name]
+            if share.kind in _BLOCKED and source is not None:
+                inside = ZONE_SHARE.at_least(share.fraction)
+                found.setdefault(source, []).append(all_of((tall, inside, share.level)))
+        return _loose(body, found)
+
+    def near(self, body: Body, relation: str) -> dict[int, Kleene]:
+        """Sources of heat or water that a loose thing is near."""
+        kind, limit = _NEAR[relation]
+        found: dict[int, list[Kleene]] = {}
+        for zone, outline, level in self._near(body, limit.above):
+            if zone.kind == kind and zone.source_id not in (None, body.item.id):
+                gap = limit.less(outline.distance(body.footprint))
+                found.setdefault(zone.source_id or 0, []).append(all_of((gap, level)))
+        return _loose(body, found)
+
+
+def _loose(body: Body, found: dict[int, list[Kleene]]) -> dict[int, Kleene]:
+    """By source, what any of its zones says; nothing for what is built in."""
+    if body.item.fixed:
+        return {}
+    merged = {source: any_of(parts) for source, parts in sorted(found.items())}
+    return {source: holds for source, holds in merged.items() if holds != NO}

@@ -69,3 +69,15 @@ def ImpatientWorker(setup):
 
     scene.HOME_ATTEMPTS, scene.PLACEMENT_ATTEMPTS = 1, 2
     return SceneWorker(setup)
+
+
+def test_overlapping_hazards_are_named_together_before_anything_is_built(tools):
+    """A hazard that always is another one too: every try would end as 'accidental'."""
+    catalog = tools["catalog"]
+    shipped = catalog.hazard("poison_medication")
+    mine = shipped.model_copy(update={"id": "pills_by_bed"})
+    both = catalog.model_copy(update={"hazards": (*catalog.hazards, mine)})
+    problems = misfits(both, tools["library"], BuildOptions(seed=1))
+    assert len(problems) == 2
+    assert "'pills_by_bed' overlaps 'poison_medication'" in problems[0]
+    assert "'poison_medication' overlaps 'pills_by_bed'" in problems[1]

@@ -27,6 +27,8 @@ TRIES = 20
 #: Two hazards exclude each other in practice when fewer placements than this are one's alone:
 #: a scene's hundred tries would seldom find one of those that also stands, shows and is proved.
 ALONE_SHARE = 0.1
+#: Placements after which a hazard that is never alone is not tried further.
+ENOUGH_PLACED = 60
 
 
 @dataclass
@@ -43,6 +45,11 @@ class _Trial:
         """True as soon as enough of the placements are this hazard's alone."""
         return self.alone > 0 and self.alone >= ALONE_SHARE * self.placed
 
+    @property
+    def open(self) -> bool:
+        """True while further tries could tell something."""
+        return not self.fits and self.placed < ENOUGH_PLACED
+
 
 def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> list[str]:
     """One line a hazard that found no place in any of some homes, or none of its own."""
@@ -50,9 +57,9 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> list[s
     seen: set[str] = set()
     homes = 0
     for index in range(HOMES_TRIED):
-        left = [name for name, trial in trials.items() if not trial.fits]
+        left = [name for name, trial in trials.items() if trial.open]
         if not left:
-            return []
+            break
         home = _home(index, catalog, library, options)
         if isinstance(home, Rejection):
             continue
@@ -60,13 +67,16 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> list[s
         seen.update(item.category for item in home.layout.items.values())
         for name in left:
             _try(trials[name], name, index, home, library, options)
-    if homes == 0:
-        return []  # the homes are at fault; the build says how
-    return [
-        _problem(catalog.hazard(name), trial, homes, seen, library)
-        for name, trial in sorted(trials.items())
-        if not trial.fits
-    ]
+    # Without a single home, the homes are at fault; the build says how.
+    return (
+        []
+        if homes == 0
+        else [
+            _problem(catalog.hazard(name), trial, homes, seen, library)
+            for name, trial in sorted(trials.items())
+            if not trial.fits
+        ]
+    )
 
 
 def _home(
@@ -106,7 +116,7 @@ def _try(
         ]
         trial.claimed.update(others)
         trial.alone += not others
-        if trial.fits:
+        if not trial.open:
             return
 
 

@@ -61,6 +61,7 @@ def finish(
         split=spec.split,
         cameras=cameras,
     )
+    # Whether or not it is written: what a scene holds does not depend on --twins.
     twin = benign_twin(bundle, catalog, library.infos)
     if isinstance(twin, Rejection):
         return twin

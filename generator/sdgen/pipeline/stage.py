@@ -129,20 +129,19 @@ def furnished_home(
     if in_swing:
         return reject("home", "in_door_swing", category=layout.items[in_swing[0]].category)
     start = random_point(free, rng)
-    if start is None:
+    room = None if start is None else room_at(home.rooms, *start)
+    if start is None or room is None:
         return reject("home", "no_free_floor")
     zones = derive_zones(home, furniture, infos, properties)
     return FurnishedHome(
         site=Site(home, zones, catalog, models),
         layout=layout,
         free_space=rounded_rings(free),
-        agent_start=_agent_start(start, home.rooms, rng),
+        agent_start=_agent_start(start, room, rng),
     )
 
 
-def _agent_start(point: Vec2, rooms: tuple[Room, ...], rng: Rng) -> AgentStart:
-    room = room_at(rooms, *point)
-    assert room is not None
+def _agent_start(point: Vec2, room: Room, rng: Rng) -> AgentStart:
     return AgentStart(
         position_m=(round(point[0], 3), round(point[1], 3), 0.0),
         yaw_rad=round(float(rng.uniform(-3.14159, 3.14159)), 4),

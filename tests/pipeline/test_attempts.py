@@ -1,0 +1,145 @@
+"""Tries do not depend on one another, and what goes wrong in one is a record."""
+
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+from sdgen.errors import SceneRejected
+from sdgen.hazards.ways import Made, Way
+from sdgen.home.layout import Intent
+from sdgen.options import BuildOptions
+from sdgen.physics.client import Client
+from sdgen.pipeline import scene as scene_module
+from sdgen.pipeline.attempt import attempt
+from sdgen.pipeline.contents import Contents, Reduced, without
+from sdgen.pipeline.finish import benign_twin, with_history
+from sdgen.pipeline.scene import OVERLAP_HOMES, OVERLAP_TRIES, furnish_for, make_scene, overlap_of
+from sdgen.pipeline.spec import draw_spec, node_ids
+from sdgen.rejection import Cause, Rejection, reject
+from sdgen.scene import causes_of
+from sdgen.seeding import lane
+
+from tests import toy
+
+OVERLAP = Cause("proof", "accidental", "pills_by_bed", "pill_bottle", "poison_medication")
+NO_REST = Cause("physics", "no_rest")
+
+
+def outcome(tried):
+    """What there is to compare of an attempt: the scene, or why there is none."""
+    return tried if isinstance(tried, Rejection) else tried.facts.scene
+
+
+@pytest.mark.slow
+def test_an_attempt_repeated_alone_is_the_same(catalog, library):
+    options = BuildOptions(n=9, seed=5, hazards_min=1)
+    spec = draw_spec(3, catalog, options)
+    with Client() as client:
+        home = furnish_for(spec, 0, catalog, library)
+        first, second = (attempt(spec, home, 0, k, library, client) for k in range(2))
+        again = furnish_for(spec, 0, catalog, library)
+        alone = attempt(spec, again, 0, 1, library, client)
+    assert outcome(alone) == outcome(second)
+    assert outcome(first) != outcome(second)
+
+
+def test_ids_of_a_placement_are_random_and_none_of_the_homes():
+    taken = set(range(1, 60000))
+    ids = list(node_ids(lane(1, 2, "ids:0:0"), taken))
+    assert sorted(ids) == list(range(60000, 65536))
+    assert ids != sorted(ids)
+    assert ids == list(node_ids(lane(1, 2, "ids:0:0"), taken))
+    assert ids != list(node_ids(lane(1, 2, "ids:0:1"), taken))
+
+
+def contents(**changes):
+    """A table with milk on it, a cushion on the milk; the stove is lit as a lookalike."""
+    table = toy.thing(77, "kitchen_table_01", (1.5, 1.0, 0), fixed=True)
+    milk = toy.thing(40, "milk_carton_01", (1.4, 0.8, 0.74))
+    cushion = toy.thing(9, "cushion_01", (1.4, 0.8, 0.94))
+    stove = toy.thing(11, "stove_01", (3.5, 0.5, 0), variant="lit", fixed=True)
+    rest = toy.thing(11, "stove_01", (3.5, 0.5, 0), fixed=True)
+    recipe = next(r for r in toy.catalog().hazard("stove_on").anomalies if r.kind == "set")
+    way = Way(unique=None, recipe=recipe)
+    values = {
+        "items": {item.id: item for item in (table, milk, cushion, stove)},
+        "intents": {40: Intent("ON", 77), 9: Intent("ON", 40)},
+        "anomalies": {},
+        "lookalikes": {11: Made("stove_on", 11, way, rest)},
+    }
+    return Contents(**(values | changes))
+
+
+def offence(there, object_id):
+    return {object_id: there.objection(object_id, "physics", "would_not_stand")}
+
+
+def test_what_stands_on_a_thing_goes_with_it():
+    there = contents()
+    reduced = without(there, offence(there, 40))
+    assert isinstance(reduced, Reduced)
+    assert sorted(reduced.contents.items) == [11, 77]
+    assert reduced.contents.intents == {}
+    assert [r.cause.check for r in reduced.taken_away] == ["would_not_stand", "lost_its_support"]
+    assert sorted(there.items) == [9, 11, 40, 77]  # a value: what was there is as it was
+
+
+def test_a_lookalike_by_state_is_switched_back_not_taken_away():
+    there = contents()
+    reduced = without(there, offence(there, 11))
+    assert reduced.contents.items[11].variant == "default"
+    assert reduced.contents.lookalikes == {}
+    assert sorted(reduced.contents.items) == sorted(there.items)
+
+
+@pytest.mark.parametrize(("culprit", "hazard"), [(9, "spill"), (77, None)])
+def test_an_anomaly_or_furniture_at_fault_rejects_the_try(culprit, hazard):
+    there = contents()
+    there = replace(there, anomalies={9: Made("spill", 9, there.lookalikes[11].way, None)})
+    rejection = without(there, offence(there, culprit))
+    assert isinstance(rejection, Rejection)
+    assert rejection.cause.hazard == hazard
+    assert rejection.objects == (culprit,)
+    # What an anomaly stands on cannot go either.
+    assert isinstance(without(there, offence(there, 40)), Rejection)
+
+
+def test_a_twin_that_is_not_benign_is_a_rejection_not_a_crash():
+    made = toy.bundle(3)
+    assert not isinstance(benign_twin(made, toy.catalog(), toy.infos()), Rejection)
+    kept = made.anomalies.anomalies[1:]
+    left = made.anomalies.anomalies[0]
+    careless = replace(made, anomalies=made.anomalies.model_copy(update={"anomalies": kept}))
+    rejection = benign_twin(careless, toy.catalog(), toy.infos())
+    assert isinstance(rejection, Rejection)
+    assert rejection.cause == Cause("twin", "not_benign", None, left.category, left.hazard)
+    assert rejection.objects == (left.object_id,)
+
+
+def test_a_twin_does_not_tell_why_tries_failed():
+    made = replace(toy.bundle(3), twin=toy.twin(toy.bundle(3)))
+    told = with_history(made, 2, 7, {OVERLAP: 6})
+    assert causes_of(told.physics.rejections) == {OVERLAP: 6}
+    assert (told.physics.home_attempts, told.physics.placement_attempts) == (2, 7)
+    assert told.twin.physics.rejections == ()
+    assert told.twin.physics.placement_attempts == 7
+
+
+def test_only_the_same_overlap_in_nearly_all_tries_ends_them():
+    assert overlap_of({OVERLAP: OVERLAP_TRIES - 1}) is None
+    assert overlap_of({OVERLAP: OVERLAP_TRIES}) == OVERLAP
+    assert overlap_of({OVERLAP: 8, NO_REST: 2}) == OVERLAP
+    assert overlap_of({OVERLAP: 6, NO_REST: 6}) is None
+    assert overlap_of({NO_REST: 20}) is None
+
+
+@pytest.mark.parametrize(
+    ("cause", "tries"), [(OVERLAP, OVERLAP_HOMES * OVERLAP_TRIES), (NO_REST, 5 * 20)]
+)
+def test_overlapping_hazards_are_not_tried_a_hundred_times(cause, tries, monkeypatch):
+    rejected = reject(*cause[:2], hazard=cause.hazard, category=cause.category, other=cause.other)
+    monkeypatch.setattr(scene_module, "furnish_for", lambda *_: None)
+    monkeypatch.setattr(scene_module, "try_scene", lambda *_: rejected)
+    with pytest.raises(SceneRejected) as caught:
+        make_scene(0, toy.catalog(), None, BuildOptions(), client=object())
+    assert caught.value.causes == Counter({cause: tries})

@@ -84,12 +84,16 @@ def test_an_open_door_takes_room(layout):
 def test_floor_spots_keep_to_their_area(layout):
     put(layout, "coffee_table", 1, 1)
     area, avoid = box(0, 0, 3, 3), box(0, 0, 1.5, 3)
+    outline = box(0.5, -1, 2.5, 4)
     ball = LIBRARY.by_category("toy_ball")[0]
     rng = lane(0, 3, "layout")
     for _ in range(20):
-        spot = layout.spot_on_floor(ball, area, rng, keep_share=0.7, avoid=avoid, avoid_share=0.2)
+        spot = layout.spot_on_floor(
+            ball, area, outline, rng, keep_share=0.7, avoid=avoid, avoid_share=0.2
+        )
         if spot is not None:
             print_ = footprint(ball, spot[0][0], spot[0][1], spot[1])
+            assert outline.covers(print_)
             assert print_.intersection(area).area >= 0.7 * print_.area
             assert print_.intersection(avoid).area <= 0.2 * print_.area + 1e-9
 

@@ -12,10 +12,11 @@ from sdgen.actions import in_state
 from sdgen.catalog.records import Catalog, PlaceRecipe, Recipe, SetRecipe, UniqueAnomaly
 from sdgen.home.clutter import KEEP_CLEAR, floor_ids, zone_shape
 from sdgen.home.furnish import Models
-from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw
+from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, within_room
 from sdgen.library.records import Asset
 from sdgen.scene import Home, ObjectInstance, Zone
 from sdgen.seeding import Rng
+from sdgen.vocabulary import OPENINGS
 
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
@@ -147,6 +148,8 @@ def _set(
         opened = [block for block in layout.blocks_of(after) if block not in stood]
         if layout.clashes(opened, ignore=(before.id,), gap_m=0.0) is not None:
             continue
+        if before.category not in OPENINGS and not within_room(opened, site.home, before.room_id):
+            continue
         layout.put(after)
         return Made(way.unique.hazard, before.id, way, before)
     return None
@@ -206,15 +209,16 @@ def _place_on_floor(
     floors = floor_ids(site.home)
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
-        inner = Polygon(room.polygon_m).buffer(-0.08)
+        outline = Polygon(room.polygon_m)
+        inner = outline.buffer(-0.08)
         if recipe.zone:
             area = zone_shape(site.zones, recipe.zone, room.id).intersection(inner)
-            spot = layout.spot_on_floor(asset, area, rng, keep_share=ZONE_KEEP_SHARE)
+            spot = layout.spot_on_floor(asset, area, outline, rng, keep_share=ZONE_KEEP_SHARE)
         else:
             barred = recipe.avoid_zones or KEEP_CLEAR
             avoid = zone_shape(site.zones, barred)
             share = 0.2 if recipe.avoid_zones else 1.0
-            spot = layout.spot_on_floor(asset, inner, rng, avoid=avoid, avoid_share=share)
+            spot = layout.spot_on_floor(asset, inner, outline, rng, avoid=avoid, avoid_share=share)
         if spot is not None:
             return _put(way, recipe, asset, spot, room.id, floors[room.id], layout, site, rng)
     return None

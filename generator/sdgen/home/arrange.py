@@ -21,7 +21,7 @@ from sdgen.geometry import quat_from_yaw, round_position, round_quat
 from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side, sides_of
 from sdgen.home.furnish import Models, put_piece, stand_in, top_of
-from sdgen.home.layout import Intent, Layout, footprint
+from sdgen.home.layout import IN_WALL_M, Intent, Layout, footprint
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
@@ -43,7 +43,8 @@ NEAR_DOOR_M = 0.2
 class _RoomState:
     """One try at a room: what stands there, and the floor that is kept clear for whom.
 
-    ``inside`` is the outline with a centimetre to spare; ``prints`` are the floor's occupants.
+    ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
+    No furniture stands on ``doors``; leaves swing over ``swings``, where no rug lies either.
     """
 
     room: Room
@@ -51,6 +52,7 @@ class _RoomState:
     sides: tuple[Side, ...]
     openings: tuple[Opening, ...]
     doors: BaseGeometry
+    swings: BaseGeometry
     inside: Polygon
     prints: dict[int, Polygon] = field(default_factory=dict)
     placed: dict[str, list[int]] = field(default_factory=dict)
@@ -102,17 +104,20 @@ def _try_room(
 def _start(home: Home, room: Room) -> _RoomState:
     mine = tuple(o for o in home.openings if room.id in o.room_ids)
     doors: list[BaseGeometry] = []
+    swings: list[BaseGeometry] = []
     for opening in mine:
         if opening.kind == "window":
             continue
         deep = DOOR_CLEAR_M
         if opening.room_ids[0] == room.id:
             deep = max(deep, opening.width_m + 0.08)
+            swings.append(opening_rectangle(opening, opening.width_m + 0.08))
         doors.append(opening_rectangle(opening, deep))
     outline = Polygon(room.polygon_m)
-    inside = outline.buffer(0.01, join_style="mitre")
+    inside = outline.buffer(IN_WALL_M, join_style="mitre")
     prepare(inside)
-    return _RoomState(room, outline, sides_of(room.polygon_m), mine, union(doors), inside)
+    sides = sides_of(room.polygon_m)
+    return _RoomState(room, outline, sides, mine, union(doors), union(swings), inside)
 
 
 def _follow(
@@ -214,11 +219,13 @@ def _place(
     shape = footprint(asset, x, y, yaw)
     flat = asset.extents_m[2] <= FLAT_M
     on_floor = z < OVERHEAD_M and not flat and rule.where != "on"
-    if not state.inside.contains(shape):
+    if not state.inside.contains(shape) or z + asset.extents_m[2] > state.room.height_m:
         return False
     if _covers_opening(asset, pose, state):
         return False
     front = _front(asset, pose, rule.front_m)
+    if flat and shape.intersects(state.swings):
+        return False
     if on_floor:
         if shape.intersects(state.doors):
             return False

@@ -134,9 +134,11 @@ def _place_on_floor(
         return
     assets = models(choice[0].name)
     asset = assets[int(rng.integers(len(assets)))]
+    outline = Polygon(room.polygon_m)
     spot = layout.spot_on_floor(
         asset,
-        Polygon(room.polygon_m).buffer(-0.1),
+        outline.buffer(-0.1),
+        outline,
         rng,
         avoid=zone_shape(zones, KEEP_CLEAR),
         avoid_share=0.15,

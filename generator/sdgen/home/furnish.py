@@ -11,13 +11,13 @@ from shapely.geometry import Polygon
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.records import BaseHome, BaseRoom, FurnitureItem
 from sdgen.geometry import Vec3, apply, matrix, quat_from_yaw, round_position, round_quat
-from sdgen.home.layout import Intent, Layout
+from sdgen.home.layout import Intent, Layout, within_room
 from sdgen.home.shell import frame_size
 from sdgen.library.records import Asset, AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import FLAT_M
+from sdgen.vocabulary import FLAT_M, OPENINGS
 
 #: Which models a scene may use (its split decides): category -> models.
 Models = Callable[[str], tuple[Asset, ...]]
@@ -51,11 +51,17 @@ def fill_openings(
         if opening.kind == "door" and asset.joints and rng.random() < DOOR_OPEN_SHARE:
             joint = asset.joints[0]
             value = float(rng.uniform(0.75, 0.98) * joint.upper)
-            item = settled_states(
-                item.model_copy(update={"joints": {joint.name: round(value, 4)}}), asset
-            )
+            opened = _opened(item, asset, joint.name, value)
+            if not within_room(layout.blocks_of(opened), home, opening.room_ids[0], opening):
+                # Beside a corner a leaf turns no further than along the other wall.
+                opened = _opened(item, asset, joint.name, min(value, math.pi / 2))
+            item = opened
         layout.put(item)
     return layout
+
+
+def _opened(item: ObjectInstance, asset: Asset, joint: str, value: float) -> ObjectInstance:
+    return settled_states(item.model_copy(update={"joints": {joint: round(value, 4)}}), asset)
 
 
 def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
@@ -166,12 +172,16 @@ def stand_in(item: ObjectInstance, asset: AssetInfo, rng: Rng) -> ObjectInstance
 def put_piece(
     item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Intent | None
 ) -> bool:
-    """Add a piece unless it clashes with another; flat things (rugs) lie under others."""
+    """Add a piece unless it clashes with another; flat things (rugs) lie under others, but not
+    under the open leaf of a door."""
     flat = asset.extents_m[2] <= FLAT_M
-    under = tuple(i for i in layout.items if flat or layout.info(i).extents_m[2] <= FLAT_M) + (
-        (intent.target_id,) if intent else ()
-    )
-    if layout.clashes(layout.blocks_of(item), ignore=under, gap_m=0.0) is not None:
+    under = [
+        i
+        for i, other in layout.items.items()
+        if (flat and other.category not in OPENINGS) or layout.info(i).extents_m[2] <= FLAT_M
+    ]
+    under += [intent.target_id] if intent else []
+    if layout.clashes(layout.blocks_of(item), ignore=tuple(under), gap_m=0.0) is not None:
         return False
     layout.put(item, intent)
     return True

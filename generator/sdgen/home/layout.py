@@ -7,7 +7,7 @@ value: a spot that does not fit is None.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,7 @@ from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import at_rest
-from sdgen.freespace import random_point
+from sdgen.freespace import opening_rectangle, random_point
 from sdgen.geometry import (
     Array,
     Vec3,
@@ -31,13 +31,17 @@ from sdgen.geometry import (
 from sdgen.library import Library
 from sdgen.library.records import AssetInfo, Support
 from sdgen.library.states import object_from_part
-from sdgen.scene import ObjectInstance, Pose
+from sdgen.scene import Home, ObjectInstance, Opening, Pose
 from sdgen.seeding import Rng
-from sdgen.vocabulary import OPENINGS
+from sdgen.vocabulary import HALF_WALL_M, OPENINGS
 
 DROP_M = 0.003
 GAP_M = 0.01
 TRIES = 12
+#: What may reach into a wall: less than physics calls a penetration.
+IN_WALL_M = 0.003
+#: A hole in a wall reaches this far to both sides of its middle, past half a wall.
+HOLE_DEPTH_M = HALF_WALL_M + 0.01
 
 
 @dataclass(frozen=True)
@@ -221,17 +225,19 @@ class Layout:
         self,
         asset: AssetInfo,
         area: BaseGeometry,
+        outline: Polygon,
         rng: Rng,
         keep_share: float = 0.0,
         avoid: BaseGeometry | None = None,
         avoid_share: float = 0.25,
     ) -> Vec3Yaw | None:
-        """A free spot on the floor with its centre in ``area``.
+        """A free spot on the floor with its centre in ``area``, all within the outline.
 
         At least ``keep_share`` of the footprint lies in ``area``, at most ``avoid_share`` in
         ``avoid``.
         """
         shapely.prepare(area)
+        shapely.prepare(outline)
         if avoid is not None:
             shapely.prepare(avoid)
         for _ in range(TRIES):
@@ -240,6 +246,8 @@ class Layout:
             if point is None:
                 return None
             print_ = footprint(asset, point[0], point[1], yaw)
+            if not outline.covers(print_):
+                continue
             if keep_share and print_.intersection(area).area < keep_share * print_.area:
                 continue
             if (
@@ -279,6 +287,20 @@ def random_yaw(rng: Rng, square_to: float = 0.0) -> float:
     if rng.random() < 0.6:
         return float(square_to + rng.integers(4) * math.pi / 2 + rng.normal(0.0, 0.08))
     return float(rng.uniform(-math.pi, math.pi))
+
+
+def within_room(
+    blocks: Sequence[Block], home: Home, room_id: int, opening: Opening | None = None
+) -> bool:
+    """True when these blocks reach into no wall and not through the ceiling of a room.
+
+    ``opening`` is the hole they may hang in.
+    """
+    room = next(r for r in home.rooms if r.id == room_id)
+    area: BaseGeometry = Polygon(room.polygon_m).buffer(IN_WALL_M, join_style="mitre")
+    if opening is not None:
+        area = area.union(opening_rectangle(opening, HOLE_DEPTH_M))
+    return all(area.covers(b.shape) and b.high_m <= room.height_m for b in blocks)
 
 
 def footprint(asset: AssetInfo, x: float, y: float, yaw: float) -> Polygon:

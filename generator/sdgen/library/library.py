@@ -11,7 +11,14 @@ import numpy as np
 from sdgen.errors import AssetError
 from sdgen.library.cache import cached_texture, check_texture, digest, unpack
 from sdgen.library.manifest import read_manifest
-from sdgen.library.meshes import Hull, MeshData, outline, read_glb, read_hulls
+from sdgen.library.meshes import (
+    Hull,
+    MeshData,
+    outline,
+    read_glb,
+    read_hulls,
+    within_meshes,
+)
 from sdgen.library.records import Asset, AssetInfo, Surface
 from sdgen.resources import data_path
 
@@ -102,10 +109,14 @@ class Library:
         return self._meshes[asset_id]
 
     def hulls(self, asset_id: str) -> tuple[Hull, ...]:
-        """Convex collision pieces. Raises AssetError for a missing or broken file."""
+        """Convex collision pieces, none beyond what is drawn.
+
+        Raises AssetError for a missing or broken file.
+        """
         if asset_id not in self._hulls:
             asset = self.assets[asset_id]
-            self._hulls[asset_id] = read_hulls(self._folder_of[asset_id] / asset.hulls, asset)
+            pieces = read_hulls(self._folder_of[asset_id] / asset.hulls, asset)
+            self._hulls[asset_id] = within_meshes(pieces, self.mesh(asset_id), asset)
         return self._hulls[asset_id]
 
     def objs(self, asset_id: str) -> Mapping[str, Path]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,6 +22,10 @@ Ints = npt.NDArray[np.int64]
 #: A model beyond this many vertices would crowd all others out of the renderer's one buffer
 #: (3.7 million a scene), which then drops shapes without a word.
 MAX_VERTICES = 300_000
+
+#: Left of a piece beyond its part's box: less than checks of penetration see, and enough that the
+#: piece of a part without thickness (a leaf, a sheet) is no flat one.
+HULL_SLACK_M = 0.002
 
 #: glTF is Y up; our objects are Z up: (x, y, z)_ours = (x, -z, y)_gltf.
 _OURS_FROM_GLTF = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -121,6 +125,25 @@ def read_hulls(path: Path, asset: Asset) -> tuple[Hull, ...]:
         if hull.part not in parts:
             raise AssetError([f"{path}: {asset.id}: a piece names no part: {hull.part!r}"])
     return hulls
+
+
+def within_meshes(
+    hulls: Sequence[Hull], meshes: Mapping[str, MeshData], asset: Asset
+) -> tuple[Hull, ...]:
+    """The pieces cut back to the box of the parts that move with theirs, all but ``HULL_SLACK_M``.
+
+    Boxes around tilted backs and splayed legs stick out of the model by up to 6 cm, where nothing
+    is drawn: furniture cut into walls and floors there that nobody could see. The parts of one
+    joint count together, since a piece may stand for those of several variants.
+    """
+    joint_of = {part.name: part.joint for part in asset.parts}
+    out = []
+    for hull in hulls:
+        moves = joint_of[hull.part]
+        vertices = np.concatenate([meshes[k].vertices for k, v in joint_of.items() if v == moves])
+        low, high = vertices.min(axis=0) - HULL_SLACK_M, vertices.max(axis=0) + HULL_SLACK_M
+        out.append(Hull(hull.part, np.clip(hull.vertices_m, low, high)))
+    return tuple(out)
 
 
 def _unit(vectors: Floats) -> Floats:

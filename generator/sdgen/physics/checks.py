@@ -13,6 +13,7 @@ from sdgen.library import Library
 from sdgen.physics.bodies import add_object, add_piece, collision_of
 from sdgen.physics.client import Client, ContactPoint
 from sdgen.scene import ObjectInstance, Scene, Violation
+from sdgen.vocabulary import FLAT_M, OPENINGS
 
 PENETRATION_LIMIT_M = 0.004
 GAP_LIMIT_M = 0.01
@@ -20,10 +21,16 @@ GAP_LIMIT_M = 0.01
 
 @dataclass(frozen=True)
 class _Body:
-    """One body, whose it is, its box in the world, (2, 3), and what adds it to a client."""
+    """One body, whose it is, its box in the world, (2, 3), and what adds it to a client.
+
+    ``shell`` bodies are floors, walls and ceilings; ``covering`` ones lie flat and give way under
+    furniture, which are the ``heavy`` ones.
+    """
 
     owner: int
-    fixed: bool
+    shell: bool
+    covering: bool
+    heavy: bool
     bounds: Array
     add: Callable[[], int]
 
@@ -37,8 +44,11 @@ def penetrations(
 ) -> list[Violation]:
     """Pairs that overlap by more than ``limit_m``, deepest of each pair, sorted by ids.
 
-    Furniture is tested against furniture and walls too. ``ids`` restricts to pairs with one of
-    these objects. Things built in (``fixed``) may touch the shell and one another.
+    Everything is tested against everything, furniture against furniture, walls, doors and windows
+    too, by the convex pieces of what is drawn, joints applied. Two exceptions: floors, walls and
+    ceilings are not tested against one another, and furniture presses into the rug it stands on
+    (a fixed thing no thicker than ``FLAT_M``); the leaf of a door does not. ``ids`` restricts to
+    pairs with one of these objects.
     """
     if client is None:
         with Client() as own:
@@ -120,13 +130,16 @@ def _bodies(client: Client, library: Library, scene: Scene) -> list[_Body]:
         for piece in structure.pieces:
             half = np.asarray(piece.size_m) / 2
             bounds = np.array([piece.center_m - half, piece.center_m + half])
-            out.append(_Body(structure.id, True, bounds, partial(add_piece, client, piece)))
+            add = partial(add_piece, client, piece)
+            out.append(_Body(structure.id, True, False, False, bounds, add))
     for item in sorted(scene.objects, key=lambda o: o.id):
         pose = matrix(item.pose.position_m, item.pose.quat_xyzw)
         points = apply(pose, collision_of(library, item).points)
         bounds = np.array([points.min(axis=0), points.max(axis=0)])
         add = partial(_add_static, client, library, item)
-        out.append(_Body(item.id, item.fixed, bounds, add))
+        covering = item.fixed and library.info(item.asset).extents_m[2] <= FLAT_M
+        heavy = item.fixed and not covering and item.category not in OPENINGS
+        out.append(_Body(item.id, False, covering, heavy, bounds, add))
     return out
 
 
@@ -139,15 +152,19 @@ def _near_pairs(
     bodies: list[_Body], ids: Collection[int] | None, gap_m: float
 ) -> list[tuple[_Body, _Body]]:
     """Pairs of different owners whose boxes come within ``gap_m`` (negative: overlap by more), in
-    a fixed order; none of two fixed bodies."""
+    a fixed order; none of the shell alone, and no furniture with the rug under it."""
     if not bodies:
         return []
     low = np.array([b.bounds[0] for b in bodies]) - gap_m
     high = np.array([b.bounds[1] for b in bodies])
     owner = np.array([b.owner for b in bodies])
-    fixed = np.array([b.fixed for b in bodies])
+    shell = np.array([b.shell for b in bodies])
+    covering = np.array([b.covering for b in bodies])
+    heavy = np.array([b.heavy for b in bodies])
+    pressed = covering[:, None] & heavy
     wanted = np.isin(owner, np.array(sorted(ids if ids is not None else set(owner.tolist()))))
-    near = (owner[:, None] != owner) & ~(fixed[:, None] & fixed) & (wanted[:, None] | wanted)
+    near = (owner[:, None] != owner) & (wanted[:, None] | wanted)
+    near &= ~(shell[:, None] & shell) & ~(pressed | pressed.T)
     for axis in range(3):
         near &= low[:, None, axis] <= high[None, :, axis]
         near &= low[None, :, axis] <= high[:, None, axis]

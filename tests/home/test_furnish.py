@@ -1,0 +1,86 @@
+"""Homes drawn by hand: their furniture stands clear of the shell, of doors and of itself."""
+
+import itertools
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.freespace import opening_rectangle
+from sdgen.geometry import quat_from_yaw
+from sdgen.hazards.splits import SplitModels
+from sdgen.home.furnish import put_piece
+from sdgen.home.layout import IN_WALL_M, Layout, within_room
+from sdgen.library import load_library
+from sdgen.physics.checks import penetrations
+from sdgen.pipeline.stage import FurnishedHome, furnished_home
+from sdgen.relations import Body
+from sdgen.scene import ObjectInstance, Pose
+from sdgen.seeding import lane
+from sdgen.vocabulary import FLAT_M, OPENINGS, OVERHEAD_M
+
+from tests.fakes import box_room, fake_library, thing
+
+CATALOG = load_catalog()
+LIBRARY = load_library()
+
+
+def stage(home, number: int) -> FurnishedHome:
+    ids = iter((lane(3, number, "ids").permutation(65535) + 1).tolist())
+    models = SplitModels(LIBRARY, "train")
+    made = furnished_home(home, CATALOG, LIBRARY, models, ids, lane(3, number, "furnish"))
+    assert isinstance(made, FurnishedHome), made
+    return made
+
+
+@pytest.mark.parametrize("home", CATALOG.homes, ids=lambda home: home.id)
+def test_base_homes_hold_no_furniture_that_cuts_or_blocks_a_doorway(home):
+    for number in range(3):
+        made = stage(home, number)
+        assert penetrations(LIBRARY, made.scene(0, made.layout.items)) == []
+        doorways = [
+            opening_rectangle(opening, 0.6)
+            for opening in made.site.home.openings
+            if opening.kind != "window"
+        ]
+        for item in made.layout.items.values():
+            body = Body(item, made.layout.info(item.id))
+            flat = body.high[2] <= FLAT_M or body.low[2] >= OVERHEAD_M
+            if item.category not in OPENINGS and not flat:
+                assert not any(body.footprint.intersects(d) for d in doorways), item.category
+
+
+@pytest.fixture
+def fakes(tmp_path):
+    return fake_library(tmp_path / "assets")
+
+
+def test_a_leaf_that_opens_into_a_wall_is_not_within_the_room(fakes):
+    layout = Layout(fakes, itertools.count(1))
+    home = box_room().home
+    for joint, inside in ((0.0, True), (-1.5, False)):
+        cabinet = thing(10, "cabinet_01", (1.6, 0, 0), joints={"door": joint}, fixed=True)
+        assert within_room(layout.blocks_of(cabinet), home, 1) is inside
+    for z, inside in ((1.7, True), (1.71, False)):
+        hung = thing(10, "cabinet_01", (0, 0, z), fixed=True)
+        assert within_room(layout.blocks_of(hung), home, 1) is inside
+    near = thing(10, "cube_01", (1.9 + IN_WALL_M, 0, 0), fixed=True)
+    assert within_room(layout.blocks_of(near), home, 1)
+
+
+def test_a_rug_lies_under_furniture_and_not_under_an_open_leaf(fakes):
+    layout = Layout(fakes, itertools.count(1))
+    asset = fakes.assets["plank_01"]
+    rug = ObjectInstance(
+        id=20,
+        category="rug",
+        asset="plank_01",
+        pose=Pose(position_m=(0.0, 0.0, 0.0), quat_xyzw=quat_from_yaw(0.0)),
+        room_id=1,
+        fixed=True,
+    )
+    layout.put(thing(10, "table_01", (0, 0, 0), fixed=True))
+    assert put_piece(rug, asset, layout, None)
+    layout.drop(20)
+    leaf = thing(11, "cabinet_01", (-0.5, 0, 0), joints={"door": -1.5}, fixed=True)
+    layout.put(leaf.model_copy(update={"category": "door"}))
+    low = rug.model_copy(update={"pose": Pose(position_m=(0, 0.3, 0), quat_xyzw=(0, 0, 0, 1))})
+    assert not put_piece(low, asset, layout, None)

@@ -1,7 +1,8 @@
 """Lanes are independent of one another and of the order they are used in."""
 
 import numpy as np
-from sdgen.seeding import lane, unit_hash
+import pytest
+from sdgen.seeding import lane, unit_hash, weighted_keys
 
 
 def test_a_lane_depends_on_seed_scene_and_name_only():
@@ -31,3 +32,25 @@ def test_unit_hash_is_even():
 
 PINNED = [206, 461, 206, 73]
 PINNED_HASH = 0.504669
+
+
+def test_keys_sort_as_powers_do_where_those_can_be_told_apart():
+    weights = [0.5, 3.0, 1.0, 2.0]
+    keys = weighted_keys(lane(1, 2, "w"), weights)
+    powers = lane(1, 2, "w").random(4) ** (1.0 / np.array(weights))
+    assert np.argsort(keys).tolist() == np.argsort(powers).tolist()
+
+
+@pytest.mark.parametrize("scale", [1.0, 1e-9, 1e-300])
+def test_small_weights_keep_their_shares(scale):
+    """u^(1/w) is 0 for every small w: the first of the list would always come first."""
+    first = [int(weighted_keys(lane(k, 0, "w"), [scale, 3 * scale]).argmax()) for k in range(2000)]
+    assert np.mean(first) == pytest.approx(0.75, abs=0.03)
+
+
+def test_a_drawn_zero_has_a_key():
+    class Zero:
+        def random(self, count):
+            return np.zeros(count)
+
+    assert np.isfinite(weighted_keys(Zero(), [1.0, 1e-3])).all()

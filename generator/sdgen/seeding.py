@@ -7,10 +7,15 @@ never shifts what another draws, and scene *i* can be made alone.
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Sequence
 
 import numpy as np
+import numpy.typing as npt
 
 Rng = np.random.Generator
+
+#: Stands in for a drawn 0, which has no logarithm: below all else that is drawn.
+_TINY = float(np.finfo(np.float64).tiny)
 
 
 def _words(text: str) -> tuple[int, ...]:
@@ -28,3 +33,14 @@ def unit_hash(*parts: object) -> float:
     """A number in [0, 1) that depends only on the text of ``parts`` (splits, withheld assets)."""
     text = "\x1f".join(str(part) for part in parts)
     return int.from_bytes(hashlib.sha256(text.encode("utf-8")).digest()[:8], "big") / 2.0**64
+
+
+def weighted_keys(rng: Rng, weights: Sequence[float]) -> npt.NDArray[np.float64]:
+    """One key a weight (all > 0): sorted by it, largest first, things are drawn without
+    replacement by weight.
+
+    Efraimidis and Spirakis (2006) sort by u^(1/w); its logarithm has the same order and does not
+    become 0 for every small weight.
+    """
+    drawn = np.maximum(rng.random(len(weights)), _TINY)
+    return np.asarray(np.log(drawn) / np.asarray(weights, dtype=np.float64), dtype=np.float64)

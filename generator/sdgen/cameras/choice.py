@@ -19,7 +19,7 @@ from sdgen.catalog.records import Catalog, Hazard
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.scene import Anomaly, Camera, Lookalike, Scene
-from sdgen.seeding import Rng, lane
+from sdgen.seeding import Rng, lane, weighted_keys
 
 #: Near views are what small anomalies are seen in; the rest are overviews, which place them.
 NEAR_SHARE = 2 / 3
@@ -40,6 +40,8 @@ OVERVIEWS_KEPT = 2
 #: Things looked for: like one class's anomalies, and in all before near views are given up.
 CLASS_TRIED = 4
 BENIGN_TRIED = 40
+#: A recipe of weight 0 comes last, since keys divide by weights.
+_LEAST_WEIGHT = 1e-9
 
 
 def near_count(options: BuildOptions) -> int:
@@ -162,12 +164,12 @@ def _benign_views(
     }
     for anomaly in anomalies:
         left.pop(anomaly.object_id, None)
-    likes = {one.object_id: one.near_miss_of for one in lookalikes}
+    near_miss_of = {item.object_id: item.near_miss_of for item in lookalikes}
     views: list[View] = []
     tried = 0
     while len(views) < count and left and tried < BENIGN_TRIED:
         hazard = catalog.hazards[int(rng.integers(len(catalog.hazards)))]
-        for object_id in _like(hazard, left, likes, rng)[:CLASS_TRIED]:
+        for object_id in like_anomalies(hazard, left, near_miss_of, rng)[:CLASS_TRIED]:
             del left[object_id]
             tried += 1
             view = sight.near(object_id)
@@ -181,8 +183,8 @@ def _high_view(sight: Sight, lookalikes: Sequence[Lookalike], rng: Rng) -> list[
     """A near view of something that lies high, a lookalike if there is one; none if none shows."""
     high = [item.id for item in sight.scene.objects if item.pose.position_m[2] > LOW_M]
     order = [high[k] for k in rng.permutation(len(high)).tolist()]
-    likes = {one.object_id for one in lookalikes}
-    order.sort(key=lambda object_id: object_id not in likes)
+    near_misses = {item.object_id for item in lookalikes}
+    order.sort(key=lambda object_id: object_id not in near_misses)
     for object_id in order[:HIGH_TRIED]:
         view = sight.near(object_id)
         if view is not None:
@@ -190,8 +192,10 @@ def _high_view(sight: Sight, lookalikes: Sequence[Lookalike], rng: Rng) -> list[
     return []
 
 
-def _like(hazard: Hazard, left: Mapping[int, str], likes: Mapping[int, str], rng: Rng) -> list[int]:
-    """Benign things in the order in which they stand in for an anomaly of this class.
+def like_anomalies(
+    hazard: Hazard, benign: Mapping[int, str], near_miss_of: Mapping[int, str], rng: Rng
+) -> list[int]:
+    """Ids of ``benign`` things (id to category) in the order in which they stand in for an anomaly.
 
     First those of its anomalies' categories, which follow the recipes' weights as anomalies do;
     then its lookalikes, then anything.
@@ -199,22 +203,20 @@ def _like(hazard: Hazard, left: Mapping[int, str], likes: Mapping[int, str], rng
     weight: dict[str, float] = {}
     for recipe in hazard.anomalies:
         for category in recipe.categories:
-            weight[category] = weight.get(category, 0.0) + max(recipe.weight, 1e-9)
+            weight[category] = weight.get(category, 0.0) + max(recipe.weight, _LEAST_WEIGHT)
     lookalikes_first = rng.random() < LOOKALIKE_SHARE
-    ids = sorted(left)
+    ids = sorted(benign)
     drawn = dict(zip(ids, rng.random(len(ids)).tolist(), strict=True))
-    # Sorting by u^(1/w) draws without replacement by weight (Efraimidis and Spirakis 2006).
     names = sorted(weight)
-    keys = dict(zip(names, rng.random(len(names)).tolist(), strict=True))
+    keys = weighted_keys(rng, [weight[name] for name in names]).tolist()
+    key_of = dict(zip(names, keys, strict=True))
 
     def rank(object_id: int) -> tuple[float, ...]:
-        category = left[object_id]
-        alike = category in weight
-        if alike:
-            first = -(keys[category] ** (1.0 / weight[category]))
-            plain = (object_id not in likes) == lookalikes_first
-            return (0, first, float(plain), drawn[object_id])
-        own = likes.get(object_id) == hazard.id
+        category = benign[object_id]
+        if category in key_of:
+            plain = (object_id not in near_miss_of) == lookalikes_first
+            return (0, -key_of[category], float(plain), drawn[object_id])
+        own = near_miss_of.get(object_id) == hazard.id
         return (1 if own else 2, 0.0, 0.0, drawn[object_id])
 
     return sorted(ids, key=rank)

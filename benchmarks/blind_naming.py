@@ -22,7 +22,7 @@ import yaml
 from PIL import Image
 from sdgen.gallery.sheet import contact_sheet, pages
 from sdgen.library import Library, load_library
-from sdgen.render.frames import Renderer
+from sdgen.render import open_renderer
 from sdgen.render.portraits import Look, look_in_state, looks_of, portrait
 
 SYNONYMS = Path(__file__).resolve().parent.parent / "docs" / "blind-naming" / "synonyms.yaml"
@@ -86,7 +86,7 @@ def draw(folder: Path, commit: str, count: int, pairs: int) -> None:
     key_folder = folder.with_name(folder.name + "-key")
     for path in (folder, key_folder):
         path.mkdir(parents=True, exist_ok=True)
-    with Renderer("auto") as renderer:
+    with open_renderer("auto") as renderer:
         for kind, items in (("names", names), ("states", states)):
             tiles, key = [], {}
             for number, (name, look, truth) in enumerate(items, start=1):

@@ -12,16 +12,15 @@ import statistics
 import sys
 import time
 from collections.abc import Callable
+from typing import Any
 
-import numpy as np
 from sdgen.catalog.load import load_catalog
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
 from sdgen.physics.bullet import pb
 from sdgen.pipeline import make_scene
-from sdgen.render.frames import Renderer, drawing_shift
-from sdgen.render.opengl import projection_matrix, view_matrix
-from sdgen.render.shell import LIGHT_M
+from sdgen.render import AUTO, RENDERERS, open_renderer
+from sdgen.render.frames import render_frames
 
 
 def median_ms(work: Callable[[], object], rounds: int) -> float:
@@ -35,12 +34,36 @@ def median_ms(work: Callable[[], object], rounds: int) -> float:
     return 1000 * statistics.median(times)
 
 
+def bare_ms(work: Callable[[], object], rounds: int) -> float:
+    """Median time that one call spends in ``getCameraImage``, in milliseconds."""
+    plain = pb.getCameraImage
+    spent = 0.0
+
+    def timed(*args: Any, **named: Any) -> Any:
+        nonlocal spent
+        start = time.perf_counter()
+        image = plain(*args, **named)
+        spent += time.perf_counter() - start
+        return image
+
+    times = []
+    pb.getCameraImage = timed
+    try:
+        for _ in range(rounds + 1):
+            spent = 0.0
+            work()
+            times.append(spent)
+    finally:
+        pb.getCameraImage = plain
+    return 1000 * statistics.median(times[1:])
+
+
 def main() -> None:
     """Print the medians."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--index", type=int, default=0)
     parser.add_argument("--seed", type=int, default=7)
-    parser.add_argument("--renderer", choices=["auto", "egl", "cpu"], default="auto")
+    parser.add_argument("--renderer", choices=[AUTO, *RENDERERS], default="auto")
     parser.add_argument("--size", default="640x480")
     parser.add_argument("--rounds", type=int, default=5)
     args = parser.parse_args()
@@ -49,35 +72,22 @@ def main() -> None:
     options = BuildOptions(seed=args.seed, width=width, height=height)
     bundle = make_scene(args.index, load_catalog(), library, options)
     scene, cameras = bundle.scene, bundle.cameras
-    with Renderer(args.renderer) as renderer:
+    with open_renderer(args.renderer) as renderer:
         load = median_ms(lambda: renderer.load(library, scene), args.rounds)
-        device = (
-            pb.ER_BULLET_HARDWARE_OPENGL if renderer.choice.kind == "egl" else pb.ER_TINY_RENDERER
-        )
 
-        def bare() -> None:
+        def drawn() -> None:
             for camera in cameras:
-                pose = drawing_shift(scene) @ np.asarray(camera.world_from_camera)
-                k = np.asarray(camera.K)
-                lens = projection_matrix(k, 0, 0, width, height, camera.near_m, camera.far_m)
-                pb.getCameraImage(
-                    width,
-                    height,
-                    view_matrix(pose),
-                    lens,
-                    lightDirection=LIGHT_M,
-                    renderer=device,
-                    physicsClientId=renderer.client,
-                )
+                renderer.draw(camera)
 
         def full(scale: int) -> None:
-            for _ in renderer.render(library, scene, cameras, supersample=scale):
+            for _ in render_frames(renderer, library, scene, cameras, supersample=scale):
                 pass
 
+        bare = bare_ms(drawn, args.rounds)
         count = len(cameras)
         rows = {
             "load the scene": load,
-            "bare frame": median_ms(bare, args.rounds) / count,
+            "bare frame": bare / count,
             "full frame": (median_ms(lambda: full(1), args.rounds) - load) / count,
             "full frame, supersampled": (median_ms(lambda: full(2), args.rounds) - load) / count,
         }

@@ -61,39 +61,29 @@ def faces_drawn(library: Any, scene: Any) -> int:
 
 def bare(folder: Path, share: int, shares: int) -> None:
     """Seconds of every bare frame of a share of the scenes, and the faces in each view."""
-    import numpy as np
     from sdgen import Dataset
     from sdgen.library import load_library
     from sdgen.physics.bullet import pb
-    from sdgen.render.backend import choose_renderer
-    from sdgen.render.frames import Renderer, drawing_shift
-    from sdgen.render.opengl import projection_matrix, view_matrix
-    from sdgen.render.shell import LIGHT_M
+    from sdgen.render import open_renderer
 
-    library, choice = load_library(), choose_renderer("auto")
-    device = pb.ER_BULLET_HARDWARE_OPENGL if choice.kind == "egl" else pb.ER_TINY_RENDERER
+    library, plain = load_library(), pb.getCameraImage
+    seconds: list[float] = []
+
+    def timed(*args: Any, **named: Any) -> Any:
+        start = time.perf_counter()
+        image = plain(*args, **named)
+        seconds.append(time.perf_counter() - start)
+        return image
+
+    pb.getCameraImage = timed
     scenes = [item for item in Dataset(folder) if item.scene.twin_of is None]
-    with Renderer(choice) as renderer:
+    with open_renderer("auto") as renderer:
         for item in scenes[share::shares]:
-            scene, seconds = item.scene, []
-            renderer.load(library, scene)
+            renderer.load(library, item.scene)
+            seconds.clear()
             for camera in item.cameras:
-                pose = drawing_shift(scene) @ np.asarray(camera.world_from_camera)
-                size = (camera.width, camera.height)
-                lens = projection_matrix(
-                    np.asarray(camera.K), 0, 0, *size, camera.near_m, camera.far_m
-                )
-                start = time.perf_counter()
-                pb.getCameraImage(
-                    *size,
-                    view_matrix(pose),
-                    lens,
-                    lightDirection=LIGHT_M,
-                    renderer=device,
-                    physicsClientId=renderer.client,
-                )
-                seconds.append(time.perf_counter() - start)
-            say({"frames": seconds, "faces": faces_drawn(library, scene)})
+                renderer.draw(camera)
+            say({"frames": seconds, "faces": faces_drawn(library, item.scene)})
 
 
 def spin() -> None:

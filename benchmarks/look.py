@@ -15,7 +15,8 @@ from sdgen.catalog.load import load_catalog
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
 from sdgen.pipeline import make_scene
-from sdgen.render.frames import Renderer
+from sdgen.render import open_renderer
+from sdgen.render.frames import render_frames
 
 
 def main() -> None:
@@ -29,9 +30,11 @@ def main() -> None:
     args = parser.parse_args()
     library = load_library()
     bundle = make_scene(args.index, load_catalog(), library, BuildOptions(seed=args.seed))
-    with Renderer("auto") as renderer:
+    with open_renderer("auto") as renderer:
         frames = list(
-            renderer.render(library, bundle.scene, bundle.cameras, supersample=args.supersample)
+            render_frames(
+                renderer, library, bundle.scene, bundle.cameras, supersample=args.supersample
+            )
         )
     for anomaly in bundle.anomalies.anomalies:
         seen = [int((frame.instance == anomaly.object_id).sum()) for frame in frames]

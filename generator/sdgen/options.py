@@ -27,6 +27,7 @@ class BuildOptions(Record):
     sensors: tuple[Sensor, ...] = ("rgb", "depth", "instance")
     rgb: Literal["png", "jpg"] = "png"
     supersample: Literal[1, 2] = 1
-    renderer: Literal["auto", "egl", "cpu"] = "auto"
+    #: ``auto`` or a name in ``sdgen.render.RENDERERS``, which ``choose_renderer`` checks.
+    renderer: str = "auto"
     eye_height_m: float = Field(default=1.2, gt=0.1, le=2.2)
     twins: bool = False

@@ -11,7 +11,8 @@ from sdgen.cameras.view import to_cameras
 from sdgen.geometry import look_at
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
-from sdgen.render.frames import Renderer
+from sdgen.render import open_renderer
+from sdgen.render.frames import render_frames
 from sdgen.scene import Scene
 from sdgen.seeding import lane
 
@@ -53,8 +54,8 @@ def test_a_near_view_stands_free_and_promises_what_the_picture_shows(
     where = scene.object(number).pose.position_m
     assert 0.75 < math.hypot(x - where[0], y - where[1]) < 2.3
     (camera,) = to_cameras([view], (640, 480), lane(1, 2, "order"))
-    with Renderer("auto") as renderer:
-        (frame,) = renderer.render(library, scene, [camera])
+    with open_renderer("auto") as renderer:
+        (frame,) = render_frames(renderer, library, scene, [camera])
     assert (frame.instance == number).sum() == pytest.approx(view.estimated_pixels, rel=0.15)
 
 

@@ -4,8 +4,8 @@ import pytest
 from click.testing import CliRunner
 from sdgen.cli import doctor as module
 from sdgen.cli.doctor import Finding, doctor, examine
-from sdgen.render import backend
-from sdgen.render.backend import EglProbe
+from sdgen.render.egl import INSTALL_HINT, EglRenderer
+from sdgen.render.protocol import Probe
 
 
 def test_this_machine_can_build() -> None:
@@ -19,7 +19,8 @@ def test_this_machine_can_build() -> None:
 
 
 def test_without_egl_it_names_the_packages_and_is_content(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(backend, "probe_egl", lambda: EglProbe(False, reason="no libEGL.so.1"))
+    refused = Probe(False, reason="no libEGL.so.1", hint=INSTALL_HINT)
+    monkeypatch.setattr(EglRenderer, "probe", staticmethod(lambda: refused))
     found = next(f for f in examine() if f.what == "EGL renderer")
     assert found.level == "note"
     assert "no libEGL.so.1" in found.text

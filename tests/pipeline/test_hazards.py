@@ -8,7 +8,8 @@ from sdgen.hazards.twin import undone
 from sdgen.library.states import undecided_states
 from sdgen.options import BuildOptions
 from sdgen.pipeline import make_scene
-from sdgen.render.frames import Renderer
+from sdgen.render import open_renderer
+from sdgen.render.frames import render_frames
 from sdgen.truth.visibility import evidence_pixels, part_names, view_visibility
 
 HAZARDS = [hazard.id for hazard in load_catalog().hazards]
@@ -17,7 +18,7 @@ OPTIONS = BuildOptions(n=10, seed=3, hazards_min=1, hazards_max=1, views=4)
 
 @pytest.fixture(scope="module")
 def renderer():
-    with Renderer("auto") as one:
+    with open_renderer("auto") as one:
         yield one
 
 
@@ -46,11 +47,11 @@ def test_a_hazard_is_made_proved_seen_and_undone(hazard, library, renderer):
 
     # Seen: 100 evidence pixels in some view, and undoing it changes 100 pixels there.
     parts = part_names(scene)
-    frames = list(renderer.render(library, scene, bundle.cameras))
+    frames = list(render_frames(renderer, library, scene, bundle.cameras))
     pixels = [evidence_pixels(view_visibility(f, parts), anomaly) for f in frames]
     assert max(pixels) >= 100
     best = frames[int(np.argmax(pixels))]
-    (after,) = renderer.render(library, benign, [best.camera])
+    (after,) = render_frames(renderer, library, benign, [best.camera])
     changed = np.any(after.rgb.astype(int) != best.rgb.astype(int), axis=2)
     assert changed.sum() >= 100
 

@@ -5,12 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import sdgen.render.frames as frames_module
+import sdgen.render.bullet as bullet_module
 from sdgen.cameras.pinhole import project
 from sdgen.geometry import Vec3, apply
 from sdgen.library import Library
-from sdgen.render.backend import choose_renderer
-from sdgen.render.frames import Renderer
+from sdgen.render import choose_renderer, open_renderer
+from sdgen.render.frames import render_frames
+from sdgen.render.protocol import Renderer
 from sdgen.scene import Camera, Frame, Scene
 
 from tests.fakes import GREEN, RED, box_room, camera_at, thing, write_library
@@ -21,7 +22,7 @@ KINDS = ["egl", "cpu"] if EGL else ["cpu"]
 
 @pytest.fixture(scope="module", params=KINDS)
 def renderer(request: pytest.FixtureRequest) -> Iterator[Renderer]:
-    with Renderer(request.param) as made:
+    with open_renderer(request.param) as made:
         yield made
 
 
@@ -30,7 +31,7 @@ def camera(eye: Vec3, target: Vec3, size: tuple[int, int] = (320, 240)) -> Camer
 
 
 def one(renderer: Renderer, library: Library, scene: Scene, view: Camera, scale: int = 1) -> Frame:
-    (frame,) = renderer.render(library, scene, [view], supersample=scale)
+    (frame,) = render_frames(renderer, library, scene, [view], supersample=scale)
     return frame
 
 
@@ -105,7 +106,7 @@ def test_pixels_alone_count_what_is_hidden_too(renderer: Renderer, library: Libr
 
 def test_no_sensors_no_frames(renderer: Renderer, library: Library) -> None:
     view = camera((0, 0, 1.25), (1, 0, 1.25))
-    assert list(renderer.render(library, box_room(), [view], sensors=())) == []
+    assert list(render_frames(renderer, library, box_room(), [view], sensors=())) == []
 
 
 def test_supersampling_changes_colours_only(renderer: Renderer, library: Library) -> None:
@@ -124,7 +125,7 @@ def test_tiles_are_seamless(
     scene = box_room([thing(10, "table_01", (0.3, 0, 0)), thing(11, "cube_01", (0.2, 0.1, 0.74))])
     view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5))
     whole = one(renderer, library, scene, view)
-    monkeypatch.setattr(frames_module, "_TILE", (150, 100))
+    monkeypatch.setattr(bullet_module, "_TILE", (150, 100))
     tiled = one(renderer, library, scene, view)
     assert (whole.instance != tiled.instance).mean() < 0.002
     assert (np.abs(whole.depth_mm.astype(int) - tiled.depth_mm) > 20).mean() < 0.004
@@ -155,7 +156,7 @@ def test_when_the_vertices_run_out_it_starts_anew(
     scene = box_room([thing(10 + k, "flush_01", (0.3 * k, 0.1 * k, 0)) for k in range(4)])
     view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.1))
     before = one(renderer, library, scene, view)
-    monkeypatch.setattr(frames_module, "_VERTEX_LIMIT", 0)
+    monkeypatch.setattr(bullet_module, "_VERTEX_LIMIT", 0)
     for _ in range(2):
         after = one(renderer, library, scene, view)
         assert np.array_equal(before.rgb, after.rgb)
@@ -177,7 +178,9 @@ _SCRIPT = """
 import hashlib, sys
 from pathlib import Path
 from sdgen.library import Library
-from sdgen.render.frames import Renderer
+from sdgen.render import choose_renderer, open_renderer
+from sdgen.render.frames import render_frames
+from sdgen.render.protocol import Renderer
 from tests.fakes import box_room, camera_at, thing
 from tests.render.test_frames import camera
 
@@ -187,16 +190,16 @@ things = [thing(10, "table_01", (0.3, 0, 0)), thing(11, "cube_01", (0.2, 0.1, 0.
           thing(13, "cube_02", (1, 1, 0)), thing(14, "cube_02", (-0.4, 0.2, 0))]
 things += [thing(20 + k, "flush_01", (-1.0 + 0.4 * k, -0.9 + 0.3 * k, 0)) for k in range(5)]
 views = [camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5)), camera((1.6, -1.2, 1.2), (0, 0, 0.5))]
-with Renderer(sys.argv[2]) as renderer:
+with open_renderer(sys.argv[2]) as renderer:
     for number in range(int(sys.argv[3])):
         extra = [thing(40 - k, "flush_01", (0.3 * k, 0.5, 0), variant="pane")
                  for k in range(1 + number)]
         cube = thing(5 + number, "cube_02", (0.1 * number, 0, 0))
         other = box_room([cube, *extra], (3.0 + number, 4.0))
-        list(renderer.render(library, other, views[:1], supersample=1 + number % 2))
+        list(render_frames(renderer, library, other, views[:1], supersample=1 + number % 2))
     total = hashlib.sha256()
     for scale in (1, 2):
-        for frame in renderer.render(library, box_room(things), views, supersample=scale):
+        for frame in render_frames(renderer, library, box_room(things), views, supersample=scale):
             for array in (frame.rgb, frame.depth_mm, frame.instance, frame.part):
                 total.update(array.tobytes())
             total.update(str(sorted(frame.alone_pixels.items())).encode())

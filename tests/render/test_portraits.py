@@ -9,7 +9,7 @@ from sdgen.cameras.pinhole import project
 from sdgen.cli.main import run
 from sdgen.library import Library, load_library
 from sdgen.library.states import derive_states
-from sdgen.render.frames import Renderer
+from sdgen.render import open_renderer
 from sdgen.render.portraits import look_in_state, looks_of, portrait, portrait_camera
 
 from tests.fakes import RED
@@ -28,7 +28,7 @@ def test_the_camera_sees_all_of_it_and_little_else(extents: tuple[float, float, 
 
 
 def test_a_portrait_shows_the_model_on_the_floor(library: Library) -> None:
-    with Renderer("cpu") as renderer:
+    with open_renderer("cpu") as renderer:
         picture = portrait(renderer, library, "cube_01", looks_of(library.info("cube_01"))[0], 96)
     assert picture.shape == (96, 96, 3)
     middle = picture[40:56, 40:56].reshape(-1, 3).mean(axis=0)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Literal
 
 import click
 
@@ -13,6 +12,7 @@ from sdgen.errors import UsageError, did_you_mean
 from sdgen.library import Library, load_library
 from sdgen.library.records import Asset
 from sdgen.library.select import select
+from sdgen.render.registry import AUTO, RENDERERS
 
 EXTRA = click.option(
     "--assets",
@@ -119,7 +119,7 @@ def show_asset(extra: tuple[str, ...], as_json: bool, asset_id: str) -> None:
 )
 @click.option(
     "--renderer",
-    type=click.Choice(["auto", "egl", "cpu"]),
+    type=click.Choice([AUTO, *RENDERERS]),
     default="auto",
     show_default=True,
     help="What draws the models.",
@@ -132,7 +132,7 @@ def sheet(
     size: int,
     columns: int,
     per_page: int,
-    renderer: Literal["auto", "egl", "cpu"],
+    renderer: str,
     words: tuple[str, ...],
 ) -> None:
     """Draw models alone on a floor, as scenes draw them, with their names.
@@ -145,7 +145,7 @@ def sheet(
 
     from sdgen.dataset.output_file import check_output, output_file
     from sdgen.gallery.sheet import contact_sheet, pages
-    from sdgen.render.frames import Renderer
+    from sdgen.render import open_renderer
     from sdgen.render.portraits import looks_of, portrait
 
     if out.suffix.lower() not in (".png", ".jpg", ".jpeg"):
@@ -161,7 +161,7 @@ def sheet(
             label = asset_id if look.name == "default" else f"{asset_id} {look.name}"
             wanted.append((asset_id, look, label))
     split = list(pages(len(wanted), per_page))
-    with Renderer(renderer) as drawn_by, bar("drawing") as on_model:
+    with open_renderer(renderer) as drawn_by, bar("drawing") as on_model:
         for number, page in enumerate(split, start=1):
             tiles = []
             for k in page:

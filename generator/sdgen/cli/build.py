@@ -12,6 +12,7 @@ from sdgen.cli.disk import bytes_needed, check_destination, disk_line
 from sdgen.cli.params import hazard_count, parsed, scene_range, sensor_list, size, split_names
 from sdgen.errors import BuildIncomplete, UsageError
 from sdgen.options import BuildOptions, Sensor
+from sdgen.render.registry import AUTO, RENDERERS
 
 if TYPE_CHECKING:
     from sdgen.engines.report import BuildReport
@@ -113,7 +114,7 @@ def usable_cores() -> int:
 )
 @click.option(
     "--renderer",
-    type=click.Choice(["auto", "egl", "cpu"]),
+    type=click.Choice([AUTO, *RENDERERS]),
     default="auto",
     show_default=True,
     help="auto takes EGL where it starts, else PyBullet's CPU renderer.",
@@ -171,7 +172,7 @@ def build(
     eye_height: float,
     rgb: Literal["png", "jpg"],
     supersample: str,
-    renderer: Literal["auto", "egl", "cpu"],
+    renderer: str,
     catalogs: tuple[Path, ...],
     extensions: tuple[str, ...],
     assets: tuple[Path, ...],

@@ -56,15 +56,15 @@ def _pybullet() -> Finding:
 
 
 def _egl() -> Finding:
-    from sdgen.render.backend import install_hint, probe_egl
+    from sdgen.render.egl import EglRenderer
 
-    found = probe_egl()
+    found = EglRenderer.probe()
     if found.works:
         return Finding("EGL renderer", "ok", found.renderer_string)
     return Finding(
         "EGL renderer",
         "note",
-        f"does not start ({found.reason}); pictures come from TinyRenderer. {install_hint()}",
+        f"does not start ({found.reason}); pictures come from TinyRenderer. {found.hint}",
     )
 
 

@@ -27,7 +27,7 @@ from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline.scene import HOME_ATTEMPTS
 from sdgen.rejection import Cause
-from sdgen.render.backend import Choice, choose_renderer, install_hint
+from sdgen.render import Choice, choose_renderer
 
 #: Seconds a scene may take: so many, and these for each million pixels drawn. A scene takes a few
 #: seconds; the rest is for slow and busy machines.
@@ -176,9 +176,6 @@ def _renderer(options: BuildOptions, on_event: OnEvent) -> Choice | None:
     if not options.sensors or options.views == 0:
         return None
     choice = choose_renderer(options.renderer)
-    if choice.reason:
-        why = choice.reason.rstrip(".")
-        on_event(
-            Note(f"EGL does not start ({why}); going on with the CPU renderer. {install_hint()}")
-        )
+    if choice.note:
+        on_event(Note(choice.note))
     return choice

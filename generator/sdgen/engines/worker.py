@@ -16,8 +16,8 @@ from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.pipeline import make_scene
 from sdgen.rejection import Causes
-from sdgen.render.backend import Choice
-from sdgen.render.frames import Renderer
+from sdgen.render import Choice, open_renderer
+from sdgen.render.frames import render_frames
 from sdgen.scene import Frame, SceneBundle, causes_of
 from sdgen.truth import visibility_of
 
@@ -59,7 +59,7 @@ class SceneWorker:
         self._setup = setup
         self._library = Library(setup.library_folders, setup.library_sha256)
         self._client = Client()
-        self._renderer = Renderer(setup.choice) if setup.choice is not None else None
+        self._renderer = open_renderer(setup.choice) if setup.choice is not None else None
 
     def __call__(self, index: int) -> SceneResult:
         """Make, draw and write scene ``index`` (and its twin). Raises SceneRejected."""
@@ -113,8 +113,13 @@ class SceneWorker:
         if self._renderer is None:
             return
         options = self._setup.options
-        for frame in self._renderer.render(
-            self._library, bundle.scene, bundle.cameras, options.sensors, options.supersample
+        for frame in render_frames(
+            self._renderer,
+            self._library,
+            bundle.scene,
+            bundle.cameras,
+            options.sensors,
+            options.supersample,
         ):
             folder.add(frame)
             yield frame

@@ -1,6 +1,5 @@
 """Draws what cameras see: colour, depth, and whose every pixel is. Decides nothing."""
 
-from sdgen.render.backend import choose_renderer
-from sdgen.render.frames import Renderer
+from sdgen.render.registry import AUTO, RENDERERS, Choice, choose_renderer, open_renderer
 
-__all__ = ["Renderer", "choose_renderer"]
+__all__ = ["AUTO", "RENDERERS", "Choice", "choose_renderer", "open_renderer"]

@@ -32,9 +32,11 @@ def projection_matrix(
     return [float(v) for v in out.T.ravel()]
 
 
-def depth_from_buffer(buffer: Array, near_m: float, far_m: float) -> Array:
+def depth_from_buffer(buffer: npt.NDArray[np.floating], near_m: float, far_m: float) -> Array:
     """Planar Z in metres of OpenGL depth-buffer values in [0, 1]."""
-    return np.asarray(far_m * near_m / (far_m - (far_m - near_m) * buffer), dtype=np.float64)
+    # In double precision: the buffer's last bits are centimetres at the end of a room.
+    values = np.asarray(buffer, dtype=np.float64)
+    return np.asarray(far_m * near_m / (far_m - (far_m - near_m) * values), dtype=np.float64)
 
 
 def to_millimetres(depth_m: Array, seen: npt.NDArray[np.bool_]) -> npt.NDArray[np.uint16]:

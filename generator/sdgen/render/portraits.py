@@ -15,7 +15,8 @@ from sdgen.geometry import Array, look_at
 from sdgen.library import Library
 from sdgen.library.alone import MODEL_ID, alone_on_floor
 from sdgen.library.records import AssetInfo
-from sdgen.render.frames import Renderer
+from sdgen.render.frames import render_frames
+from sdgen.render.protocol import Renderer
 from sdgen.scene import Camera
 
 #: The floor that portraits are taken on: light, and without a pattern things could be lost in.
@@ -78,7 +79,7 @@ def portrait(
     scene = alone_on_floor(library, asset_id, look.variant, look.joints, surface)
     points = world_triangles(library, scene.object(MODEL_ID)).reshape(-1, 3)
     camera = portrait_camera(points, size)
-    (frame,) = renderer.render(library, scene, [camera], ("rgb",), supersample=2)
+    (frame,) = render_frames(renderer, library, scene, [camera], ("rgb",), supersample=2)
     return frame.rgb
 
 

@@ -1,0 +1,40 @@
+"""How many pixels of a picture each object would have with nothing in front of it."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.cameras.parts import world_triangles
+from sdgen.geometry import Array, apply, inverse
+from sdgen.library import Library
+from sdgen.render.coverage import coverage
+from sdgen.scene import Camera, Scene
+
+
+class AlonePixels:
+    """Counts them for the views of one scene, whose triangles are placed once."""
+
+    def __init__(self, library: Library, scene: Scene) -> None:
+        self._library = library
+        self._objects = {item.id: item for item in scene.objects}
+        self._triangles: dict[int, Array] = {}
+
+    def __call__(self, camera: Camera, instance: npt.NDArray[np.uint16]) -> dict[int, int]:
+        """Pixels alone of the objects seen in ``instance`` (H, W), by id: those they are seen in,
+        and those they would cover besides."""
+        pixels = np.bincount(instance.ravel())
+        return {
+            node_id: int(pixels[node_id]) + self._hidden(camera, instance, node_id)
+            for node_id in np.flatnonzero(pixels).tolist()
+            if node_id in self._objects
+        }
+
+    def _hidden(self, camera: Camera, instance: npt.NDArray[np.uint16], node_id: int) -> int:
+        if node_id not in self._triangles:
+            self._triangles[node_id] = world_triangles(self._library, self._objects[node_id])
+        camera_from_world = inverse(np.asarray(camera.world_from_camera))
+        local = apply(camera_from_world, self._triangles[node_id].reshape(-1, 3)).reshape(-1, 3, 3)
+        k = np.asarray(camera.K)
+        mask, rows, columns = coverage(local, k, camera.width, camera.height, camera.near_m)
+        return int((mask & (instance[rows, columns] != node_id)).sum())

@@ -95,13 +95,36 @@ INFOS = {
                 {"state": "OPEN", "joint": "door", "min": 0.5},
             ],
         ),
+        asset(
+            "sink_cabinet",
+            (0.6, 0.6, 0.9),
+            containers=[
+                {
+                    "name": "cupboard",
+                    "part": "body",
+                    "center_m": (0, 0, 0.35),
+                    "size_m": (0.5, 0.5, 0.6),
+                    "closed_by": "door",
+                },
+                {
+                    "name": "basin",
+                    "part": "body",
+                    "center_m": (0, 0, 0.8),
+                    "size_m": (0.5, 0.5, 0.2),
+                },
+            ],
+            states=[
+                {"state": "CLOSED", "joint": "door", "max": 0.03},
+                {"state": "OPEN", "joint": "door", "min": 0.5},
+            ],
+        ),
         asset("sofa", (0.9, 2.0, 0.8)),
         asset("tv", (0.1, 1.0, 0.6)),
         asset("stove", (0.6, 0.6, 0.9)),
         asset("door", (0.12, 0.9, 2.1)),
     )
 }
-FIXED = {"table", "fridge", "sofa", "tv", "stove", "rug", "door"}
+FIXED = {"table", "sink_cabinet", "fridge", "sofa", "tv", "stove", "rug", "door"}
 
 
 def thing(number, name, x, y, z=0.0, yaw=0.0, room=ROOM, **more):
@@ -211,6 +234,14 @@ def test_inside_a_fridge_is_not_on_it_and_a_shut_door_shuts_in():
     assert "IN_REACH_OF_CHILD" not in f.tags(2)
     opened = shut.model_copy(update={"joints": {"door": 1.0}})
     assert "IN_REACH_OF_CHILD" in facts(opened, milk).tags(2)
+
+
+def test_the_shut_cupboard_does_not_shut_in_what_lies_in_the_basin_above_it():
+    shut = thing(1, "sink_cabinet", 2, 2)
+    f = facts(shut, thing(2, "apple", 2, 2, 0.76), thing(3, "apple", 2, 2, 0.1))
+    assert f.holds(2, "INSIDE") == f.holds(3, "INSIDE") == (1,)
+    assert "IN_REACH_OF_CHILD" in f.tags(2)
+    assert "IN_REACH_OF_CHILD" not in f.tags(3)
 
 
 def test_near_the_mouth_of_a_container_is_in_doubt():

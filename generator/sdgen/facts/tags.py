@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdgen.catalog.terms import AllTerm, HeightTerm, Term, ZoneTerm
+from sdgen.catalog.terms import AllTerm, HeightTerm, NotTerm, RelationTerm, Term, ZoneTerm
 from sdgen.vocabulary import CHILD_REACH_M
 
 if TYPE_CHECKING:
@@ -13,7 +13,12 @@ if TYPE_CHECKING:
 #: Tag -> the predicate that says it. IN_REACH_OF_CHILD is for loose things only.
 PREDICATES: dict[str, Term] = {
     "IN_DOORWAY": ZoneTerm(any_of=("doorway",)),
-    "IN_REACH_OF_CHILD": AllTerm(terms=(HeightTerm(max_m=CHILD_REACH_M),)),
+    "IN_REACH_OF_CHILD": AllTerm(
+        terms=(
+            HeightTerm(max_m=CHILD_REACH_M),
+            NotTerm(term=RelationTerm(relation="INSIDE", target_state="CLOSED")),
+        )
+    ),
     "IN_WALKWAY": ZoneTerm(any_of=("walkway",)),
 }
 
@@ -25,19 +30,9 @@ def tags(facts: Facts, object_id: int) -> tuple[str, ...]:
         name
         for name, predicate in PREDICATES.items()
         if not (name == "IN_REACH_OF_CHILD" and body.item.fixed)
-        and not (name == "IN_REACH_OF_CHILD" and _shut_in(facts, object_id))
         and predicate.evaluate(object_id, facts).value
     ]
     furniture = [target for target in facts.holds(object_id, "ON") if target in facts.bodies]
     if any(facts.supports.near_edge(body, target) for target in furniture):
         out.append("NEAR_EDGE")
     return tuple(sorted(out))
-
-
-def _shut_in(facts: Facts, object_id: int) -> bool:
-    """Inside a container whose joint is closed."""
-    return any(
-        "CLOSED" in facts.states(target)
-        and any(c.closed_by for c in facts.bodies[target].info.containers)
-        for target in facts.holds(object_id, "INSIDE")
-    )

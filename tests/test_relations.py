@@ -223,6 +223,13 @@ def test_on_needs_more_than_half_of_the_footprint(x, holds, sure):
     assert (found.holds, found.sure) == (holds, sure)
 
 
+def test_a_door_in_the_middle_of_its_wall_is_on_neither_floor_and_that_is_undecided():
+    for noise in (-1e-12, 0.0, 1e-12):
+        f = facts(thing(DOOR, "door", 4.06 + noise, 2))
+        assert f.holds(DOOR, "ON") == ()
+        assert [(r.holds, r.sure) for r in f.related(DOOR, "ON")] == [(False, False)] * 2
+
+
 def test_inside_a_fridge_is_not_on_it_and_a_shut_door_shuts_in():
     shut = thing(1, "fridge", 2, 2)
     milk = thing(2, "apple", 2, 2, 0.5)

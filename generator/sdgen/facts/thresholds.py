@@ -29,11 +29,11 @@ class Threshold(NamedTuple):
 
     def more(self, measured: float) -> Kleene:
         """``measured`` is more than the limit."""
-        return Kleene(measured > self.limit, self._clear(measured))
+        return self.at_most(measured).negated()
 
     def less(self, measured: float) -> Kleene:
         """``measured`` is less than the limit."""
-        return Kleene(measured < self.limit, self._clear(measured))
+        return self.at_least(measured).negated()
 
     def _clear(self, measured: float) -> bool:
         return measured <= self.below + EPS or measured >= self.above - EPS

@@ -114,7 +114,7 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("physics.json", _put("settled_drift_m", {"64999": 0.0}), "scene", "64999 is no object"),
     # scene.json on its own
     ("scene.json", _put("index", 4), "scene", "are not the manifest's"),
-    ("scene.json", _put("format_version", "1.1"), "scene", "format_version"),
+    ("scene.json", _put("format_version", "0.9"), "scene", "format_version"),
     ("scene.json", _object(600, "pose.position_m.0", 1.7000012), "scene", "not rounded to 1e-5"),
     ("scene.json", _object(600, "pose.quat_xyzw.3", 0.9), "scene", "no unit quaternion"),
     ("scene.json", _object(11, "states", ["OFF"]), "scene", "object 11 (stove): states"),
@@ -125,6 +125,7 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("scene.json", _object(600, "asset", "sword_01"), "scene", "'sword_01' is not in assets"),
     ("scene.json", _object(600, "category", "fork"), "scene", "its asset is a knife"),
     ("scene.json", _object(600, "room_id", 102), "scene", "no room 102"),
+    ("scene.json", _object(600, "room_id", 101), "scene", "room_id: 101 stored, [100] derived"),
     ("scene.json", _object(600, "id", 512), "scene", "id 512 is used 2 times"),
     ("scene.json", _object(600, "id", 70000), "scene", "70000 is not in 1 to 65535"),
     ("scene.json", _put("home.openings.0.object_id", 43), "scene", "object 43 or its rooms"),

@@ -25,9 +25,7 @@ class Body:
         self.corners = apply(self.world_from_object, info.outermost_m)
         self.low = self.corners.min(axis=0)
         self.high = self.corners.max(axis=0)
-        self.center = self.world_from_object[:3, 3] + self.world_from_object[:3, 2] * (
-            info.extents_m[2] / 2
-        )
+        self.center = center_of(self.world_from_object, info)
 
     @cached_property
     def footprint(self) -> BaseGeometry:
@@ -38,6 +36,12 @@ class Body:
         """Share (0-1) of the footprint that lies in a shape."""
         shared = shape.intersection(self.footprint).area
         return float(shared / max(self.footprint.area, 1e-9))
+
+
+def center_of(world_from_object: Array, info: AssetInfo) -> Array:
+    """The middle of an object's extents in the world (3,)."""
+    rise = world_from_object[:3, 2] * (info.extents_m[2] / 2)
+    return np.asarray(world_from_object[:3, 3] + rise, dtype=np.float64)
 
 
 def gaps(low: Array, high: Array, lows: Array, highs: Array) -> Array:

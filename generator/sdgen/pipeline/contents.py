@@ -60,6 +60,11 @@ class Contents:
         }
         return replace(self, items=moved)
 
+    def housed(self, rooms: Mapping[int, int]) -> Contents:
+        """The same things, in these rooms."""
+        items = {k: v.model_copy(update={"room_id": rooms[k]}) for k, v in self.items.items()}
+        return replace(self, items=items)
+
 
 def fill(
     hazards: Sequence[str], home: FurnishedHome, layout: Layout, training: bool, rng: Rng

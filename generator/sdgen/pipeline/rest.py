@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sdgen.facts import Facts
+from sdgen.facts import Facts, Rooms
 from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
@@ -57,6 +57,10 @@ def come_to_rest(
             )
             for key, pose in settled.poses.items()
         }
+    )
+    rooms = Rooms(home.site.home)
+    contents = contents.housed(
+        {k: rooms.room_id(item, library.infos[item.asset]) for k, item in contents.items.items()}
     )
     scene = home.scene(index, contents.items)
     facts = facts_of(scene, library.infos, home.site.catalog)

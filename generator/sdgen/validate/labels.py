@@ -125,6 +125,7 @@ def check_labels(
 ) -> Iterator[Problem]:
     """Graph, anomalies, lookalikes, certificate and the household's choices, all derived again."""
     facts = facts_of(item.scene, infos, catalog)
+    yield from _housed(item, facts)
     yield from _carried(item, facts)
     yield from _physics(item, infos)
     yield from _graph(item, infos, catalog, facts)
@@ -144,6 +145,15 @@ def check_labels(
     for text in islice(differences(certificate, derived, "certificate"), SHOWN):
         yield Problem("label", f"{item.where('anomalies.json')}: {text}")
     yield from _entry(item)
+
+
+def _housed(item: SceneItem, facts: Facts) -> Iterator[Problem]:
+    """Every object is in the room that its pose says, or one of those it may be in."""
+    for thing in item.scene.objects:
+        rooms = facts.room_ids(thing.id)
+        if thing.room_id not in rooms:
+            where = f"{item.where('scene.json')}: object {thing.id} ({thing.category})"
+            yield Problem("scene", f"{where}: room_id: {thing.room_id} stored, {list(rooms)} derived")
 
 
 def _carried(item: SceneItem, facts: Facts) -> Iterator[Problem]:

@@ -87,6 +87,8 @@ def test_the_reason_says_why() -> None:
     assert reason.startswith("a child of 3 reaches 1.10 m and it is at 0.75 m")
     reason = decide(SHARP, {"reach_height_m": 1.2}, living(3), REACH).reason
     assert reason == "at 1.20 m it is above the 1.10 m a child of 3 reaches"
+    reason = decide(SHARP, {"reach_height_m": -0.0004}, living(3), REACH).reason
+    assert reason.startswith("a child of 3 reaches 1.10 m and it is at 0.00 m")
 
 
 _HAZARDS = st.sampled_from(CATALOG.hazards)

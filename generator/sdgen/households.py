@@ -120,12 +120,13 @@ def _concerned(
     height = evidence.get("reach_height_m")
     if not isinstance(height, int | float):
         raise ValueError(f"{hazard.id}: evidence has no reach_height_m")
+    shown = round(height, 2) + 0.0  # settled a hair into the floor, it still is at 0.00 m
     able = [age for age in ages if reach_at(age, reach) >= height]
     if not able:
         best = reach_at(ages[-1], reach)
         return (
             False,
-            f"at {height:.2f} m it is above the {best:.2f} m a child of {ages[-1]} reaches",
+            f"at {shown:.2f} m it is above the {best:.2f} m a child of {ages[-1]} reaches",
         )
     at = reach_at(able[0], reach)
-    return True, f"a child of {able[0]} reaches {at:.2f} m and it is at {height:.2f} m"
+    return True, f"a child of {able[0]} reaches {at:.2f} m and it is at {shown:.2f} m"

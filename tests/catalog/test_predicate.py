@@ -215,6 +215,14 @@ def test_the_category_decides_before_anything_is_measured() -> None:
     assert world.dear == 0
 
 
+def test_evidence_is_never_minus_zero() -> None:
+    low, near = HeightTerm(max_m=1.0), DistanceTerm(to=("stove",), max_m=1.0)
+    world = World({1: Thing(height_m=-1e-6, gaps={("stove",): ((-0.0, 7),)})})
+    for term in (low, near):
+        for evidence in (term.evaluate(1, world).evidence, term.measure(1, world)):
+            assert "-0.0" not in [str(value) for value in evidence.values()]
+
+
 _MARGIN = 0.02
 
 

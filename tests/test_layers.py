@@ -17,7 +17,9 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
     1: (
         ("rejection",),
         ("errors", "seeding", "geometry", "resources", "vocabulary", "kleene"),
+        ("files",),
         ("yaml_source",),
+        ("strict",),
     ),
     2: (
         ("scene",),

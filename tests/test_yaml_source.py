@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import yaml
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from sdgen import yaml_source
-from sdgen.errors import InputError
+from sdgen.errors import SHOWN, InputError
 from sdgen.yaml_source import MAX_BYTES, parse_yaml, read_yaml, show_path
 
 
@@ -109,8 +110,20 @@ def test_aliases_cannot_blow_up() -> None:
 def test_a_missing_file_is_one_clear_error(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no such file"):
         read_yaml(tmp_path / "none.yaml")
-    with pytest.raises(InputError, match="no such file"):
+    with pytest.raises(InputError, match="is a folder, not a file"):
         read_yaml(tmp_path)
+    os.mkfifo(tmp_path / "pipe.yaml")
+    with pytest.raises(InputError, match="is a FIFO, not a file"):
+        read_yaml(tmp_path / "pipe.yaml")
+    with pytest.raises(InputError, match="is a device, not a file"):
+        read_yaml(Path("/dev/zero"))
+
+
+def test_of_very_many_problems_only_some_are_told() -> None:
+    raw = b"".join(b"a: 1\n" for _ in range(50_000))
+    problems = parse_yaml(raw, "f.yaml").problems
+    assert len(problems) == SHOWN + 1
+    assert problems[-1] == f"f.yaml: and {50_000 - 1 - SHOWN} more problems"
 
 
 def test_a_path_reads_like_code() -> None:

@@ -17,7 +17,8 @@ from typing import Any
 
 import yaml
 
-from sdgen.errors import InputError
+from sdgen.errors import SHOWN
+from sdgen.files import read_plain
 
 Path_ = tuple[str | int, ...]
 
@@ -54,15 +55,17 @@ class Source:
     value: Any = None
     lines: dict[Path_, int] = field(default_factory=dict)
     found: list[tuple[int, str]] = field(default_factory=list)
+    more: int = 0
 
     @property
     def problems(self) -> list[str]:
-        """What is wrong, by line, each ``file:line: key path: problem``."""
+        """What is wrong, by line, each ``file:line: key path: problem``; at most ``SHOWN``."""
         ordered = sorted(self.found, key=lambda item: item[0])
-        return [
+        told = [
             f"{self.file}:{line}: {text}" if line else f"{self.file}: {text}"
             for line, text in ordered
         ]
+        return [*told, f"{self.file}: and {self.more} more problems"] if self.more else told
 
     def line(self, path: Path_) -> int:
         """Line of the path, or of the nearest thing above it that has one."""
@@ -72,6 +75,9 @@ class Source:
 
     def problem(self, path: Path_, message: str, line: int | None = None) -> None:
         """Note a problem at a key path (on its line, unless another is given)."""
+        if len(self.found) >= SHOWN:
+            self.more += 1
+            return
         where = show_path(path)
         text = f"{where}: {message}" if where else message
         self.found.append((self.line(path) if line is None else line, text))
@@ -93,18 +99,11 @@ def read_yaml(
 ) -> Source:
     """Read a file; ``name`` is what problems call it (default: the path as given).
 
-    Raises InputError when there is no such file or it cannot be read; what is wrong in it ends
-    up in the ``problems`` of the source.
+    Raises InputError when there is no such file, it is none or too large; what is wrong in it
+    ends up in the ``problems`` of the source.
     """
     shown = name or str(path)
-    try:
-        if not path.is_file():
-            raise InputError([f"{shown}: no such file"])
-        with path.open("rb") as stream:
-            raw = stream.read(max_bytes + 1)
-    except OSError as error:
-        raise InputError([f"{shown}: cannot be read ({error.strerror})"]) from None
-    return parse_yaml(raw, shown, max_bytes, max_values)
+    return parse_yaml(read_plain(path, shown, max_bytes), shown, max_bytes, max_values)
 
 
 def parse_yaml(

@@ -199,7 +199,7 @@ def test_a_bad_category_is_told(tmp_path: Path, old: str, new: str, problem: str
         (
             "households",
             "templates: {us: {members: [{role: a, age: [1, 2]}], notifications: {stoev_on: now}}}",
-            "notifications.stoev_on: unknown key (did you mean 'stove_on'?)",
+            "notifications.stoev_on: unknown hazard 'stoev_on' (did you mean 'stove_on'?)",
         ),
         (
             "households",

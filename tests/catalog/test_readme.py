@@ -5,15 +5,27 @@ from __future__ import annotations
 import re
 import shlex
 from pathlib import Path
+from typing import get_args
 
 import pytest
+from pydantic import BaseModel
+from sdgen.catalog.hazard_yaml import ACTIONS, HazardYaml
+from sdgen.catalog.home_yaml import HomeYaml
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.read_hazard import ACTIONS
-from sdgen.catalog.read_world import CATEGORY_KINDS, SUPERCLASSES
 from sdgen.catalog.reader import Reader
+from sdgen.catalog.records import CategoryKind
 from sdgen.catalog.terms import TERMS
+from sdgen.catalog.world_yaml import (
+    SUPERCLASSES,
+    CategoryYaml,
+    HouseholdYaml,
+    MixYaml,
+    ReachYaml,
+    RoomTypeYaml,
+)
 from sdgen.cli.main import run
 from sdgen.resources import data_path
+from sdgen.strict import records_in
 from sdgen.vocabulary import RELATIONS, ZONE_KINDS
 
 from .worlds import Thing, World, on
@@ -58,6 +70,17 @@ def test_the_catalog_commands_run(
     assert "Glass on the floor" in capsys.readouterr().out
 
 
+FILES = (HazardYaml, HomeYaml, CategoryYaml, HouseholdYaml, MixYaml, ReachYaml, RoomTypeYaml)
+
+
+def _keys(model: type[BaseModel]) -> set[str]:
+    """Every key of a record and of those within it."""
+    inner = [
+        found for field in model.model_fields.values() for found in records_in(field.annotation)
+    ]
+    return set(model.model_fields).union(*map(_keys, inner))
+
+
 def test_every_key_that_is_read_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: set[str] = set()
     done = Reader.done
@@ -67,16 +90,21 @@ def test_every_key_that_is_read_is_explained(monkeypatch: pytest.MonkeyPatch) ->
         done(reader)
 
     monkeypatch.setattr(Reader, "done", listen)
-    catalog = load_catalog()
-    names = {category.name for category in catalog.categories}
-    names |= {hazard.id for hazard in catalog.hazards}
-    keys = asked - names
+    load_catalog()
+    keys = asked.union(*(_keys(model) for model in FILES))
     assert len(keys) > 40
     missing = sorted(key for key in keys if not re.search(rf"\b{re.escape(key)}\b", README))
     assert missing == []
 
 
 def test_every_word_with_a_fixed_list_is_explained() -> None:
-    words = (*TERMS, *RELATIONS, *ZONE_KINDS, *ACTIONS, *SUPERCLASSES, *CATEGORY_KINDS)
+    words = (
+        *TERMS,
+        *RELATIONS,
+        *ZONE_KINDS,
+        *ACTIONS,
+        *SUPERCLASSES,
+        *get_args(CategoryKind),
+    )
     missing = sorted(word for word in words if not re.search(rf"\b{re.escape(word)}\b", README))
     assert missing == []

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from sdgen.catalog.reader import Reader
+from sdgen.catalog.entry import Entry
 from sdgen.catalog.records import Hazard, PlaceRecipe, Recipe
 from sdgen.catalog.terms.term import Case
 
 
-def check_recipes(reader: Reader, hazard: Hazard) -> None:
+def check_recipes(entry: Entry, hazard: Hazard) -> None:
     """Note anomalies that could never be one, and lookalikes that always would be."""
     for index, recipe in enumerate(hazard.anomalies):
         for name, case in cases(recipe):
             if not hazard.predicate.possible(case).be_true:
                 message = f"{name} can never satisfy the predicate"
-                reader.problem(message, "anomalies", index)
+                entry.problem(message, "anomalies", index)
     for index, recipe in enumerate(hazard.lookalikes):
         for name, case in cases(recipe):
             if not hazard.predicate.possible(case).be_false:
                 message = f"{name} satisfies the predicate: it would be an anomaly"
-                reader.problem(message, "lookalikes", index)
+                entry.problem(message, "lookalikes", index)
 
 
 def cases(recipe: Recipe) -> list[tuple[str, Case]]:

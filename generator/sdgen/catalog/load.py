@@ -8,54 +8,34 @@ folder.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TypeVar
+from typing import Any
 
+from sdgen.catalog.entry import Entry
 from sdgen.catalog.enumeration import catalog_sha256, check_against_library, enumerate_anomalies
-from sdgen.catalog.read_hazard import read_hazard
-from sdgen.catalog.read_home import read_home
-from sdgen.catalog.read_world import (
-    read_category,
-    read_household,
-    read_mix,
-    read_reach,
-    read_room_type,
-)
-from sdgen.catalog.reader import Reader
-from sdgen.catalog.records import Catalog, ReachRow
+from sdgen.catalog.folder import Folder, extension_names, open_extra, open_folder
+from sdgen.catalog.hazard_yaml import read_hazard
+from sdgen.catalog.home_yaml import HomeYaml
+from sdgen.catalog.records import Catalog
+from sdgen.catalog.words import NOT_A_NAME, WORD, Names
+from sdgen.catalog.world_yaml import CategoryYaml, HouseholdYaml, MixYaml, ReachYaml, RoomTypeYaml
 from sdgen.errors import InputError, did_you_mean
 from sdgen.resources import data_path
-from sdgen.yaml_source import Source, read_yaml
+from sdgen.strict import shown
+from sdgen.yaml_source import Path_, Source
 
 __all__ = ["catalog_sha256", "check_against_library", "enumerate_anomalies", "load_catalog"]
 
-T = TypeVar("T")
-
-
-@dataclass
-class _Folder:
-    """The parsed files of one catalogue folder. ``pack`` names it in its hazards."""
-
-    pack: str
-    hazards: list[Source] = field(default_factory=list)
-    categories: list[Source] = field(default_factory=list)
-    homes: list[Source] = field(default_factory=list)
-    rooms: list[Source] = field(default_factory=list)
-    plans: list[Source] = field(default_factory=list)
-    households: list[Source] = field(default_factory=list)
-
-    def all(self) -> list[Source]:
-        """Every file, in reading order."""
-        return [
-            *self.categories,
-            *self.rooms,
-            *self.hazards,
-            *self.households,
-            *self.homes,
-            *self.plans,
-        ]
+#: What an entry of each folder or file is called.
+_KINDS = {
+    "categories": "category",
+    "rooms": "room type",
+    "plans": "mix of rooms",
+    "hazards": "hazard",
+    "homes": "home",
+    "households": "household",
+}
 
 
 def load_catalog(
@@ -68,21 +48,19 @@ def load_catalog(
     ``only`` keeps just these hazard ids. Raises InputError with every problem found, each
     ``file:line: key path: problem``.
     """
-    folders = [_open_folder(data_path("hazard_catalog"), "core", "hazard_catalog")]
-    shipped = extension_names()
     problems: list[str] = []
+    folders = [open_folder(data_path("hazard_catalog"), "core", "hazard_catalog")]
+    shipped = extension_names()
     for name in extensions:
         if name not in shipped:
             near = did_you_mean(name, shipped) or " (none are shipped)"
             problems.append(f"unknown extension pack {name!r}{near}")
             continue
         path = data_path("hazard_catalog", "extensions", name)
-        folders.append(_open_folder(path, name, f"hazard_catalog/extensions/{name}"))
-    for path in extra:
-        try:
-            folders.append(_open_extra(path))
-        except InputError as error:
-            problems.extend(error.problems)
+        folders.append(open_folder(path, name, f"hazard_catalog/extensions/{name}"))
+    folders += [open_extra(path) for path in extra]
+    for folder in folders:
+        problems.extend(folder.problems)
     catalog = _resolve(folders, problems)
     if only is None:
         return catalog
@@ -96,139 +74,98 @@ def load_catalog(
     return catalog.model_copy(update={"hazards": kept})
 
 
-def extension_names() -> tuple[str, ...]:
-    """Names of the shipped extension packs."""
-    root = data_path("hazard_catalog", "extensions")
-    if not root.is_dir():
-        return ()
-    return tuple(sorted(path.name for path in root.iterdir() if path.is_dir()))
-
-
-def _open_extra(path: Path) -> _Folder:
-    """An extra folder, or one file: its name or its folder's name says what it holds."""
-    shipped = data_path("hazard_catalog").resolve()
-    if path.resolve() == shipped or shipped in path.resolve().parents:
-        return _Folder(pack="core")  # loaded already
-    if not path.is_dir():
-        single = _Folder(pack=path.stem)
-        kinds = {"categories": single.categories, "homes": single.homes}
-        alone = {"rooms": single.rooms, "plans": single.plans, "households": single.households}
-        kinds |= alone
-        name = path.stem if path.stem in alone else path.resolve().parent.name
-        kinds.get(name, single.hazards).append(read_yaml(path))
-        return single
-    folder = _open_folder(path, path.resolve().name, str(path))
-    if not folder.all():
-        folders = "hazards/*.yaml, categories/*.yaml, homes/*.yaml"
-        layout = f"{folders}, rooms.yaml, plans.yaml, households.yaml"
-        raise InputError([f"{path}: no catalogue file in it (expected {layout})"])
-    return folder
-
-
-def _open_folder(root: Path, pack: str, shown: str) -> _Folder:
-    def listed(name: str) -> list[Source]:
-        found = sorted(
-            path
-            for path in (root / name).glob("*.y*ml")
-            if path.suffix in (".yaml", ".yml") and not path.name.startswith(".")
-        )
-        return [read_yaml(path, f"{shown}/{name}/{path.name}") for path in found]
-
-    def single(name: str) -> list[Source]:
-        path = root / name
-        return [read_yaml(path, f"{shown}/{name}")] if path.is_file() else []
-
-    return _Folder(
-        pack=pack,
-        hazards=listed("hazards"),
-        categories=listed("categories"),
-        homes=listed("homes"),
-        rooms=single("rooms.yaml"),
-        plans=single("plans.yaml"),
-        households=single("households.yaml"),
+def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
+    """All folders as one catalogue. Raises InputError with ``problems`` and all found here."""
+    found: dict[str, dict[str, Entry]] = {kind: {} for kind in _KINDS}
+    reach: Entry | None = None
+    for folder in folders:
+        for kind, source in folder.all():
+            for entry in _entries(kind, source, folder.pack):
+                if kind == "households" and entry.path == ("reach",):
+                    reach = entry
+                else:
+                    _add(found[kind], _KINDS[kind], entry)
+    names = Names(
+        categories=tuple(sorted(found["categories"])),
+        rooms=tuple(sorted(found["rooms"])),
+        hazards=tuple(sorted(found["hazards"])),
     )
 
+    def named(kind: str, model: type[Any]) -> tuple[Any, ...]:
+        read = ((name, found[kind][name].read(model, names)) for name in sorted(found[kind]))
+        return tuple(written.record(name) for name, written in read if written is not None)
 
-@dataclass
-class _Entries:
-    """Named entries of one kind over all folders, with where each was first defined."""
-
-    what: str
-    found: dict[str, tuple[Reader, str]] = field(default_factory=dict)
-
-    def add(self, name: str, reader: Reader, pack: str) -> None:
-        """Take an entry, or note that it exists already."""
-        if name in self.found and reader.data.get("replaces") is not True:
-            first = self.found[name][0]
-            where = f"{first.source.file}:{first.source.line(first.path)}"
-            hint = "(to replace it add 'replaces: true')"
-            reader.problem(f"{self.what} {name!r} is already defined at {where} {hint}")
-            return
-        self.found[name] = (reader, pack)
-
-    def read(self, make: Callable[[str, Reader, str], T]) -> tuple[T, ...]:
-        """Turn all entries into records, sorted by name."""
-        return tuple(make(name, *self.found[name]) for name in sorted(self.found))
-
-
-def _resolve(folders: Sequence[_Folder], problems: list[str]) -> Catalog:
-    categories, room_types = _Entries("category"), _Entries("room type")
-    mixes = _Entries("mix of rooms")
-    hazards, homes, households = _Entries("hazard"), _Entries("home"), _Entries("household")
-    reach_reader: Reader | None = None
-    for folder in folders:
-        for kind, sources in (
-            (categories, folder.categories),
-            (room_types, folder.rooms),
-            (mixes, folder.plans),
-        ):
-            for source in sources:
-                for name, reader in _top(source).named():
-                    kind.add(name, reader, folder.pack)
-        for kind, sources in ((hazards, folder.hazards), (homes, folder.homes)):
-            for source in sources:
-                reader = _top(source)
-                kind.add(_id_of(reader, source), reader, folder.pack)
-        for source in folder.households:
-            top = _top(source)
-            for name, reader in top.named("templates") if top.has("templates") else []:
-                households.add(name, reader, folder.pack)
-            if top.has("reach"):
-                reach_reader = top.child("reach")
-            top.done()
-
-    names, rooms, ids = set(categories.found), set(room_types.found), set(hazards.found)
-    reach: tuple[ReachRow, ...] = read_reach(reach_reader) if reach_reader is not None else ()
+    hazards = (read_hazard(found["hazards"][name], names) for name in sorted(found["hazards"]))
+    homes = (found["homes"][name].read(HomeYaml, names) for name in sorted(found["homes"]))
+    rows = reach.read(ReachYaml, names) if reach is not None else None
     catalog = Catalog(
-        hazards=hazards.read(lambda _, r, pack: read_hazard(r, names, rooms, pack)),
-        categories=categories.read(lambda name, r, _: read_category(name, r, names, rooms)),
-        room_types=room_types.read(lambda name, r, _: read_room_type(name, r, names)),
-        households=households.read(lambda name, r, _: read_household(name, r, ids)),
-        reach=reach,
-        homes=homes.read(lambda _, r, __: read_home(r, names, rooms)),
-        mixes=mixes.read(lambda name, r, _: read_mix(name, r, rooms)),
+        hazards=tuple(hazard for hazard in hazards if hazard is not None),
+        categories=named("categories", CategoryYaml),
+        room_types=named("rooms", RoomTypeYaml),
+        households=named("households", HouseholdYaml),
+        reach=rows.rows if rows is not None else (),
+        homes=tuple(home.record() for home in homes if home is not None),
+        mixes=named("plans", MixYaml),
     )
     for folder in folders:
-        for source in folder.all():
+        for _, source in folder.all():
             problems.extend(source.problems)
     if problems:
         raise InputError(tuple(dict.fromkeys(problems)))
     return catalog
 
 
-def _top(source: Source) -> Reader:
-    """Reader of a whole file; silent when the file could not be parsed (noted already)."""
-    if source.value is None and source.problems:
-        reader = Reader(source, (), {})
-        reader.ok = False
-        return reader
-    return Reader(source, (), source.value)
+def _add(found: dict[str, Entry], kind: str, entry: Entry) -> None:
+    """Take an entry, or note that it exists already (or does not, for it to replace)."""
+    first = found.get(entry.name)
+    replaces = entry.key("replaces") is True
+    if first is not None and not replaces:
+        where = f"{first.source.file}:{first.source.line(first.path)}"
+        hint = "(to replace it add 'replaces: true')"
+        entry.problem(f"{kind} {entry.name!r} is already defined at {where} {hint}")
+        return
+    if first is None and replaces:
+        near = did_you_mean(entry.name, sorted(found)) if entry.name not in found else ""
+        entry.problem(f"there is no {kind} {entry.name!r} to replace{near}", "replaces")
+    found[entry.name] = entry
 
 
-def _id_of(reader: Reader, source: Source) -> str:
-    """The ``id`` of a hazard or home file, which must be the file's name."""
-    stem = Path(source.file).stem
-    found = reader.data.get("id")
-    if isinstance(found, str) and found != stem:
-        reader.problem(f"the id must be the file's name, {stem!r}", "id")
-    return stem
+def _entries(kind: str, source: Source, pack: str) -> Iterator[Entry]:
+    """The entries of a file, and ``reach`` of a file of households."""
+    value = source.value
+    if value is None and source.problems:
+        return  # could not be parsed, as noted
+    if not isinstance(value, dict):
+        source.problem((), f"expected a mapping (key: value), got {shown(value)}")
+    elif kind in ("hazards", "homes"):
+        yield _whole(source, pack)
+    elif kind != "households":
+        yield from _named(source, (), value, pack)
+    else:
+        for key in value:
+            if key == "reach":
+                yield Entry(key, source, (key,), value[key], pack)
+            elif key == "templates":
+                yield from _named(source, (key,), value[key], pack)
+            else:
+                source.problem((key,), f"unknown key{did_you_mean(key, ('templates', 'reach'))}")
+
+
+def _named(source: Source, path: Path_, value: Any, pack: str) -> Iterator[Entry]:
+    """The entries of a mapping of names to entries."""
+    if not isinstance(value, dict):
+        source.problem(path, f"expected a mapping (key: value), got {shown(value)}")
+        return
+    for name, below in value.items():
+        if not WORD.fullmatch(name):
+            source.problem((*path, name), f"{name!r} {NOT_A_NAME}")
+        yield Entry(name, source, (*path, name), below, pack)
+
+
+def _whole(source: Source, pack: str) -> Entry:
+    """A file that is one entry: its ``id`` must be the file's name."""
+    entry = Entry(Path(source.file).stem, source, (), source.value, pack)
+    found = entry.key("id")
+    if isinstance(found, str) and found != entry.name:
+        entry.problem(f"the id must be the file's name, {entry.name!r}", "id")
+    return entry

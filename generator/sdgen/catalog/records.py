@@ -4,15 +4,29 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from sdgen.catalog.terms import Predicate
+from sdgen.catalog.words import (
+    PAIR,
+    CategoryName,
+    OptionalCategories,
+    Point2,
+    Point3,
+    Rectangle,
+    RoomName,
+    Word,
+    between,
+    span,
+)
 from sdgen.geometry import Vec3
 from sdgen.scene import Notify, Record
+from sdgen.strict import Expect, problem, refuse
 from sdgen.vocabulary import OpeningKind
 
 Group = Literal["safety", "sanitation", "child_safety"]
 Label = Literal["unsafe", "unsanitary", "unsafe for children"]
+CategoryKind = Literal["small", "furniture", "opening", "structure", "hazard_only"]
 
 
 # --- how to make an anomaly or a lookalike ------------------------------------------------------
@@ -58,8 +72,16 @@ class Concern(Record):
     """
 
     who: Literal["everyone", "children"]
-    max_age: int | None = None
+    max_age: Annotated[int | None, between(0, 17)] = None
     by_reach: bool = False
+
+    @model_validator(mode="after")
+    def _of_children(self) -> Concern:
+        if self.who == "children" and self.max_age is None:
+            refuse(problem((), "who: children needs max_age (years)"))
+        if self.who == "everyone" and (self.max_age is not None or self.by_reach):
+            refuse(problem((), "max_age and by_reach belong to who: children"))
+        return self
 
 
 class RemedyRule(Record):
@@ -110,7 +132,7 @@ class Category(Record):
     mass_max_kg: float
     properties: tuple[str, ...] = ()
     lives: tuple[Abode, ...] = ()
-    kind: Literal["small", "furniture", "opening", "structure", "hazard_only"] = "small"
+    kind: CategoryKind = "small"
 
 
 class ClutterPrior(Record):
@@ -133,8 +155,8 @@ class FurnitureRule(Record):
     room without a ``needed`` piece is arranged anew.
     """
 
-    category: str = ""
-    row: tuple[str, ...] = ()
+    category: CategoryName = ""
+    row: Annotated[tuple[CategoryName, ...], Expect("a list of categories")] = ()
     where: Literal[
         "wall",
         "corner",
@@ -148,13 +170,32 @@ class FurnitureRule(Record):
         "above",
         "opposite",
     ]
-    of: tuple[str, ...] = ()
-    count: tuple[int, int] = (1, 1)
-    chance: float = 1.0
+    of: OptionalCategories = ()
+    # Limits that no real room exceeds; a negative gap puts a chair under its desk.
+    count: Annotated[tuple[int, int], span(0, 20, whole=True), PAIR] = (1, 1)
+    chance: Annotated[float, between(0.0, 1.0)] = 1.0
     needed: bool = False
-    front_m: float = 0.5
-    gap_m: float = 0.0
-    z_m: float = 0.0
+    front_m: Annotated[float, between(0.0, 5.0)] = 0.5
+    gap_m: Annotated[float, between(-2.0, 5.0)] = 0.0
+    z_m: Annotated[float, between(0.0, 5.0)] = 0.0
+
+    @model_validator(mode="after")
+    def _of_its_kind(self) -> FurnitureRule:
+        wanted = {"row" if self.where == "row" else "category"}
+        if self.where not in ("wall", "corner", "middle", "row"):
+            wanted.add("of")
+        given = {key for key in ("category", "row", "of") if getattr(self, key)}
+        found = [
+            problem((), f"missing key {key!r}: 'where: {self.where}' needs it")
+            for key in sorted(wanted - given)
+        ]
+        found += [
+            problem((key,), f"does not go with 'where: {self.where}'")
+            for key in sorted(given - wanted)
+        ]
+        if found:
+            refuse(*found)
+        return self
 
 
 class RoomType(Record):
@@ -191,8 +232,8 @@ class HouseholdTemplate(Record):
 class ReachRow(Record):
     """Up to this age a child grasps things this high (metres, standing, arm up)."""
 
-    max_age: int
-    reach_m: float
+    max_age: Annotated[int, between(0, 17)]
+    reach_m: Annotated[float, between(0.1, 2.5)]
 
 
 class FurnitureItem(Record):
@@ -205,23 +246,37 @@ class FurnitureItem(Record):
     models to those that wide (their y extent), where units stand side by side.
     """
 
-    category: str
-    position_m: Vec3
-    yaw_deg: float
-    width_m: tuple[float, float] | None = None
+    category: CategoryName
+    position_m: Point3
+    yaw_deg: Annotated[float, between(-360.0, 360.0)] = 0.0
+    width_m: Annotated[tuple[float, float], span(0.0, 20.0), PAIR] | None = None
     optional: bool = False
-    on: str | None = None
+    on: CategoryName | None = None
     against_wall: bool = False
-    jitter_m: float = Field(default=0.0, ge=0.0)
+    # More than half a metre would be another place.
+    jitter_m: Annotated[float, Field(ge=0.0), between(0.0, 0.5)] = 0.0
 
 
 class BaseRoom(Record):
     """A room of a base home: axis-aligned rectangles that join to its outline."""
 
-    name: str
-    type: str
-    rectangles_m: tuple[tuple[float, float, float, float], ...]
+    name: Word
+    type: RoomName
+    rectangles_m: Annotated[tuple[Rectangle, ...], Expect("[[x_min, y_min, x_max, y_max], ...]")]
     furniture: tuple[FurnitureItem, ...] = ()
+
+    @model_validator(mode="after")
+    def _low_before_high(self) -> BaseRoom:
+        wrong = [
+            problem(("rectangles_m", index), "expected [x_min, y_min, x_max, y_max]")
+            for index, (a, b, c, d) in enumerate(self.rectangles_m)
+            if a >= c or b >= d
+        ]
+        if not self.rectangles_m:
+            wrong = [problem(("rectangles_m",), "expected at least one rectangle")]
+        if wrong:
+            refuse(*wrong)
+        return self
 
 
 class BaseOpening(Record):
@@ -231,9 +286,9 @@ class BaseOpening(Record):
     """
 
     kind: OpeningKind
-    center_m: tuple[float, float]
+    center_m: Point2
     along: Literal["x", "y"]
-    sill_m: float = 0.0
+    sill_m: Annotated[float, between(0.0, 3.0)] = 0.0
     small: bool = False
     hinge_flip: bool = False
 

@@ -7,8 +7,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 from sdgen.catalog.predicate import Evidence, FactSource, Verdict, all_verdicts, any_verdict
-from sdgen.catalog.reader import Reader, shown
+from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.term import Can, Case, Scope, Term
+from sdgen.strict import shown
 
 if TYPE_CHECKING:
     # At run time the registry gives pydantic the union of all terms.

@@ -1,0 +1,107 @@
+"""The files of a catalogue folder, found and parsed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sdgen.errors import InputError, did_you_mean
+from sdgen.resources import data_path
+from sdgen.yaml_source import Source, read_yaml
+
+#: Folders of a catalogue, a file an entry (of ``categories`` several), and its single files.
+FOLDERS = ("categories", "hazards", "homes")
+FILES = ("rooms", "plans", "households")
+_SUFFIXES = (".yaml", ".yml")
+
+
+@dataclass
+class Folder:
+    """The parsed files of one catalogue folder by kind (the name of a folder or single file).
+
+    ``pack`` names it in its hazards; ``problems`` are those of files that could not be read.
+    """
+
+    pack: str
+    sources: dict[str, list[Source]] = field(default_factory=dict)
+    problems: list[str] = field(default_factory=list)
+
+    def all(self) -> Iterator[tuple[str, Source]]:
+        """Every file with its kind, in reading order: what others refer to first."""
+        for kind in ("categories", "rooms", "hazards", "households", "homes", "plans"):
+            for source in self.sources.get(kind, ()):
+                yield kind, source
+
+    def add(self, kind: str, path: Path, shown: str) -> None:
+        """Parse a file, or note why it cannot be read."""
+        try:
+            self.sources.setdefault(kind, []).append(read_yaml(path, shown))
+        except InputError as error:
+            self.problems += error.problems
+
+
+def open_folder(root: Path, pack: str, shown: str) -> Folder:
+    """All files of a folder; what looks like one of them but is not is a problem."""
+    out = Folder(pack)
+    for path in sorted(root.iterdir()):
+        name = f"{shown}/{path.name}"
+        if path.name in FOLDERS and path.is_dir():
+            for below in sorted(path.iterdir()):
+                if _is_yaml(below):
+                    out.add(path.name, below, f"{name}/{below.name}")
+                elif below.is_dir() and any(map(_is_yaml, below.rglob("*"))):
+                    out.problems.append(
+                        f"{name}/{below.name}: files in it are not read; move them up"
+                    )
+        elif path.stem in FILES and _is_yaml(path):
+            out.add(path.stem, path, name)
+        elif problem := _misplaced(path):
+            out.problems.append(f"{name}: {problem}")
+    return out
+
+
+def _is_yaml(path: Path) -> bool:
+    return path.suffix in _SUFFIXES and not path.name.startswith(".")
+
+
+def _misplaced(path: Path) -> str:
+    """What is wrong with something in a catalogue's folder that belongs to none of its kinds."""
+    if path.name.startswith("."):
+        return ""
+    if _is_yaml(path):
+        near = did_you_mean(path.name, [f"{name}.yaml" for name in FILES])
+        return f"no file of a catalogue{near}"
+    if not path.is_dir() or path.name == "extensions":
+        return ""
+    near = did_you_mean(path.name, [*FOLDERS, "extensions"])
+    if "did you mean" in near or any(map(_is_yaml, path.iterdir())):
+        return f"no folder of a catalogue{near}"
+    return ""
+
+
+def extension_names() -> tuple[str, ...]:
+    """Names of the shipped extension packs."""
+    root = data_path("hazard_catalog", "extensions")
+    if not root.is_dir():
+        return ()
+    return tuple(sorted(path.name for path in root.iterdir() if path.is_dir()))
+
+
+def open_extra(path: Path) -> Folder:
+    """An extra folder, or one file: its name or its folder's name says what it holds."""
+    shipped = data_path("hazard_catalog").resolve()
+    if path.resolve() == shipped or shipped in path.resolve().parents:
+        return Folder(pack="core")  # loaded already
+    if not path.is_dir():
+        single = Folder(pack=path.stem)
+        folder = path.resolve().parent.name
+        kind = path.stem if path.stem in FILES else folder if folder in FOLDERS else "hazards"
+        single.add(kind, path, str(path))
+        return single
+    out = open_folder(path, path.resolve().name, str(path))
+    if not out.sources and not out.problems:
+        layout = f"{', '.join(f'{name}/*.yaml' for name in FOLDERS)}, "
+        layout += ", ".join(f"{name}.yaml" for name in FILES)
+        out.problems.append(f"{path}: no catalogue file in it (expected {layout})")
+    return out

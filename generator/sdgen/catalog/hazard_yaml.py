@@ -1,0 +1,199 @@
+"""A file of ``hazards/`` as people write it, and the record it stands for."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from sdgen.catalog.consistency import check_recipes
+from sdgen.catalog.entry import Entry, as_record
+from sdgen.catalog.predicate_yaml import read_predicate
+from sdgen.catalog.records import (
+    Concern,
+    Group,
+    Hazard,
+    Label,
+    PlaceRecipe,
+    RemedyRule,
+    SetRecipe,
+)
+from sdgen.catalog.terms import AllTerm, AnyTerm, HeightTerm, Predicate
+from sdgen.catalog.words import (
+    Categories,
+    Names,
+    OptionalCategories,
+    RoomNames,
+    State,
+    Text,
+    Weight,
+    Word,
+    Zones,
+    between,
+)
+from sdgen.scene import Record
+from sdgen.strict import Expect, problem, refuse
+
+#: The label each group carries, and its order in listings.
+LABELS: dict[Group, Label] = {
+    "safety": "unsafe",
+    "sanitation": "unsanitary",
+    "child_safety": "unsafe for children",
+}
+Action = Literal["close", "switch_off", "put_out", "put_in", "put_on", "wipe_up", "throw_away"]
+ACTIONS = get_args(Action)
+_PLACEHOLDERS = ("object", "target", "room")
+_Relation = Literal["ON", "INSIDE"]
+#: No room is higher.
+_Height = Annotated[float, between(0.0, 10.0)]
+
+
+class PlaceYaml(Record):
+    """A recipe that puts a new object somewhere."""
+
+    place: Categories
+    state: State | None = None
+    relation: _Relation
+    target: Categories
+    zone: Zones = ()
+    avoid_zones: Zones = ()
+    rooms: RoomNames = ()
+    min_height_m: _Height | None = None
+    max_height_m: _Height | None = None
+    weight: Weight = 1.0
+
+    @model_validator(mode="after")
+    def _check(self) -> PlaceYaml:
+        low, high = self.min_height_m, self.max_height_m
+        if low is not None and high is not None and low > high:
+            text = f"min_height_m ({low:g}) is above max_height_m ({high:g})"
+            refuse(problem(("min_height_m",), text))
+        if self.zone and self.target != ("floor",):
+            refuse(problem(("zone",), "zone needs 'target: floor'"))
+        return self
+
+    def record(self) -> PlaceRecipe:
+        """The record of it."""
+        return as_record(self, PlaceRecipe, categories=self.place, targets=self.target)
+
+
+class SetYaml(Record):
+    """A recipe that brings an object of the home into a state."""
+
+    set: Categories
+    state: State
+    rooms: RoomNames = ()
+    weight: Weight = 1.0
+
+    def record(self) -> SetRecipe:
+        """The record of it."""
+        return as_record(self, SetRecipe, categories=self.set)
+
+
+def _kind(value: Any) -> str | None:
+    if isinstance(value, dict):
+        return "<set>" if "set" in value else "<place>" if "place" in value else None
+    return None
+
+
+RecipeYaml = Annotated[
+    # The tags are no keys, so that they cannot be taken for a step of a key path.
+    Annotated[PlaceYaml, Tag("<place>")] | Annotated[SetYaml, Tag("<set>")],
+    Discriminator(
+        _kind,
+        custom_error_type="recipe",
+        custom_error_message="expected 'place: [categories]' or 'set: [categories]'",
+    ),
+]
+
+
+class RemedyYaml(Record):
+    """One step that undoes the anomaly."""
+
+    action: Action
+    target: OptionalCategories = ()
+
+    @model_validator(mode="after")
+    def _check(self) -> RemedyYaml:
+        if self.action in ("put_in", "put_on") and not self.target:
+            refuse(problem((), f"action {self.action} needs a target"))
+        return self
+
+
+class HazardYaml(Record):
+    """The whole file; the predicate is read by its terms."""
+
+    id: Word
+    title: Text
+    paper_class: Text = ""
+    group: Group
+    label: Label | None = None
+    concerns: Annotated[Concern, Expect("{who: everyone} or {who: children, max_age: years}")]
+    urgency: Literal["high", "medium", "low"]
+    message: Text
+    source: Text
+    predicate: Annotated[Any, Expect("terms: when is it true?")]
+    relation: _Relation | None = None
+    evidence_state: State | None = None
+    anomalies: Annotated[tuple[RecipeYaml, ...], Field(min_length=1), Expect("at least one recipe")]
+    lookalikes: tuple[RecipeYaml, ...] = ()
+    remedy: Annotated[tuple[RemedyYaml, ...], Field(min_length=1), Expect("at least one step")]
+    replaces: bool = False
+
+    @model_validator(mode="after")
+    def _check(self) -> HazardYaml:
+        found = [problem(("message",), text) for text in self._message()]
+        wanted = LABELS[self.group]
+        if self.label not in (None, wanted):
+            found.append(problem(("label",), f"the label of group {self.group} is {wanted!r}"))
+        if found:
+            refuse(*found)
+        return self
+
+    def _message(self) -> list[str]:
+        """What is wrong with the placeholders of the message."""
+        out = []
+        for name in re.findall(r"\{([^{}]*)\}", self.message):
+            if name not in _PLACEHOLDERS:
+                allowed = ", ".join(f"{{{word}}}" for word in _PLACEHOLDERS)
+                out.append(f"unknown placeholder {{{name}}} (allowed: {allowed})")
+            if name == "target" and self.relation is None:
+                out.append("{target} needs 'relation: ON' or 'relation: INSIDE'")
+        if re.search(r"[{}]", re.sub(r"\{[^{}]*\}", "", self.message)):
+            out.append("has a brace without its pair")
+        return out
+
+
+def read_hazard(entry: Entry, names: Names) -> Hazard | None:
+    """Read one hazard; None when problems were noted in the entry's source."""
+    predicate: Predicate | None = None
+    below = entry.key("predicate")
+    if below is not None:
+        path = (*entry.path, "predicate")
+        known = set(names.categories), set(names.rooms)
+        predicate = read_predicate(entry.source, path, below, *known)
+    written = entry.read(HazardYaml, names)
+    if written is None or predicate is None or entry.source.problems:
+        return None
+    if written.concerns.by_reach and not _measures_reach(predicate):
+        text = "by_reach needs a term 'height: {…, evidence: reach_height_m}' in the predicate"
+        entry.problem(text, "concerns", "by_reach")
+    hazard = as_record(
+        written,
+        Hazard,
+        label=LABELS[written.group],
+        predicate=predicate,
+        anomalies=tuple(recipe.record() for recipe in written.anomalies),
+        lookalikes=tuple(recipe.record() for recipe in written.lookalikes),
+        remedy=tuple(RemedyRule(action=r.action, targets=r.target) for r in written.remedy),
+        pack=entry.pack,
+    )
+    check_recipes(entry, hazard)
+    return hazard
+
+
+def _measures_reach(predicate: Predicate) -> bool:
+    if isinstance(predicate, AllTerm | AnyTerm):
+        return any(_measures_reach(term) for term in predicate.within())
+    return isinstance(predicate, HeightTerm) and predicate.evidence == "reach_height_m"

@@ -1,0 +1,223 @@
+"""Categories, room types, mixes of rooms and households as people write them in YAML."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, get_args
+
+from pydantic import Field, model_validator
+
+from sdgen.catalog.entry import as_record
+from sdgen.catalog.records import (
+    Abode,
+    Category,
+    CategoryKind,
+    ClutterPrior,
+    FurnitureRule,
+    HomeMix,
+    HouseholdTemplate,
+    ReachRow,
+    RoomType,
+)
+from sdgen.catalog.words import (
+    PAIR,
+    Categories,
+    CategoryName,
+    Counts,
+    HazardName,
+    RoomName,
+    RoomNames,
+    Size,
+    Text,
+    Weight,
+    between,
+    names_of,
+    one_of,
+    span,
+)
+from sdgen.scene import Notify, Record
+from sdgen.strict import Expect, problem, refuse
+
+#: VirtualHome's spelling; ``category`` of a node in graph.json.
+SUPERCLASSES = (
+    "Appliances",
+    "Ceiling",
+    "Decor",
+    "Doors",
+    "Electronics",
+    "Floor",
+    "Food",
+    "Furniture",
+    "Lamps",
+    "Props",
+    "Walls",
+    "Windows",
+)
+#: VirtualHome's, and HEAT_SOURCE and WATER_SOURCE (of which zones are made).
+PROPERTIES = (
+    "CAN_OPEN",
+    "CLOTHES",
+    "CONTAINERS",
+    "COVER_OBJECT",
+    "CREAM",
+    "CUTTABLE",
+    "DRINKABLE",
+    "EATABLE",
+    "GRABBABLE",
+    "HANGABLE",
+    "HAS_PAPER",
+    "HAS_PLUG",
+    "HAS_SWITCH",
+    "HEAT_SOURCE",
+    "LIEABLE",
+    "LOOKABLE",
+    "MOVABLE",
+    "POURABLE",
+    "READABLE",
+    "RECIPIENT",
+    "SITTABLE",
+    "SURFACES",
+    "WATER_SOURCE",
+)
+
+
+class AbodeYaml(Record):
+    """``lives``: where a category normally is."""
+
+    relation: Literal["ON", "INSIDE"]
+    target: Categories
+    rooms: RoomNames = ()
+    weight: Weight = 1.0
+
+    def record(self) -> Abode:
+        """The record of it."""
+        return as_record(self, Abode, targets=self.target)
+
+
+class CategoryYaml(Record):
+    """One entry of a ``categories/`` file; ``source`` is for people: where the sizes come from."""
+
+    superclass: Annotated[str, one_of(SUPERCLASSES), Expect(f"one of {', '.join(SUPERCLASSES)}")]
+    kind: CategoryKind = "small"
+    source: Text = ""
+    size_m: Annotated[tuple[Size, Size], Expect("[[x, y, z] smallest, [x, y, z] largest]")]
+    # A tonne: more than any furniture weighs.
+    mass_kg: Annotated[tuple[float, float], span(0.0, 1000.0), PAIR]
+    properties: Annotated[tuple[str, ...], names_of("property", 0, PROPERTIES)] = ()
+    lives: tuple[AbodeYaml, ...] = ()
+    replaces: bool = False
+
+    @model_validator(mode="after")
+    def _check(self) -> CategoryYaml:
+        if any(x > y for x, y in zip(*self.size_m, strict=True)):
+            refuse(problem(("size_m",), "the smallest is larger than the largest"))
+        if self.mass_kg[0] <= 0:
+            refuse(problem(("mass_kg",), "masses must be above 0"))
+        return self
+
+    def record(self, name: str) -> Category:
+        """The record of it."""
+        return as_record(
+            self,
+            Category,
+            name=name,
+            extents_min_m=self.size_m[0],
+            extents_max_m=self.size_m[1],
+            mass_min_kg=self.mass_kg[0],
+            mass_max_kg=self.mass_kg[1],
+            lives=tuple(item.record() for item in self.lives),
+        )
+
+
+class RoomTypeYaml(Record):
+    """One entry of ``rooms.yaml``."""
+
+    area_m2: Annotated[tuple[float, float], span(1.0, 200.0)] = (8.0, 16.0)
+    narrowest_m: Annotated[float, between(0.9, 10.0)] = 2.0
+    furniture: tuple[FurnitureRule, ...] = ()
+    clutter: dict[CategoryName, Counts]
+    floor_clutter: Counts
+    replaces: bool = False
+
+    @model_validator(mode="after")
+    def _each_after_what_it_stands_by(self) -> RoomTypeYaml:
+        placed: set[str] = set()
+        wrong = []
+        for index, rule in enumerate(self.furniture):
+            for name in rule.of:
+                if name not in placed:
+                    text = f"no {name} is placed before it in this room"
+                    wrong.append(problem(("furniture", index, "of"), text))
+            placed |= {rule.category, *rule.row}
+        if wrong:
+            refuse(*wrong)
+        return self
+
+    def record(self, name: str) -> RoomType:
+        """The record of it."""
+        return as_record(
+            self,
+            RoomType,
+            name=name,
+            clutter=tuple(
+                ClutterPrior(receptacle=receptacle, count_min=least, count_max=most)
+                for receptacle, (least, most) in self.clutter.items()
+            ),
+            floor_clutter_min=self.floor_clutter[0],
+            floor_clutter_max=self.floor_clutter[1],
+        )
+
+
+class MixYaml(Record):
+    """One entry of ``plans.yaml``; a room type may come twice."""
+
+    weight: Weight = 1.0
+    hub: RoomName
+    rooms: Annotated[tuple[RoomName, ...], Field(min_length=1), Expect("a list of room types")]
+    replaces: bool = False
+
+    def record(self, name: str) -> HomeMix:
+        """The record of it."""
+        return as_record(self, HomeMix, name=name)
+
+
+class MemberYaml(Record):
+    """One member of a household."""
+
+    role: Text
+    age: Annotated[tuple[int, int], span(0, 120, whole=True), PAIR]
+
+
+class HouseholdYaml(Record):
+    """One entry of ``templates`` in ``households.yaml``."""
+
+    weight: Weight = 1.0
+    members: Annotated[tuple[MemberYaml, ...], Field(min_length=1), Expect("at least one item")]
+    pets: Annotated[tuple[str, ...], names_of("pet", least=0)] = ()
+    conditions: Annotated[tuple[str, ...], names_of("condition", least=0)] = ()
+    notifications: dict[
+        HazardName, Annotated[tuple[Notify, ...], names_of("choice", 1, get_args(Notify))]
+    ] = Field(default_factory=dict)
+    replaces: bool = False
+
+    def record(self, name: str) -> HouseholdTemplate:
+        """The record of it."""
+        members = tuple((member.role, *member.age) for member in self.members)
+        return as_record(self, HouseholdTemplate, name=name, members=members)
+
+
+class ReachYaml(Record):
+    """``reach`` of ``households.yaml``: how high children grasp things, by rising age."""
+
+    rows: tuple[ReachRow, ...]
+    source: Text = ""
+
+    @model_validator(mode="after")
+    def _rising(self) -> ReachYaml:
+        wrong = [
+            problem(("rows", index + 1), "ages and reaches must rise from row to row")
+            for index, (a, b) in enumerate(zip(self.rows, self.rows[1:], strict=False))
+            if b.max_age <= a.max_age or b.reach_m < a.reach_m
+        ]
+        if wrong:
+            refuse(*wrong)
+        return self

@@ -13,6 +13,8 @@ from sdgen.cli.main import run
 ROOT = Path(__file__).resolve().parent.parent
 EXAMPLES = ROOT / "examples"
 
+pytestmark = pytest.mark.xdist_group("examples")  # one data set, one worker
+
 
 @pytest.fixture(scope="module")
 def homes(tmp_path_factory: pytest.TempPathFactory) -> Path:

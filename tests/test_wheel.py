@@ -16,7 +16,7 @@ import sdgen
 from sdgen.library import load_library
 
 ROOT = Path(__file__).resolve().parent.parent
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("wheel")]  # one wheel, one worker
 
 
 @pytest.fixture(scope="module")

@@ -1,7 +1,7 @@
 """A hand-made two-room home with boxes for models, and whole data sets of it without a simulator.
 
 Scene ``i`` has ``i % 4`` anomalies: a stove that is on, then a knife on the table, then milk out
-of the fridge. A knife on a high shelf is the lookalike. Pictures are painted rectangles.
+of the fridge. A knife on a high shelf is the lookalike. Pictures are drawn box by box.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-import numpy as np
+from sdgen.cameras.pinhole import intrinsics, matrix4
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import DatasetWriter
 from sdgen.freespace import free_shape, rounded_rings
-from sdgen.geometry import apply, inverse, look_at, quat_from_yaw, round_position, round_quat
+from sdgen.geometry import look_at, quat_from_yaw, round_position, round_quat
 from sdgen.hazards.certify import facts_of, survey
 from sdgen.hazards.labels import anomaly_records
 from sdgen.hazards.splits import Split, split_of_home
@@ -47,6 +47,8 @@ from sdgen.scene import (
 )
 from sdgen.truth import build_graph, visibility_of
 from sdgen.zones import derive_zones, floor_obstacles
+
+from tests import toy_pictures
 
 ASSETS_SHA256 = "a" * 64
 VERSIONS = {"sdgen": "test"}
@@ -233,17 +235,22 @@ def household(child_age: int | None = 5) -> Household:
     return Household(template="toy", members=tuple(members))
 
 
+#: Where the cameras stand and what they look at: the kitchen with all that can be wrong, and the
+#: shelf with the knife that is not.
+_LOOKS = (((2.3, -0.7, 2.0), (2.2, 1.0, 0.8)), ((1.8, 3.9, 2.3), (0.3, 5.0, 1.5)))
+
+
 def camera(index: int, options: BuildOptions) -> Camera:
-    """A camera that looks north at all of it."""
+    """The first looks at the kitchen, the second at the living room, further ones as these."""
     width, height = options.width, options.height
     return Camera(
         index=index,
         kind="room",
-        room_id=100,
+        room_id=100 + index % 2,
         width=width,
         height=height,
-        K=((width, 0, (width - 1) / 2), (0, width, (height - 1) / 2), (0, 0, 1)),
-        world_from_camera=look_at((2, -6, 1.2), (2, 3, 1)).tolist(),
+        K=intrinsics(width, height),
+        world_from_camera=matrix4(look_at(*_LOOKS[index % 2])),
         near_m=0.05,
         far_m=20.0,
     )
@@ -284,28 +291,8 @@ def bundle(
 
 
 def frame(made: SceneBundle, index: int) -> Frame:
-    """A painted view: every object a rectangle in a row, its parts side by side; a floor below."""
-    view = made.cameras[index]
-    shape = (view.height, view.width)
-    instance = np.full(shape, 200, dtype=np.uint16)
-    part = np.zeros(shape, dtype=np.uint8)
-    step = view.width // len(made.scene.objects)
-    alone = {}
-    for k, item in enumerate(made.scene.objects):
-        x, y = k * step, 2 + index
-        instance[y : y + 20, x : x + step - 1] = item.id
-        wide = (step - 1) // len(item.parts)
-        for j in range(len(item.parts)):
-            part[y : y + 20, x + j * wide : x + (j + 1) * wide if j else x + step - 1] = j + 1
-        alone[item.id] = 20 * (step - 1) + 10 * k
-    rgb = np.stack([instance % 251, instance % 127 + 60, part * 80 + 40], axis=2).astype(np.uint8)
-    depth = np.full(shape, 3000, dtype=np.uint16)
-    camera_from_world = inverse(np.asarray(view.world_from_camera))
-    for item in made.scene.objects:
-        east, north, low = item.pose.position_m
-        middle = (east, north, low + infos()[item.asset].extents_m[2] / 2)
-        depth[instance == item.id] = round(1000 * apply(camera_from_world, [middle])[0, 2])
-    return Frame(view, rgb, depth, instance, part, alone)
+    """A view drawn by ``toy_pictures``."""
+    return toy_pictures.frame(made.scene, made.cameras[index], infos())
 
 
 def frames(made: SceneBundle) -> list[Frame]:

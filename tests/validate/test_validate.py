@@ -169,7 +169,7 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     # views
     ("visibility.json", _put("views.0.objects.0.bbox.0", 3), "view", "views[0].objects.11.bbox"),
     ("visibility.json", _put("views.0.objects.0.pixels", 3), "view", "objects.11.pixels"),
-    ("visibility.json", _put("views.1.objects.0.parts.glow", 1), "view", "objects.11.parts.glow"),
+    ("visibility.json", _put("views.0.objects.0.parts.glow", 1), "view", "objects.11.parts.glow"),
     ("visibility.json", _put("views.0.objects.0", "-"), "view", "objects.11: nothing stored"),
     ("visibility.json", _put("views.0.objects.0.fraction", 1.5), "view", "fraction 1.5"),
     ("visibility.json", _put("views.1", "-"), "view", "not one entry a view"),
@@ -179,8 +179,15 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("views/00/view.json", _put("index", 1), "view", "index: 1, expected 0"),
     ("views/00/view.json", _put("width", 320), "view", "not that of the options"),
     ("views/00/view.json", _put("K.0.2", 80.0), "view", "K: not a pinhole"),
+    ("views/00/view.json", _put("K", [[57, 0, 79.5], [0, 57, 59.5], [0, 0, 1]]), "view", "K: not"),
+    ("views/00/view.json", _put("K.0.0", 1e4), "view", "K: not a pinhole"),
     ("views/00/view.json", _put("world_from_camera.0.0", 0.5), "view", "not a rotation"),
-    ("views/00/view.json", _put("world_from_camera.1.3", -9.0), "view", "pixels are off its box"),
+    (
+        "views/00/view.json",
+        _put("world_from_camera.1.3", -9.0),
+        "view",
+        "pixels lie off what the mask",
+    ),
 ]
 
 
@@ -208,6 +215,10 @@ def _flat(depth: Any) -> None:
     depth[:] = 2000
 
 
+def _deeper(depth: Any) -> None:
+    depth[depth > 0] += 100
+
+
 def _hole(depth: Any) -> None:
     depth[60, 60] = 0
 
@@ -217,7 +228,8 @@ def _hole(depth: Any) -> None:
     [
         ("instance.png", _relabel, "views[0].objects.512"),
         ("instance.png", _stranger, "id 999 is no node"),
-        ("depth.png", _flat, "pixels are off its box"),
+        ("depth.png", _flat, "pixels lie off what the mask"),
+        ("depth.png", _deeper, "pixels lie off what the mask"),
         ("depth.png", _hole, "do not cover the same pixels"),
     ],
 )

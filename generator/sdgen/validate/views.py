@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from itertools import islice
 
 import numpy as np
 
+from sdgen.cameras.pinhole import FOV_X_RAD, intrinsics
 from sdgen.dataset import Dataset
 from sdgen.dataset.reader import SceneItem
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import InputError
-from sdgen.geometry import apply, inverse, matrix
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Camera, ViewVisibility
 from sdgen.truth.visibility import assemble, measure_masks, part_names
+from sdgen.validate.colours import Ids, Rgb, follows_mask
 from sdgen.validate.labels import known_ids
 from sdgen.validate.problems import SHOWN, Problem, differences
-
-#: How far in front of or behind an object's box its pixels may lie: bevels, depth rounding, the
-#: half pixel of an oblique face.
-DEPTH_SLACK_M = 0.06
-#: Share of an object's pixels that may lie farther off (silhouettes).
-DEPTH_OUTLIERS = 0.02
+from sdgen.validate.surfaces import off_surface
 
 
 def check_views(
@@ -66,10 +63,9 @@ def _camera(camera: Camera, k: int, data: Dataset, rooms: set[int]) -> Iterator[
         yield "world_from_camera: not a rotation"
     if not np.array_equal(pose[3], [0, 0, 0, 1]):
         yield "world_from_camera: last row is not 0 0 0 1"
-    (fx, skew, cx), (zero, fy, cy), last = camera.K
-    centred = abs(cx - (camera.width - 1) / 2) < 1e-6 and abs(cy - (camera.height - 1) / 2) < 1e-6
-    if not (fx > 0 and fy > 0 and centred and (skew, zero, *last) == (0, 0, 0, 0, 1)):
-        yield "K: not a pinhole camera whose centre is the picture's"
+    if not np.allclose(camera.K, intrinsics(camera.width, camera.height), rtol=1e-9, atol=1e-9):
+        angle = math.degrees(FOV_X_RAD)
+        yield f"K: not a pinhole camera of this size whose field of view is {angle:g} degrees"
     if not 0 < camera.near_m < camera.far_m:
         yield "near_m and far_m: not 0 < near < far"
 
@@ -79,22 +75,42 @@ def _view(
 ) -> Iterator[Problem]:
     k, sensors = view.view, data.info.options.sensors
     try:
-        if "rgb" in sensors and not np.ptp(item.rgb(k)):
-            name = f"{view_folder(k)}/rgb.{data.info.options.rgb}"
-            yield Problem("view", f"{item.where(name)}: one colour everywhere")
+        ids = item.instance(k) if "instance" in sensors else None
+        if "rgb" in sensors:
+            where = item.where(f"{view_folder(k)}/rgb.{data.info.options.rgb}")
+            yield from (Problem("view", f"{where}: {text}") for text in _rgb(item.rgb(k), ids))
         depth = item.depth_mm(k) if "depth" in sensors else None
-        if "instance" in sensors:
-            yield from _masks(item, view)
-            if depth is not None:
-                yield from _depth(item, infos, k, depth, item.instance(k))
+        if ids is not None:
+            yield from _masks(item, view, ids)
+        if ids is not None and depth is not None:
+            where = item.where(f"{view_folder(k)}/depth.png")
+            for text in _depth(item, infos, item.cameras[k], depth, ids):
+                yield Problem("view", f"{where}: {text}")
     except InputError as error:
         yield from (Problem("view", text) for text in error.problems)
 
 
-def _masks(item: SceneItem, view: ViewVisibility) -> Iterator[Problem]:
+def _rgb(rgb: Rgb, ids: Ids | None) -> Iterator[str]:
+    if not np.ptp(rgb):
+        yield "one colour everywhere"
+    elif ids is not None and not follows_mask(rgb, ids):
+        yield "shows something else than instance.png: its colours do not change where things end"
+
+
+def _depth(
+    item: SceneItem, infos: Mapping[str, AssetInfo], camera: Camera, depth_mm: Ids, ids: Ids
+) -> Iterator[str]:
+    if np.any((depth_mm > 0) != (ids > 0)):
+        yield "depth and mask do not cover the same pixels"
+    text = off_surface(item, infos, camera, depth_mm, ids)
+    if text is not None:
+        yield text
+
+
+def _masks(item: SceneItem, view: ViewVisibility, ids: Ids) -> Iterator[Problem]:
     where = item.where(f"{view_folder(view.view)}/instance.png")
     parts_of = part_names(item.scene)
-    found = measure_masks(item.instance(view.view), item.part(view.view), parts_of)
+    found = measure_masks(ids, item.part(view.view), parts_of)
     for node_id in sorted(set(found) - known_ids(item.scene)):
         yield Problem("view", f"{where}: id {node_id} is no node of graph.json")
     stored = {
@@ -109,50 +125,10 @@ def _masks(item: SceneItem, view: ViewVisibility) -> Iterator[Problem]:
     path = f"views[{view.view}].objects"
     for text in islice(differences(stored, derived, path), SHOWN):
         yield Problem("view", f"{item.where('visibility.json')}: {text}")
-    ids = [thing.object_id for thing in view.objects]
-    if ids != sorted(set(ids)):
+    listed = [thing.object_id for thing in view.objects]
+    if listed != sorted(set(listed)):
         yield Problem("view", f"{item.where('visibility.json')}: {path}: not sorted by id")
     for thing in view.objects:
         if not 0 < thing.fraction <= 1:
             text = f"{path}: {thing.object_id}: fraction {thing.fraction} is not in (0, 1]"
             yield Problem("view", f"{item.where('visibility.json')}: {text}")
-
-
-def _depth(
-    item: SceneItem,
-    infos: Mapping[str, AssetInfo],
-    view: int,
-    depth_mm: np.ndarray[tuple[int, ...], np.dtype[np.uint16]],
-    instance: np.ndarray[tuple[int, ...], np.dtype[np.uint16]],
-) -> Iterator[Problem]:
-    where = item.where(f"{view_folder(view)}/depth.png")
-    camera = item.cameras[view]
-    if np.any((depth_mm > 0) & (instance == 0)) or np.any((depth_mm == 0) & (instance > 0)):
-        yield Problem("view", f"{where}: depth and mask do not cover the same pixels")
-    low, high = np.zeros(65536), np.full(65536, np.inf)
-    camera_from_world = inverse(np.asarray(camera.world_from_camera))
-    for thing in item.scene.objects:
-        corners = _box_corners(thing.id, item, infos)
-        if corners is not None:
-            z = apply(camera_from_world, corners)[:, 2]
-            low[thing.id], high[thing.id] = z.min() - DEPTH_SLACK_M, z.max() + DEPTH_SLACK_M
-    metres = depth_mm / 1000.0
-    off = ((metres < low[instance]) | (metres > high[instance])) & (depth_mm > 0)
-    wrong = np.bincount(instance[off], minlength=65536)
-    total = np.bincount(instance.reshape(-1), minlength=65536)
-    for node_id in np.flatnonzero(wrong > np.maximum(8, DEPTH_OUTLIERS * total)).tolist():
-        text = f"object {node_id}: {wrong[node_id]} of {total[node_id]} pixels are off its box"
-        yield Problem("view", f"{where}: {text}")
-
-
-def _box_corners(
-    object_id: int, item: SceneItem, infos: Mapping[str, AssetInfo]
-) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]] | None:
-    """Corners of an object's box; None when an open joint or another variant reaches beyond it."""
-    thing = item.scene.object(object_id)
-    if any(thing.joints.values()) or thing.variant != "default":
-        return None
-    x, y, z = infos[thing.asset].extents_m
-    world = matrix(thing.pose.position_m, thing.pose.quat_xyzw)
-    corners = [(a, b, c) for a in (-x / 2, x / 2) for b in (-y / 2, y / 2) for c in (0.0, z)]
-    return apply(world, corners)

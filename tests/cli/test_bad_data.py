@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from sdgen.cli.main import run
 from sdgen.errors import SHOWN
+from sdgen.rejection import Cause
 
 from tests import toy
 
@@ -101,7 +102,7 @@ def test_scenes_that_could_not_be_made_are_not_missing(tmp_path: Path) -> None:
     path = tmp_path / "d"
     with toy.open_writer(path, toy.small(n=3, sensors=())) as writer:
         toy.add_scene(writer, 1)
-        writer.finish(failed={"000000": {"no place": 9}})
+        writer.finish(failed={"000000": {Cause("hazards", "no_place"): 9}})
     assert run(["stats", str(path)]) == 0
 
 

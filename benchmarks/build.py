@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 from sdgen.catalog.load import load_catalog
-from sdgen.engines import local
+from sdgen.engines.build import build as run_build
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
 
@@ -44,7 +44,7 @@ def main() -> None:
         options = BuildOptions.model_validate({"n": args.n, "seed": args.seed, **changes})
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "set"
-            report = local.build(options, path, catalog, library, workers=args.workers)
+            report = run_build(options, path, catalog, library, workers=args.workers)
             disk = folder_mb(path) / max(args.n, 1)
         out(
             f"| {name} | {report.homes_per_hour:.0f} | {report.frames_per_second:.2f} "

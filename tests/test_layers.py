@@ -16,8 +16,8 @@ PACKAGE = ROOT / "generator" / "sdgen"
 FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
     1: (
         ("rejection",),
-        ("errors", "seeding", "geometry", "resources", "vocabulary", "kleene"),
-        ("files",),
+        ("errors", "seeding", "geometry", "resources", "vocabulary", "kleene", "locks"),
+        ("files", "scratch"),
         ("yaml_source",),
         ("strict",),
     ),

@@ -7,6 +7,7 @@ of the fridge. A knife on a high shelf is the lookalike. Pictures are drawn box 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from sdgen.cameras.pinhole import intrinsics, matrix4
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import DatasetWriter
+from sdgen.dataset.scene_folder import SceneWriter
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import look_at, quat_from_yaw, round_position, round_quat
 from sdgen.hazards.certify import facts_of, survey
@@ -319,11 +321,16 @@ def open_writer(path: Path, options: BuildOptions | None = None, **more: Any) ->
     return DatasetWriter.open(path, options or small(), catalog(), infos(), ASSETS_SHA256, **more)
 
 
+def painter(writer: DatasetWriter) -> SceneWriter:
+    """What writes scenes, with the renderer's name."""
+    return replace(writer.scene_writer, renderer="painted")
+
+
 def add_scene(writer: DatasetWriter, index: int) -> None:
     """Write toy scene ``index``."""
     made = bundle(index, writer.build.options)
     pictures = frames(made) if writer.build.options.sensors else []
-    writer.scene_writer.write(made, visibility(made, pictures), pictures)
+    painter(writer).write(made, visibility(made, pictures), pictures)
 
 
 def build(path: Path, options: BuildOptions | None = None) -> Path:
@@ -333,7 +340,7 @@ def build(path: Path, options: BuildOptions | None = None) -> Path:
         for index in range(options.n):
             if f"{index:06d}" not in writer.done:
                 add_scene(writer, index)
-        writer.finish(renderers=("painted",))
+        writer.finish()
     return path
 
 
@@ -351,7 +358,7 @@ def build_with_twins(path: Path, n: int = 4) -> Path:
             if f"{index:06d}" not in writer.done:
                 benign = twin(bundle(index, writer.build.options))
                 shown = frames(benign)
-                writer.scene_writer.write(benign, visibility(benign, shown), shown)
+                painter(writer).write(benign, visibility(benign, shown), shown)
                 add_scene(writer, index)
-        writer.finish(renderers=("painted",))
+        writer.finish()
     return path

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from sdgen.benchmark import evaluate as evaluate
     from sdgen.catalog.load import load_catalog as load_catalog
     from sdgen.dataset import Dataset as Dataset
-    from sdgen.engines.local import build as build
+    from sdgen.engines.build import build as build
     from sdgen.library import load_library as load_library
     from sdgen.options import BuildOptions as BuildOptions
     from sdgen.pipeline import make_scene as make_scene
@@ -32,7 +32,7 @@ __all__ = [
 _HOME_OF_NAME = {
     "BuildOptions": "sdgen.options",
     "Dataset": "sdgen.dataset",
-    "build": "sdgen.engines.local",
+    "build": "sdgen.engines.build",
     "evaluate": "sdgen.benchmark",
     "load_catalog": "sdgen.catalog.load",
     "load_library": "sdgen.library",

@@ -33,6 +33,10 @@ class InputError(SdgenError):
         self.problems = tuple(problems)
         super().__init__("\n".join(self.problems))
 
+    def __reduce__(self) -> tuple[type[InputError], tuple[tuple[str, ...]]]:
+        # Exceptions are pickled by their text, which is not what this one is made from.
+        return (type(self), (self.problems,))
+
 
 class AssetError(InputError):
     """A mesh, texture or manifest is missing or broken."""
@@ -54,6 +58,10 @@ class SceneRejected(SdgenError):
         return (SceneRejected, (self.scene_id, self.causes))
 
 
+class WorkerFault(SdgenError):
+    """A programming error in a worker: its type, message and place. Trying again is in vain."""
+
+
 class BuildIncomplete(SdgenError):
     """Some scenes could not be made; the rest of the data set is good."""
 
@@ -62,6 +70,22 @@ class BuildIncomplete(SdgenError):
 
 class RendererError(SdgenError):
     """No renderer could be started."""
+
+
+class Stopped(BaseException):
+    """The user or the system asked this process to end (SIGINT, SIGTERM, SIGHUP).
+
+    Not an ``Exception``: nothing on the way may take it for a failure and go on.
+    """
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+        super().__init__(number)
+
+    @property
+    def exit_code(self) -> int:
+        """What shells expect of a process that a signal ended."""
+        return 128 + self.number
 
 
 def did_you_mean(word: str, choices: Sequence[str]) -> str:

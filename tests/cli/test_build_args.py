@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from contextlib import suppress
 from pathlib import Path
@@ -13,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sdgen.cli import build as build_module
 from sdgen.cli import params
+from sdgen.cli.build import Where
 from sdgen.cli.disk import bytes_needed, human_bytes, nearest_folder
 from sdgen.cli.main import run
 from sdgen.cli.progress import summary
@@ -26,9 +28,9 @@ def asked(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Any]:
     """What ``build`` would have asked the engine for, in an empty working folder."""
     calls: list[Any] = []
 
-    def record(options: BuildOptions, out: Path, *rest: Any) -> BuildReport:
-        calls.append(SimpleNamespace(options=options, out=out, rest=rest))
-        return report(out=out, requested=options.n, made=options.n)
+    def record(options: BuildOptions, where: Where, *rest: Any) -> BuildReport:
+        calls.append(SimpleNamespace(options=options, out=where.out, where=where, rest=rest))
+        return report(out=where.out, requested=options.n, made=options.n)
 
     monkeypatch.setattr(build_module, "_run", record)
     monkeypatch.chdir(tmp_path)
@@ -72,6 +74,13 @@ def report(**changes: Any) -> BuildReport:
         "--views -1",
         "--sensors rgb,lidar",
         "--sensors none,rgb",
+        "--sensors rgb,none,depth",
+        "--eye-height nan",
+        "--eye-height inf",
+        "--eye-height tall",
+        "--eye-height 0.1",
+        "--eye-height 2.3",
+        "--out ",
         "--sensors ",
         "--rgb gif",
         "--supersample 3",
@@ -99,13 +108,41 @@ def test_nonsense_is_a_usage_error(
     assert asked == []
 
 
-@pytest.mark.parametrize("feature", ["--engine ray"])
-def test_what_is_not_there_yet_is_refused(
-    feature: str, asked: list[Any], capsys: pytest.CaptureFixture[str]
+def test_an_engine_that_is_not_installed_is_named_with_what_to_install(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run(["build", *feature.split()]) == 2
-    assert "not available in this version" in capsys.readouterr().err
-    assert asked == []
+    monkeypatch.setattr("sdgen.engines.registry.find_spec", lambda name: None)
+    monkeypatch.chdir(tmp_path)
+    assert run(["build", "--engine", "ray"]) == 2
+    assert "pip install 'sdgen[ray]'" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ("--sensors none,rgb", "none stands alone"),
+        ("--eye-height nan", "'nan' is no length"),
+        ("--out ", "'' names no folder"),
+    ],
+)
+def test_what_is_wrong_with_a_value_is_said(
+    option: str, words: str, asked: list[Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["build", *option.split(" ", 1)]) == 2
+    assert words in capsys.readouterr().err
+
+
+def test_quiet_says_nothing_and_json_is_one_object(
+    asked: list[Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["build", "--n", "4", "--quiet", "--json"]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    found = json.loads(out)
+    assert (found["requested"], found["made"], found["failed"]) == (4, 4, {})
+    assert found["anomalies"] == {"spill": 4, "stove_on": 5}
+    assert asked[0].rest == ((), (), True)
 
 
 def test_defaults_are_those_of_the_contract(asked: list[Any]) -> None:
@@ -118,7 +155,7 @@ def test_options_reach_the_engine(asked: list[Any]) -> None:
     command = (
         "build --n 5 --seed 7 --hazards 1-2 --views 3 --size 64x48 --sensors depth,rgb --rgb jpg "
         "--supersample 2 --renderer cpu --draw iid --workers 3 --range 1:4 --overwrite --twins "
-        "--out here"
+        "--out here --engine ray --ray-address auto"
     )
     assert run(command.split()) == 0
     options = asked[0].options
@@ -128,8 +165,8 @@ def test_options_reach_the_engine(asked: list[Any]) -> None:
     assert (options.rgb, options.supersample, options.renderer) == ("jpg", 2, "cpu")
     assert options.twins
     assert asked[0].out == Path("here")
-    catalogs, assets, workers, index_range, overwrite = asked[0].rest
-    assert (catalogs, assets, workers, index_range, overwrite) == ((), (), 3, (1, 4), True)
+    assert asked[0].where == Where(Path("here"), (1, 4), True, 3, "ray", "auto")
+    assert asked[0].rest == ((), (), False)
 
 
 def test_seed_zero_is_a_seed(asked: list[Any]) -> None:

@@ -120,7 +120,7 @@ def _damage_missing(scene: Path) -> None:
 
 
 def _damage_extra(scene: Path) -> None:
-    (scene / "notes.txt").write_text("mine")
+    (scene / "views/00/rgb.jpg").write_text("sdgen writes such a file, but not here")
 
 
 def _damage_link(scene: Path) -> None:
@@ -139,14 +139,70 @@ def test_a_damaged_scene_is_made_again(tmp_path: Path, damage: Any, finished: bo
         toy.add_scene(writer, 0)
         toy.add_scene(writer, 1)
         if finished:
-            writer.finish(renderers=("painted",))
+            writer.finish()
     damage(path / "scenes" / "000001")
     with toy.open_writer(path, toy.small(n=2)) as writer:
         assert writer.repaired == ("000001",)
         assert list(writer.done) == ["000000"]
         toy.add_scene(writer, 1)
-        writer.finish(renderers=("painted",))
+        writer.finish()
     (path / "graph.json").unlink(missing_ok=True)
+    assert tree(path) == whole
+
+
+@pytest.mark.parametrize("name", [".DS_Store", "notes.txt", "views/00/notes.txt"])
+def test_a_user_s_file_is_no_damage(tmp_path: Path, name: str) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    (path / "scenes/000001" / name).write_text("mine")
+    before = tree(path)
+    with toy.open_writer(path, toy.small(n=2)) as writer:
+        assert writer.repaired == ()
+        assert writer.notes == ()
+        writer.finish()
+    assert tree(path) == before
+
+
+def test_a_user_s_files_in_a_damaged_scene_are_set_aside_and_said(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    whole = tree(path)
+    for turn in ("", "-2"):
+        (path / "scenes/000001/views/00/mine.txt").write_text("my notes" + turn)
+        _damage_truncate(path / "scenes/000001")
+        with toy.open_writer(path, toy.small(n=2)) as writer:
+            assert writer.repaired == ("000001",)
+            damaged, aside = writer.notes
+            assert "damaged and will be made again" in damaged
+            assert str(path / f"set-aside/000001{turn}") in aside
+            toy.add_scene(writer, 1)
+            writer.finish()
+    kept = {name: data for name, data in tree(path).items() if name.startswith("set-aside")}
+    assert kept == {
+        "set-aside/000001/views/00/mine.txt": b"my notes",
+        "set-aside/000001-2/views/00/mine.txt": b"my notes-2",
+    }
+    assert {name: data for name, data in tree(path).items() if name not in kept} == whole
+
+
+def test_overwrite_sets_a_user_s_files_aside(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    (path / "scenes/000001/notes.txt").write_text("mine")
+    (path / "scenes/README").write_text("mine too")
+    with toy.open_writer(path, toy.small(n=1, seed=9), overwrite=True) as writer:
+        toy.add_scene(writer, 0)
+        writer.finish()
+    assert (path / "set-aside/000001/notes.txt").read_text() == "mine"
+    assert (path / "scenes/README").read_text() == "mine too"
+    assert not (path / "scenes/000001").exists()
+
+
+def test_an_interrupted_build_remembers_what_drew_its_pictures(tmp_path: Path) -> None:
+    whole = tree(toy.build(tmp_path / "whole", toy.small(n=2)))
+    path = tmp_path / "d"
+    for number in (0, 1):
+        with toy.open_writer(path, toy.small(n=2)) as writer:
+            toy.add_scene(writer, number)
+    with toy.open_writer(path, toy.small(n=2)) as writer:
+        assert writer.finish().renderers == ("painted",)
     assert tree(path) == whole
 
 
@@ -268,11 +324,11 @@ def test_a_killed_overwrite_does_not_bring_the_old_scenes_back(
     path = toy.build(tmp_path / "d", toy.small(n=2))
 
     def killed(folder: Path) -> None:
-        if folder.name == "scenes":
+        if folder.parent.name == "scenes":
             raise KeyboardInterrupt
         shutil.rmtree(folder, ignore_errors=True)
 
-    monkeypatch.setattr("sdgen.dataset.writer.remove_tree", killed)
+    monkeypatch.setattr("sdgen.dataset.scene_folder.remove_tree", killed)
     with pytest.raises(KeyboardInterrupt):
         toy.open_writer(path, toy.small(n=2, seed=9), overwrite=True)
     monkeypatch.undo()

@@ -2,7 +2,7 @@
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.engines import local
+from sdgen.engines import build as building
 from sdgen.engines.fit import misfits
 from sdgen.errors import InputError, SdgenError
 from sdgen.library import load_library
@@ -34,9 +34,9 @@ def test_a_hazard_without_a_target_is_named_before_anything_is_written(
 ):
     # As if the library had a model of it, and no room a place for it.
     catalog = changed(tools["catalog"], "sharp_object", targets=("stool_of_gold",))
-    monkeypatch.setattr(local, "check_against_library", lambda *_: None)
+    monkeypatch.setattr(building, "check_against_library", lambda *_: None)
     with pytest.raises(InputError, match=r"sharp_object.* in \d+ tries .*stool_of_gold"):
-        local.build(BuildOptions(n=2), tmp_path / "set", catalog, tools["library"])
+        building.build(BuildOptions(n=2), tmp_path / "set", catalog, tools["library"])
     assert list(tmp_path.iterdir()) == []
 
 
@@ -56,9 +56,9 @@ def test_a_hazard_that_is_never_proved_ends_the_build_early(tools, tmp_path, mon
         update={"hazards": tuple(never if h.id == hazard.id else h for h in catalog.hazards)}
     )
     options = BuildOptions(n=40, seed=7, views=1, sensors=(), hazards_min=1, hazards_max=2)
-    monkeypatch.setattr("sdgen.engines.local.SceneWorker", ImpatientWorker)
+    monkeypatch.setattr("sdgen.engines.registry.SceneWorker", ImpatientWorker)
     with pytest.raises(SdgenError, match=r"'sharp_object' fits nowhere: never made in \d+ tries"):
-        local.build(options, tmp_path / "set", catalog, tools["library"], workers=2)
+        building.build(options, tmp_path / "set", catalog, tools["library"], workers=2)
     assert len(list((tmp_path / "set" / "scenes").iterdir())) < 20
 
 

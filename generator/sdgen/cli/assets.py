@@ -211,7 +211,7 @@ def validate_assets(
     Example: sdgen assets validate my_assets --catalog my_hazards
     """
     from sdgen.catalog.load import load_catalog
-    from sdgen.cli.build import usable_cores
+    from sdgen.engines.machine import usable_cores
     from sdgen.validate.assets import check_assets
 
     library = _library(tuple(str(folder) for folder in folders))

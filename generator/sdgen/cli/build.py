@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
-import os
+import json
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import click
 
 from sdgen.cli.disk import bytes_needed, check_destination, disk_line
-from sdgen.cli.params import hazard_count, parsed, scene_range, sensor_list, size, split_names
+from sdgen.cli.params import (
+    destination,
+    hazard_count,
+    metres,
+    parsed,
+    scene_range,
+    sensor_list,
+    size,
+    split_names,
+)
 from sdgen.errors import BuildIncomplete, UsageError
 from sdgen.options import BuildOptions, Sensor
 from sdgen.render.registry import AUTO, RENDERERS
@@ -20,11 +30,16 @@ if TYPE_CHECKING:
 FOLDER = click.Path(exists=True, path_type=Path)
 
 
-def usable_cores() -> int:
-    """Cores this process may use (a container may see more than it has)."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+#: The least and the most height of cameras, metres: a crawling robot's, under a door's lintel.
+EYES_M = (0.1, 2.2)
+
+
+def eye_height(text: str) -> float:
+    """``1.2`` -> 1.2. ValueError for heights that no camera can have."""
+    value = metres(text)
+    if not EYES_M[0] < value <= EYES_M[1]:
+        raise ValueError(f"is not above {EYES_M[0]} and up to {EYES_M[1]} metres")
+    return value
 
 
 @click.command(short_help="Build a data set of labelled homes.")
@@ -46,7 +61,8 @@ def usable_cores() -> int:
 )
 @click.option(
     "--out",
-    type=click.Path(path_type=Path),
+    metavar="FOLDER",
+    callback=parsed(destination),
     help="Destination [default: output/sdgen-n{N}-s{SEED}]. A larger --n on the same one "
     "extends it.",
 )
@@ -92,9 +108,9 @@ def usable_cores() -> int:
 )
 @click.option(
     "--eye-height",
-    type=click.FloatRange(min=0.1, min_open=True, max=2.2),
     metavar="METRES",
-    default=1.2,
+    callback=parsed(eye_height),
+    default="1.2",
     show_default=True,
     help="Height of the cameras: a robot's eyes.",
 )
@@ -142,14 +158,14 @@ def usable_cores() -> int:
     "--workers",
     type=click.IntRange(min=1, max=1024),
     metavar="N",
-    help="Processes [default: cores].",
+    help="Processes [default: cores, fewer where memory is scarce; of a cluster all its cores].",
 )
 @click.option(
     "--engine",
     type=click.Choice(["local", "ray"]),
     default="local",
     show_default=True,
-    help="Who runs the workers.",
+    help="Where the workers run: this machine, or a Ray cluster (pip install 'sdgen[ray]').",
 )
 @click.option("--ray-address", metavar="ADDRESS", help="Ray cluster to join (with --engine ray).")
 @click.option(
@@ -160,6 +176,8 @@ def usable_cores() -> int:
     help="Only scenes A to B-1, for array jobs.",
 )
 @click.option("--overwrite", is_flag=True, help="Start anew instead of resuming.")
+@click.option("--quiet", is_flag=True, help="No progress: only notes, errors and the summary.")
+@click.option("--json", "as_json", is_flag=True, help="Print the summary as one JSON object.")
 def build(
     n: int,
     seed: int,
@@ -179,10 +197,12 @@ def build(
     twins: bool,
     draw: Literal["balanced", "iid"],
     workers: int | None,
-    engine: str,
+    engine: Literal["local", "ray"],
     ray_address: str | None,
     index_range: tuple[int, int] | None,
     overwrite: bool,
+    quiet: bool,
+    as_json: bool,
 ) -> None:
     """Build a data set of labelled homes.
 
@@ -193,7 +213,8 @@ def build(
     Example: sdgen build --n 1000 --seed 7
     Example: sdgen build --n 50 --seed 7 --views 4 --size 320x240 --out small
     """
-    _refuse_missing_features(engine, ray_address)
+    if ray_address is not None and engine != "ray":
+        raise UsageError("--ray-address goes with --engine ray")
     options = BuildOptions(
         n=n,
         seed=seed,
@@ -218,17 +239,25 @@ def build(
     out = out if out is not None else Path("output") / f"sdgen-n{n}-s{seed}"
     check_destination(out)
     todo = end - first - (0 if overwrite else _present(out, first, end))
-    click.echo(f"{out}: {end - first} scenes asked for, {todo} to build", err=True)
-    click.echo(disk_line(out, bytes_needed(options, todo)), err=True)
-    report = _run(options, out, catalogs, assets, workers, (first, end), overwrite)
-    _close(report)
+    if not quiet:
+        click.echo(f"{out}: {end - first} scenes asked for, {todo} to build", err=True)
+    line = disk_line(out, bytes_needed(options, todo))
+    if not quiet:
+        click.echo(line, err=True)
+    where = Where(out, (first, end), overwrite, workers, engine, ray_address)
+    _close(_run(options, where, catalogs, assets, quiet), as_json)
 
 
-def _refuse_missing_features(engine: str, ray_address: str | None) -> None:
-    if ray_address is not None and engine != "ray":
-        raise UsageError("--ray-address goes with --engine ray")
-    if engine == "ray":
-        raise UsageError("not available in this version: --engine ray (use local)")
+@dataclass(frozen=True)
+class Where:
+    """All that a data set does not remember: where it goes and who makes it."""
+
+    out: Path
+    index_range: tuple[int, int]
+    overwrite: bool
+    workers: int | None
+    engine: str
+    address: str | None
 
 
 def _present(out: Path, first: int, end: int) -> int:
@@ -238,40 +267,41 @@ def _present(out: Path, first: int, end: int) -> int:
 
 def _run(
     options: BuildOptions,
-    out: Path,
+    where: Where,
     catalogs: tuple[Path, ...],
     assets: tuple[Path, ...],
-    workers: int | None,
-    index_range: tuple[int, int],
-    overwrite: bool,
+    quiet: bool,
 ) -> BuildReport:
     # Imported here: simulator and meshes take a second that --help should not.
     from sdgen.catalog.load import load_catalog
     from sdgen.cli.progress import watch
-    from sdgen.engines import local
+    from sdgen.engines.build import build as run_build
+    from sdgen.engines.registry import EngineOptions
     from sdgen.library import load_library
 
     catalog = load_catalog(catalogs, extensions=options.extensions)
     library = load_library(assets)
-    with watch(index_range[1] - index_range[0]) as on_event:
-        return local.build(
+    with watch(where.index_range[1] - where.index_range[0], quiet) as on_event:
+        return run_build(
             options=options,
-            out=out,
+            out=where.out,
             catalog=catalog,
             library=library,
-            workers=workers if workers is not None else usable_cores(),
-            index_range=index_range,
-            overwrite=overwrite,
+            workers=where.workers,
+            index_range=where.index_range,
+            overwrite=where.overwrite,
             on_event=on_event,
+            engine=EngineOptions(where.engine, where.address),
         )
 
 
-def _close(report: BuildReport) -> None:
-    from sdgen.cli.progress import summary
+def _close(report: BuildReport, as_json: bool) -> None:
+    from sdgen.cli.progress import as_record, summary
 
-    click.echo(summary(report))
+    click.echo(json.dumps(as_record(report), indent=1) if as_json else summary(report))
     if not report.complete:
         missing = report.requested - report.made - report.resumed
         names = ", ".join(failed.scene_id for failed in report.failed[:20])
         raise BuildIncomplete(f"{missing} of {report.requested} scenes could not be made: {names}")
-    click.echo(f"look at it: sdgen view {report.out}")
+    if not as_json:
+        click.echo(f"look at it: sdgen view {report.out}")

@@ -14,12 +14,14 @@ from importlib import import_module
 import click
 
 import sdgen
-from sdgen.errors import SHOWN, InputError, SdgenError, did_you_mean
+from sdgen.cli import signals
+from sdgen.errors import SHOWN, InputError, SdgenError, Stopped, did_you_mean
 
 #: Command -> one line for ``sdgen --help``. Module ``sdgen.cli.<name>`` defines ``<name>``; it is
 #: imported only when the command is used, so ``sdgen --help`` stays quick.
 COMMANDS = {
     "build": "Build a data set of labelled homes.",
+    "merge": "Join pieces of --range into one data set.",
     "validate": "Check a data set: schemas, hashes, masks, every label again.",
     "stats": "Count what a data set holds.",
     "view": "Make a page that shows a data set.",
@@ -92,6 +94,9 @@ def run(args: Sequence[str] | None = None) -> int:
         message = " ".join(error.format_message().split()).rstrip(".")
         _say(f"error: {message}{_help_hint(error)}")
         return error.exit_code
+    except Stopped as stopped:
+        _say(signals.in_words(stopped))
+        return stopped.exit_code
     except (click.Abort, KeyboardInterrupt):
         _say("interrupted: resume with the same command")
         return EXIT_INTERRUPTED
@@ -165,4 +170,5 @@ def main() -> None:
         # A terminal that can't show a degree sign shows a question mark instead of failing.
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
+    signals.listen()
     sys.exit(run())

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar
 
 import click
@@ -78,6 +80,24 @@ def sensor_list(text: str) -> tuple[Sensor, ...]:
         if word not in SENSORS:
             raise ValueError(f"names no sensor {word!r}{did_you_mean(word, [*SENSORS, 'none'])}")
     return tuple(sensor for sensor in SENSORS if sensor in words)
+
+
+def metres(text: str) -> float:
+    """A length in metres. ValueError for what is no finite number."""
+    try:
+        value = float(text)
+    except ValueError:
+        raise ValueError("is no number of metres") from None
+    if not math.isfinite(value):
+        raise ValueError("is no length")
+    return value
+
+
+def destination(text: str) -> Path:
+    """A folder to write to. ValueError for an empty name, which would be the current folder."""
+    if not text:
+        raise ValueError("names no folder")
+    return Path(text)
 
 
 def split_names(values: tuple[str, ...]) -> tuple[str, ...]:

@@ -27,8 +27,12 @@ LINES_BETWEEN = 20
 
 
 @contextmanager
-def watch(total: int) -> Iterator[OnEvent]:
-    """A callback that shows events of a build of ``total`` scenes, on stderr."""
+def watch(total: int, quiet: bool = False) -> Iterator[OnEvent]:
+    """A callback that shows events of a build of ``total`` scenes, on stderr; ``quiet`` leaves
+    only notes and failed scenes."""
+    if quiet:
+        yield _troubles
+        return
     console = Console(stderr=True, highlight=False)
     if not console.is_terminal:
         yield _plain_lines(total)
@@ -53,6 +57,11 @@ def watch(total: int) -> Iterator[OnEvent]:
                 progress.advance(task)
 
         yield show
+
+
+def _troubles(event: BuildEvent) -> None:
+    if not isinstance(event, SceneDone):
+        click.echo(_line(event), err=True)
 
 
 def _plain_lines(total: int) -> OnEvent:
@@ -117,6 +126,31 @@ def _hazards(event: SceneDone) -> str:
 def _counts(counts: Mapping[str, int]) -> str:
     pairs = sorted(counts.items(), key=lambda pair: (-pair[1], pair[0]))
     return ", ".join(f"{name} x{count}" for name, count in pairs) or "none"
+
+
+def as_record(report: BuildReport) -> dict[str, object]:
+    """The closing account for programs; numbers unrounded, memory in megabytes."""
+    return {
+        "out": str(report.out),
+        "requested": report.requested,
+        "made": report.made,
+        "resumed": report.resumed,
+        "failed": {item.scene_id: _in_words(item.causes) for item in report.failed},
+        "frames": report.frames,
+        "seconds": report.seconds,
+        "homes_per_hour": report.homes_per_hour,
+        "frames_per_second": report.frames_per_second,
+        "peak_memory_mb": report.peak_memory_mb,
+        "home_attempts": report.home_attempts,
+        "rejections": _in_words(report.rejections),
+        "anomalies": report.anomalies,
+        "scenes_by_anomalies": {str(key): n for key, n in report.anomaly_counts.items()},
+        "renderer": report.renderer,
+    }
+
+
+def _in_words(causes: Causes) -> dict[str, int]:
+    return {cause.in_words(): count for cause, count in causes.items()}
 
 
 def summary(report: BuildReport) -> str:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from sdgen.cli.build import usable_cores
+from sdgen.engines.machine import usable_cores
 from sdgen.errors import SHOWN
 
 

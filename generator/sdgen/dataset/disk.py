@@ -1,4 +1,4 @@
-"""Writing so that a file or folder is there whole or not at all, and one build a folder."""
+"""Writing so that a file or folder is there whole or not at all."""
 
 from __future__ import annotations
 
@@ -7,13 +7,6 @@ import hashlib
 import os
 import shutil
 from pathlib import Path
-
-from sdgen.errors import SdgenError
-
-try:
-    import fcntl
-except ImportError:  # pragma: no cover - Windows: data sets can be read there, locks are POSIX's
-    fcntl = None  # type: ignore[assignment]
 
 
 def sha256_hex(data: bytes) -> str:
@@ -75,35 +68,3 @@ def remove_tree(path: Path) -> None:
         path.unlink()
     elif path.exists():
         shutil.rmtree(path)
-
-
-class FolderLock:
-    """An advisory lock on a file: one process at a time, released even when the process dies."""
-
-    def __init__(self, path: Path, what: str) -> None:
-        self.path = path
-        while True:
-            self._handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
-            if fcntl is None:
-                return
-            try:
-                fcntl.flock(self._handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
-                os.close(self._handle)
-                raise SdgenError(
-                    f"{what}: another build is writing here; wait for it, or choose another --out"
-                ) from None
-            # Whoever held it before may have removed the file meanwhile: then this lock is void.
-            try:
-                same = os.fstat(self._handle).st_ino == os.stat(path).st_ino
-            except FileNotFoundError:
-                same = False
-            if same:
-                return
-            os.close(self._handle)
-
-    def release(self) -> None:
-        """Let others in; the file stays. A second call does nothing."""
-        if self._handle >= 0:
-            os.close(self._handle)
-            self._handle = -1

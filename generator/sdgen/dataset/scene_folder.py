@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -26,13 +27,21 @@ from sdgen.options import BuildOptions
 from sdgen.scene import Frame, Record, SceneBundle, Visibility
 
 BUILD_FOLDER = ".build"
+#: Where a user's own files go that lay in a scene's folder which had to be made again.
+ASIDE = "set-aside"
+
+_VIEW_FILE = re.compile(r"views/\d{2,}/(view\.json|rgb\.(png|jpg)|(depth|instance|part)\.png)")
 
 
 class FinishedScene(Record):
-    """What a worker leaves beside a finished scene until the manifest takes it over."""
+    """What a worker leaves beside a finished scene until the manifest takes it over.
+
+    ``renderer`` drew its pictures; None when it has none.
+    """
 
     entry: ManifestEntry
     assets: tuple[str, ...]
+    renderer: str | None = None
 
 
 def content_files(bundle: SceneBundle) -> dict[str, bytes]:
@@ -60,6 +69,31 @@ def view_folder(index: int) -> str:
     return f"views/{index:02d}"
 
 
+def is_ours(name: str) -> bool:
+    """True for the name, relative to its scene's folder, of a file that sdgen may write."""
+    return name in (*CONTENT_FILES, VISIBILITY_FILE) or _VIEW_FILE.fullmatch(name) is not None
+
+
+def take_away(root: Path, scene_id: str) -> Path | None:
+    """Remove a scene's folder; files that are not sdgen's go to the folder that is returned."""
+    folder = root / "scenes" / scene_id
+    if folder.is_symlink() or not folder.is_dir():
+        remove_tree(folder)
+        return None
+    names = [p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()]
+    foreign = sorted(name for name in names if not is_ours(name))
+    aside = root / ASIDE / scene_id
+    number = 1
+    while foreign and aside.exists():
+        number += 1
+        aside = root / ASIDE / f"{scene_id}-{number}"
+    for name in foreign:
+        (aside / name).parent.mkdir(parents=True, exist_ok=True)
+        os.replace(folder / name, aside / name)
+    remove_tree(folder)
+    return aside if foreign else None
+
+
 def view_files(options: BuildOptions) -> tuple[str, ...]:
     """Files of every view under these options, ``view.json`` first."""
     names = ["view.json"]
@@ -74,10 +108,14 @@ def view_files(options: BuildOptions) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class SceneWriter:
-    """Writes scenes below ``root``. Small and picklable: every worker has one."""
+    """Writes scenes below ``root``. Small and picklable: every worker has one.
+
+    ``renderer`` names what draws this worker's pictures, for the data set's records.
+    """
 
     root: Path
     options: BuildOptions
+    renderer: str | None = None
 
     def begin(self, bundle: SceneBundle) -> SceneFolder:
         """Start a scene's folder; use as a context manager and ``finish`` it."""
@@ -154,7 +192,9 @@ class SceneFolder:
             files=dict(sorted(self._hashes.items())),
         )
         assets = tuple(sorted({item.asset for item in bundle.scene.objects}))
-        _show(self.writer.root, self._partial, FinishedScene(entry=entry, assets=assets))
+        drawn = self.writer.renderer if visibility.views else None
+        done = FinishedScene(entry=entry, assets=assets, renderer=drawn)
+        show(self.writer.root, self._partial, done)
         return entry
 
     def _put(self, name: str, data: bytes) -> None:
@@ -164,7 +204,8 @@ class SceneFolder:
         self._hashes[name] = sha256_hex(data)
 
 
-def _show(root: Path, partial: Path, done: FinishedScene) -> None:
+def show(root: Path, partial: Path, done: FinishedScene) -> None:
+    """Put a scene that is written whole into place: its line first, then its folder."""
     # Synced together, so that the disk writes one file while the next is being encoded. A full
     # disk shows here at the latest.
     for name in sorted(done.entry.files):
@@ -172,22 +213,25 @@ def _show(root: Path, partial: Path, done: FinishedScene) -> None:
     for folder in sorted({p.parent for p in partial.rglob("*")}):
         sync_folder(folder)
     entries = root / BUILD_FOLDER / "entries"
-    entries.mkdir(exist_ok=True)
+    entries.mkdir(parents=True, exist_ok=True)
     replace_file(entries / f"{done.entry.id}.json", record_bytes(done))
     target = root / "scenes" / done.entry.id
     target.parent.mkdir(exist_ok=True)
-    remove_tree(target)
+    take_away(root, done.entry.id)
     os.replace(partial, target)
     sync_folder(target.parent)
 
 
 def whole(root: Path, entry: ManifestEntry) -> bool:
-    """True when a scene's folder holds exactly the files of its manifest line, byte for byte."""
+    """True when a scene's folder holds the files of its manifest line, byte for byte.
+
+    Files that are not sdgen's (notes, a desktop's ``.DS_Store``) are nobody's business.
+    """
     folder = root / "scenes" / entry.id
     if folder.is_symlink() or not folder.is_dir():
         return False
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
-    if found != set(entry.files):
+    if {name for name in found if is_ours(name)} != set(entry.files):
         return False
     paths = {folder / name: digest for name, digest in entry.files.items()}
     # A link could lead anywhere, reading a pipe would wait for ever.

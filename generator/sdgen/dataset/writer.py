@@ -7,29 +7,38 @@ manifest and removes it; a data set that has a ``dataset.json`` and no ``.build`
 
 from __future__ import annotations
 
+import contextlib
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import TracebackType
 
 from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.card import card
-from sdgen.dataset.disk import FolderLock, remove_tree, replace_file
-from sdgen.dataset.records import SCENE_ID, Build, DatasetInfo, ManifestEntry, count
-from sdgen.dataset.scene_folder import BUILD_FOLDER, FinishedScene, SceneWriter, whole
-from sdgen.dataset.text import (
-    line_bytes,
-    parse,
-    read_bytes,
-    read_lines,
-    read_record,
-    record_bytes,
+from sdgen.dataset.disk import remove_tree, replace_file
+from sdgen.dataset.origin import build_of, differences, refuse_foreign
+from sdgen.dataset.records import (
+    SCENE_ID,
+    Build,
+    DatasetInfo,
+    ManifestEntry,
+    Vocabularies,
+    count,
 )
+from sdgen.dataset.scene_folder import (
+    BUILD_FOLDER,
+    FinishedScene,
+    SceneWriter,
+    take_away,
+    whole,
+)
+from sdgen.dataset.text import line_bytes, read_lines, read_record, record_bytes
 from sdgen.dataset.versions import package_versions
 from sdgen.dataset.vocabularies import vocabularies
 from sdgen.errors import InputError, SdgenError
 from sdgen.library.records import AssetInfo
+from sdgen.locks import FileLock
 from sdgen.options import BuildOptions
 from sdgen.rejection import Causes
 from sdgen.scene import cause_counts, causes_of
@@ -42,7 +51,8 @@ class DatasetWriter:
     """Owns one data set folder for the time of a build. Use as a context manager.
 
     ``done`` maps the ids of the scenes that are there, whole, to their manifest lines;
-    ``repaired`` lists those that were found damaged and taken away to be made again.
+    ``repaired`` lists those that were found damaged and taken away to be made again; ``notes``
+    says so, and where files that are not sdgen's went.
     """
 
     def __init__(
@@ -54,10 +64,11 @@ class DatasetWriter:
         self.infos = infos
         self.done: dict[str, ManifestEntry] = {}
         self.repaired: tuple[str, ...] = ()
+        self.notes: tuple[str, ...] = ()
         self._assets: set[str] = set()
         self._failed: dict[str, Causes] = {}
         self._renderers: set[str] = set()
-        self._lock: FolderLock | None = None
+        self._lock: FileLock | None = None
 
     @classmethod
     def open(
@@ -86,11 +97,30 @@ class DatasetWriter:
             assets_sha256=assets_sha256,
             hazards_enabled=tuple(sorted(hazard.id for hazard in catalog.hazards)),
         )
+        return cls.take(root, build, catalog, infos, overwrite=overwrite)
+
+    @classmethod
+    def take(
+        cls,
+        root: Path,
+        build: Build,
+        catalog: Catalog,
+        infos: Mapping[str, AssetInfo],
+        *,
+        overwrite: bool = False,
+    ) -> DatasetWriter:
+        """Like :meth:`open`, for what decides the bytes given whole."""
         root = root.absolute()
-        _refuse_foreign(root)
+        refuse_foreign(root)
         (root / BUILD_FOLDER).mkdir(parents=True, exist_ok=True)
         writer = cls(root, build, catalog, infos)
-        writer._lock = FolderLock(root / BUILD_FOLDER / "lock", str(root))
+        writer._lock = FileLock.take(root / BUILD_FOLDER / "lock")
+        if writer._lock is None:
+            raise SdgenError(
+                f"{root}: another build is writing here; wait for it, or choose another --out "
+                "(pieces of --range that are built side by side go into folders of their own, "
+                "sdgen merge joins them)"
+            )
         try:
             if overwrite:
                 writer._clear()
@@ -108,25 +138,35 @@ class DatasetWriter:
         """What workers write scenes with (picklable)."""
         return SceneWriter(self.root, self.build.options)
 
+    def include(self, info: DatasetInfo, assets: Iterable[str]) -> None:
+        """Take in what another data set says of its scenes: assets used, renderers, failures."""
+        self._assets.update(assets)
+        self._renderers.update(info.renderers)
+        self._failed.update({key: causes_of(counts) for key, counts in info.failed.items()})
+
     def finish(
         self,
-        renderers: tuple[str, ...] = (),
         failed: Mapping[str, Causes] | None = None,
+        words: Vocabularies | None = None,
     ) -> DatasetInfo:
         """Take in the finished scenes and write the files of the whole, ``dataset.json`` last.
 
-        ``renderers`` drew this run's pictures; ``failed`` maps scenes that could not be made to
-        their counted causes. Those of earlier runs (other ranges) stay, until they are made.
+        ``failed`` maps scenes that could not be made to their counted causes. Those of earlier
+        runs (other ranges) stay, until they are made. ``words`` are the vocabularies where they
+        are known; else they come from the catalogue and the library.
         """
         for path in sorted((self.root / BUILD_FOLDER).glob("entries/*.json")):
             scene = read_record(FinishedScene, path, str(path))
             if (self.root / "scenes" / scene.entry.id).is_dir():
                 self.done[scene.entry.id] = scene.entry
                 self._assets.update(scene.assets)
+                if scene.renderer is not None:
+                    self._renderers.add(scene.renderer)
         entries = tuple(self.done[key] for key in sorted(self.done, key=_order))
         never_made = {**self._failed, **(failed or {})}
+        words = words or vocabularies(self.catalog, self.infos)
         info = self._info(
-            entries, renderers, {k: v for k, v in never_made.items() if k not in self.done}
+            entries, words, {k: v for k, v in never_made.items() if k not in self.done}
         )
         used = [self.infos[name] for name in sorted(self._assets) if name in self.infos]
         files = {
@@ -167,16 +207,18 @@ class DatasetWriter:
         replace_file(self.root / BUILD_FOLDER / "build.json", record_bytes(self.build))
         for name in reversed(TOP_FILES):
             (self.root / name).unlink(missing_ok=True)
-        remove_tree(self.root / "scenes")
+        self._take_away(path.name for path in (self.root / "scenes").glob("*"))
+        with contextlib.suppress(OSError):
+            (self.root / "scenes").rmdir()
 
     def _check_same(self) -> None:
-        found = _build_of(self.root)
+        found = build_of(self.root)
         if found is None:
             return
-        differences = _differences(found, self.build)
-        if differences:
+        others = differences(found, self.build)
+        if others:
             raise SdgenError(
-                f"{self.root} holds a data set built with {'; '.join(differences)}; "
+                f"{self.root} holds a data set built with {'; '.join(others)}; "
                 "choose another --out, or start anew with --overwrite"
             )
         if found.options.n > self.build.options.n:
@@ -203,18 +245,18 @@ class DatasetWriter:
                 known[entry.id] = entry
             except InputError:
                 path.unlink()  # its scene will be made again
-        repaired = []
+        damaged = []
         for folder in sorted((self.root / "scenes").glob("*")):
             if not re.match(SCENE_ID, folder.name):
                 continue
             line = known.get(folder.name)
             if line is not None and whole(self.root, line):
                 self.done[line.id] = line
-                continue
-            remove_tree(folder)
-            (self.root / BUILD_FOLDER / "entries" / f"{folder.name}.json").unlink(missing_ok=True)
-            repaired.append(folder.name)
-        self.repaired = tuple(repaired)
+            else:
+                damaged.append(folder.name)
+        self.repaired = tuple(damaged)
+        self.notes += tuple(f"scene {name} was damaged and will be made again" for name in damaged)
+        self._take_away(damaged)
         if self.build.options.twins:
             # A scene whose twin is not there is made again with it.
             self.done = {
@@ -223,24 +265,34 @@ class DatasetWriter:
                 if entry.twin_of is not None or f"{key}-twin" in self.done
             }
 
+    def _take_away(self, names: Iterable[str]) -> None:
+        """Remove scenes with their lines; what others put into their folders is set aside."""
+        for name in sorted(names):
+            if not re.match(SCENE_ID, name):
+                continue
+            (self.root / BUILD_FOLDER / "entries" / f"{name}.json").unlink(missing_ok=True)
+            aside = take_away(self.root, name)
+            if aside is not None:
+                self.notes += (f"files in scene {name} that are not sdgen's are in {aside} now",)
+
     def _info(
         self,
         entries: tuple[ManifestEntry, ...],
-        renderers: tuple[str, ...],
+        words: Vocabularies,
         failed: Mapping[str, Causes],
     ) -> DatasetInfo:
         splits = {name: sorted({e.home for e in entries if e.split == name}) for name in _SPLITS}
         return DatasetInfo(
             format_version=self.build.format_version,
             versions=self.build.versions,
-            renderers=tuple(sorted({*self._renderers, *renderers})),
+            renderers=tuple(sorted(self._renderers)),
             seed=self.build.options.seed,
             n=self.build.options.n,
             options=self.build.options,
             catalogue_sha256=self.build.catalogue_sha256,
             assets_sha256=self.build.assets_sha256,
             hazards_enabled=self.build.hazards_enabled,
-            vocabularies=vocabularies(self.catalog, self.infos),
+            vocabularies=words,
             splits={name: tuple(homes) for name, homes in splits.items()},
             counts=count(entries),
             failed={key: cause_counts(failed[key]) for key in sorted(failed)},
@@ -252,62 +304,3 @@ _SPLITS = ("train", "val", "test")
 
 def _order(scene_id: str) -> tuple[int, str]:
     return int(scene_id.split("-")[0]), scene_id
-
-
-def _refuse_foreign(root: Path) -> None:
-    if not root.exists():
-        return
-    if not root.is_dir():
-        raise SdgenError(f"{root} is a file; choose another --out")
-    # The names alone prove nothing: other tools have a dataset.json or a .build folder too.
-    unfinished = root / BUILD_FOLDER / "build.json"
-    if unfinished.is_file() or _is_ours(root / "dataset.json"):
-        return
-    if any(path.name != BUILD_FOLDER for path in root.iterdir()):
-        raise SdgenError(
-            f"{root} is not empty and holds no data set of sdgen; choose another --out"
-        )
-
-
-def _is_ours(path: Path) -> bool:
-    """True for a ``dataset.json`` that sdgen wrote, be it of another version."""
-    try:
-        data = parse(read_bytes(path, str(path)), str(path))
-    except InputError:
-        return False
-    return isinstance(data, dict) and {"format_version", "catalogue_sha256"} <= data.keys()
-
-
-def _build_of(root: Path) -> Build | None:
-    unfinished = root / BUILD_FOLDER / "build.json"
-    if unfinished.is_file():
-        return read_record(Build, unfinished, str(unfinished))
-    if (root / "dataset.json").is_file():
-        return read_record(DatasetInfo, root / "dataset.json", str(root / "dataset.json")).build()
-    return None
-
-
-def _differences(found: Build, asked: Build) -> list[str]:
-    """What another build was made with, in words; the number of scenes may differ."""
-    out = []
-    if found.format_version != asked.format_version:
-        out.append(f"format {found.format_version} (now {asked.format_version})")
-    for name in BuildOptions.model_fields:
-        before, now = getattr(found.options, name), getattr(asked.options, name)
-        if name != "n" and before != now:
-            out.append(f"{name} {_shown(before)} (now {_shown(now)})")
-    if found.catalogue_sha256 != asked.catalogue_sha256:
-        out.append("another catalogue")
-    if found.assets_sha256 != asked.assets_sha256:
-        out.append("other assets")
-    for name in sorted({*found.versions, *asked.versions}):
-        before, now = found.versions.get(name, "none"), asked.versions.get(name, "none")
-        if before != now:
-            out.append(f"{name} {before} (now {now})")
-    return out
-
-
-def _shown(value: object) -> str:
-    if isinstance(value, tuple):
-        return ",".join(str(item) for item in value) or "none"
-    return str(value)

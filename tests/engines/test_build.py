@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.engines import local
+from sdgen.engines.build import build as run_build
 from sdgen.engines.report import Note, SceneDone
 from sdgen.errors import InputError, SdgenError, UsageError
 from sdgen.library import load_library
@@ -21,9 +21,7 @@ def tools():
 
 def build(tools, out, events=None, **changes):
     options = BuildOptions.model_validate({**OPTIONS, **changes})
-    return local.build(
-        options, out, **tools, on_event=(events if events is not None else []).append
-    )
+    return run_build(options, out, **tools, on_event=(events if events is not None else []).append)
 
 
 def manifest(out):

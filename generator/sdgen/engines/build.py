@@ -1,0 +1,140 @@
+"""Builds a data set: one folder, and an engine that makes the scenes that are not there yet."""
+
+from __future__ import annotations
+
+import dataclasses
+import time
+from pathlib import Path
+
+from sdgen.catalog.load import check_against_library
+from sdgen.catalog.records import Catalog
+from sdgen.dataset.writer import DatasetWriter
+from sdgen.engines.early_stop import EarlyStop
+from sdgen.engines.fit import misfits
+from sdgen.engines.machine import held_mb
+from sdgen.engines.protocol import Engine, Outcome
+from sdgen.engines.registry import ENGINES, EngineOptions, check_engine
+from sdgen.engines.report import BuildReport, Note, OnEvent, ignore_event
+from sdgen.engines.tally import Tally
+from sdgen.engines.worker import SceneResult, WorkerSetup
+from sdgen.errors import InputError, SdgenError, WorkerFault
+from sdgen.hazards.draw import check_range
+from sdgen.library import Library
+from sdgen.options import BuildOptions
+from sdgen.render import Choice, choose_renderer
+
+#: Scenes lost to programming errors before a build ends: one may be a rare case, more are not.
+FAULTS = 3
+
+
+def build(
+    options: BuildOptions,
+    out: Path,
+    catalog: Catalog,
+    library: Library,
+    workers: int | None = 1,
+    index_range: tuple[int, int] | None = None,
+    overwrite: bool = False,
+    on_event: OnEvent = ignore_event,
+    engine: EngineOptions | None = None,
+) -> BuildReport:
+    """Build scenes ``index_range`` (all by default) of a data set into ``out``, or go on with it.
+
+    Raises SdgenError for a folder that cannot be used, a catalogue that does not fit the library,
+    a hazard that fits nowhere, a renderer that does not start, a full disk. A scene whose
+    attempts are spent is in ``failed``, never silently missing. ``workers`` processes (None: as
+    many as there is room for), by the engine that ``engine`` names (this machine when None).
+    """
+    start = time.monotonic()
+    engine = engine or EngineOptions()
+    check_engine(engine)
+    _check(options, out, catalog, library)
+    first, end = index_range if index_range is not None else (0, options.n)
+    wanted = {f"{index:06d}": index for index in range(first, end)}
+    choice = _renderer(options, on_event)
+    with DatasetWriter.open(
+        out, options, catalog, library.infos, library.sha256, overwrite=overwrite
+    ) as writer:
+        for line in writer.notes:
+            on_event(Note(line))
+        tally = Tally(len(wanted))
+        stop = EarlyStop((hazard.id for hazard in catalog.hazards), wanted.values())
+        for key in wanted:
+            if key in writer.done:
+                event = tally.take_resumed(writer.done[key])
+                stop.made(event.index, event.hazards)
+                on_event(event)
+        jobs = [index for key, index in wanted.items() if key not in writer.done]
+        setup = WorkerSetup(
+            catalog=catalog,
+            library_folders=library.folders,
+            library_sha256=library.sha256,
+            options=options,
+            writer=dataclasses.replace(
+                writer.scene_writer, renderer=choice.renderer_string if choice else None
+            ),
+            choice=choice,
+            one_thread=True,
+        )
+        peak_mb = held_mb()
+        if jobs:
+            runner = ENGINES[engine.name](setup, workers, engine)
+            try:
+                _run(runner, jobs, out, tally, stop, on_event)
+            finally:
+                runner.close()
+            peak_mb = max(peak_mb, runner.peak_mb)
+        if tally.unseen and options.views > options.hazards_max and choice is not None:
+            shown = ", ".join(tally.unseen[:10])
+            on_event(Note(f"{len(tally.unseen)} scenes do not show every anomaly: {shown}"))
+        writer.finish(failed={item.scene_id: item.causes for item in tally.failed})
+    renderer = choice.renderer_string if choice is not None else "none"
+    return tally.report(out, time.monotonic() - start, peak_mb, renderer)
+
+
+def _run(
+    engine: Engine, jobs: list[int], out: Path, tally: Tally, stop: EarlyStop, on_event: OnEvent
+) -> None:
+    """Take in what the engine makes. SdgenError when going on is in vain."""
+    faults = 0
+    for event in engine.run(jobs):
+        if not isinstance(event, Outcome):
+            on_event(Note(f"worker replaced: {event.why}"))
+            continue
+        result, error = event.result, event.error
+        if error is None and isinstance(result, SceneResult):
+            on_event(tally.take_made(event.job, result, event.memory_mb))
+            vain = stop.made(event.job, result.hazards)
+        else:
+            if isinstance(error, WorkerFault):
+                faults += 1
+                on_event(Note(f"scene {event.job:06d}: {error}"))
+                if faults == FAULTS:
+                    raise WorkerFault(f"{error}; {FAULTS} scenes met such errors (a bug in sdgen)")
+            failure = tally.take_failed(event)
+            on_event(failure)
+            vain = stop.failed(event.job, failure.causes)
+        if vain is not None:
+            raise SdgenError(
+                f"{vain}; mend it and start anew with --overwrite "
+                f"({tally.made + tally.resumed} scenes are kept in {out})"
+            )
+
+
+def _check(options: BuildOptions, out: Path, catalog: Catalog, library: Library) -> None:
+    """Raise SdgenError, before anything is written, for what can never be built."""
+    check_against_library(catalog, library.states_by_category())
+    check_range(options.hazards_min, options.hazards_max, len(catalog.hazards))
+    if options.hazards_max and not (out / "scenes").exists():
+        problems = misfits(catalog, library, options)
+        if problems:
+            raise InputError(problems)
+
+
+def _renderer(options: BuildOptions, on_event: OnEvent) -> Choice | None:
+    if not options.sensors or options.views == 0:
+        return None
+    choice = choose_renderer(options.renderer)
+    if choice.note:
+        on_event(Note(choice.note))
+    return choice

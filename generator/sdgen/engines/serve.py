@@ -1,0 +1,101 @@
+"""Body of a worker process: set up once, then one job after another."""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import os
+import pickle
+import signal
+import sys
+import traceback
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
+
+from sdgen.engines.machine import held_mb, peak_mb
+from sdgen.engines.protocol import Answer, Broken, Died, Factory, Ready
+from sdgen.errors import SdgenError, WorkerFault
+
+PACKAGE = Path(__file__).resolve().parents[1]
+
+
+def main(handle: int, parent: int, order: str) -> None:
+    """Serve the parent at the other end of the pipe; ``order`` is a file with the factory."""
+    die_with_parent(parent)
+    # Whoever stops the build tells the parent, and the parent ends its workers.
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_IGN)
+    pipe = Connection(handle)
+    with contextlib.suppress(EOFError, OSError):
+        try:
+            factory, args = pickle.loads(Path(order).read_bytes())
+            work = set_up(factory, args)
+        except SdgenError as error:
+            pipe.send(Broken(error))
+            return
+        except Exception as error:
+            pipe.send(Broken(fault(error)))
+            return
+        pipe.send(Ready())
+        while True:
+            message = answer(work, pipe.recv())
+            pipe.send(message)
+            if isinstance(message, Died):
+                return
+
+
+def set_up(factory: Factory, args: tuple[Any, ...]) -> Any:
+    """What does the jobs. Raises SdgenError, or WorkerFault for anything else."""
+    try:
+        return factory(*args)
+    except SdgenError:
+        raise
+    except Exception as error:
+        raise fault(error) from error
+
+
+def answer(work: Any, job: int) -> Answer | Died:
+    """Do one job; whatever it raises becomes a message."""
+    try:
+        return Answer(work(job), None, held_mb(), peak_mb())
+    except SdgenError as error:
+        return Answer(None, error, held_mb(), peak_mb())
+    except MemoryError:
+        return Died("out_of_memory", "out of memory")
+    except Exception as error:
+        return Answer(None, fault(error), held_mb(), peak_mb())
+
+
+def fault(error: Exception) -> WorkerFault:
+    """A programming error with its place, without the machine's folders.
+
+    The place is the innermost line of sdgen, and the innermost of all where that is another.
+    """
+    if os.environ.get("SDGEN_DEBUG"):
+        traceback.print_exception(error)
+    trace = traceback.extract_tb(error.__traceback__)
+    frames = [frame for frame in trace if frame.filename != __file__]
+    ours = [frame for frame in frames if PACKAGE in Path(frame.filename).parents]
+    places = []
+    for frame in (*ours[-1:], *frames[-1:]):
+        path = Path(frame.filename)
+        inside = PACKAGE in path.parents
+        name = path.relative_to(PACKAGE.parent).as_posix() if inside else path.name
+        places.append(f"{name}:{frame.lineno}")
+    text = " ".join(str(error).split()) or "no message"
+    where = " > ".join(dict.fromkeys(places)) or "unknown place"
+    return WorkerFault(f"unexpected {type(error).__name__}: {text} ({where})")
+
+
+def die_with_parent(parent: int) -> None:
+    """Ask Linux to end this process with its parent, so that a killed build writes no more.
+
+    Elsewhere a worker ends after its job, when it finds the pipe closed.
+    """
+    with contextlib.suppress(OSError, AttributeError):
+        set_parent_death_signal = 1
+        ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
+    if os.getppid() != parent:
+        sys.exit(1)  # it was gone before it could be asked for

@@ -1,0 +1,66 @@
+"""Errors stay what they are when they cross from one process to another."""
+
+import pickle
+from importlib import import_module
+from pkgutil import walk_packages
+
+import sdgen
+from hypothesis import given
+from hypothesis import strategies as st
+from sdgen.errors import InputError, SceneRejected, SdgenError, Stopped
+from sdgen.rejection import Cause
+
+
+def all_error_classes() -> list[type[SdgenError]]:
+    for module in walk_packages(sdgen.__path__, "sdgen."):
+        if module.name not in ("sdgen.__main__", "sdgen.engines.on_ray"):
+            import_module(module.name)
+    found, left = [], [SdgenError]
+    while left:
+        one = left.pop()
+        found.append(one)
+        left += one.__subclasses__()
+    return [one for one in found if one.__module__.startswith("sdgen.")]
+
+
+TEXTS = st.text(max_size=30)
+CAUSES = st.dictionaries(
+    st.builds(
+        Cause,
+        st.sampled_from(["home", "hazards", "worker"]),
+        TEXTS,
+        st.none() | TEXTS,
+        st.none() | TEXTS,
+        st.none() | TEXTS,
+    ),
+    st.integers(1, 99),
+    max_size=4,
+)
+
+
+def same(one: BaseException) -> None:
+    two = pickle.loads(pickle.dumps(one))
+    assert type(two) is type(one)
+    assert str(two) == str(one)
+    assert vars(two) == vars(one)
+
+
+@given(TEXTS, st.lists(TEXTS, max_size=4), CAUSES)
+def test_every_error_class_survives_pickling(
+    text: str, problems: list[str], causes: dict[Cause, int]
+) -> None:
+    classes = all_error_classes()
+    assert len(classes) >= 8
+    for one in classes:
+        if issubclass(one, InputError):
+            same(one(problems))
+        elif issubclass(one, SceneRejected):
+            same(one(text, causes))
+        else:
+            same(one(text))
+
+
+def test_a_signal_has_the_exit_code_shells_expect() -> None:
+    same(Stopped(15))
+    assert Stopped(15).exit_code == 143
+    assert not isinstance(Stopped(2), Exception)

@@ -1,0 +1,87 @@
+"""Scratch folders: gone at the end, whatever the end was; nobody else's are touched."""
+
+import os
+import tempfile
+from pathlib import Path
+
+import pytest
+from sdgen.locks import FileLock
+from sdgen.scratch import PREFIX, Scratch, clear_dead
+
+
+@pytest.fixture(autouse=True)
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    return tmp_path
+
+
+def test_it_is_gone_after_an_error_too(place: Path) -> None:
+    def interrupted() -> None:
+        with Scratch() as folder:
+            (folder / "deep" / "er").mkdir(parents=True)
+            (folder / "deep" / "file").write_text("x")
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    assert list(place.iterdir()) == []
+
+
+def test_only_those_of_the_dead_are_cleared(place: Path) -> None:
+    dead = place / f"{PREFIX}dead"
+    dead.mkdir()
+    (dead / "lock").touch()
+    (dead / "rest").write_text("x")
+    unlocked = place / f"{PREFIX}never-locked"
+    unlocked.mkdir()
+    (place / "sdgen-other").mkdir()
+    elsewhere = place / "elsewhere"
+    elsewhere.mkdir()
+    (place / f"{PREFIX}link").symlink_to(elsewhere)
+    with Scratch() as living:
+        clear_dead()
+        with Scratch():
+            assert living.is_dir()
+        assert {p.name for p in place.iterdir()} == {
+            living.name,
+            "sdgen-other",
+            "elsewhere",
+            f"{PREFIX}link",
+        }
+
+
+def test_another_user_s_folder_is_left_alone(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = place / f"{PREFIX}theirs"
+    folder.mkdir()
+    monkeypatch.setattr(os, "getuid", lambda: 12345)
+    clear_dead()
+    assert folder.is_dir()
+
+
+def test_a_folder_taken_for_dead_while_it_was_born_is_replaced(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    make = tempfile.mkdtemp
+    born = []
+
+    def stolen_once(prefix: str) -> str:
+        path = make(prefix=prefix)
+        born.append(path)
+        if len(born) == 1:
+            os.rmdir(path)
+        return path
+
+    monkeypatch.setattr("sdgen.scratch.tempfile.mkdtemp", stolen_once)
+    with Scratch() as folder:
+        assert str(folder) == born[1]
+
+
+def test_a_lock_is_held_by_one_until_it_is_let_go(tmp_path: Path) -> None:
+    first = FileLock.take(tmp_path / "lock")
+    assert first is not None
+    assert FileLock.take(tmp_path / "lock") is None
+    first.release()
+    first.release()
+    second = FileLock.take(tmp_path / "lock")
+    assert second is not None
+    second.release()

@@ -8,9 +8,9 @@ from sdgen.freespace import (
     ROBOT_RADIUS_M,
     free_shape,
     random_point,
-    reachable,
     rounded_rings,
     route,
+    unreachable_rooms,
     without_holes,
 )
 from sdgen.scene import Home, Opening, Room
@@ -37,11 +37,11 @@ HOME = Home(id="h", kind="base", rooms=ROOMS, structures=(), openings=(DOOR,))
 
 
 def test_rooms_are_joined_through_the_doorway():
-    assert reachable(HOME, free_shape(HOME, [])) == []
+    assert unreachable_rooms(HOME, free_shape(HOME, [])) == []
 
 
 def test_a_wardrobe_before_the_door_cuts_a_room_off():
-    cut = reachable(HOME, free_shape(HOME, [box(3.3, 0.5, 4.0, 2.5)]))
+    cut = unreachable_rooms(HOME, free_shape(HOME, [box(3.3, 0.5, 4.0, 2.5)]))
     assert [room.id for room in cut] == [2]
 
 

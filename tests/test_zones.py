@@ -9,7 +9,7 @@ from sdgen.geometry import apply, quat_from_yaw
 from sdgen.hazards.splits import SplitModels
 from sdgen.library import load_library
 from sdgen.library.states import object_from_part
-from sdgen.pipeline.stage import FurnishedHome, furnished_home
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
 from sdgen.zones import swing_blocked, swing_sectors
@@ -73,7 +73,7 @@ def test_a_staged_home_has_the_zones_its_doors_and_appliances_need():
             FurnishedHome,
         )
     )
-    home, zones = stage.site.home, stage.site.zones
+    home, zones = stage.context.home, stage.context.zones
     doors = [o for o in home.openings if o.kind != "window"]
     for opening in doors:
         kinds = [z.kind for z in zones if z.source_id == opening.object_id]

@@ -78,7 +78,7 @@ def free_shape(
     return unary_union(areas).difference(grown)
 
 
-def reachable(home: Home, free: BaseGeometry, area_needed_m2: float = 0.2) -> list[Room]:
+def unreachable_rooms(home: Home, free: BaseGeometry, area_needed_m2: float = 0.2) -> list[Room]:
     """Rooms that cannot be reached from the largest connected piece of free space."""
     pieces = polygons(free)
     if not pieces:

@@ -12,7 +12,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import BaseHome, BaseOpening, FurnitureItem
 from sdgen.hazards.splits import SplitModels, split_of_home
 from sdgen.library import Library, load_library
-from sdgen.pipeline.stage import FurnishedHome, furnished_home
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.seeding import lane
 from shapely import box
 from shapely.affinity import rotate, translate

@@ -1,15 +1,16 @@
-"""Ways of a hazard are weighted fairly, and what does not fit changes nothing."""
+"""Candidates of a hazard are weighted fairly, and what does not fit changes nothing."""
 
 from collections import Counter
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
+from sdgen.hazards.placing import inject_candidate
 from sdgen.hazards.splits import SplitModels
-from sdgen.hazards.ways import bring_about, shuffled, ways
 from sdgen.library import load_library
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
-from sdgen.pipeline.stage import FurnishedHome, furnished_home
 from sdgen.rejection import Cause, Rejection
 from sdgen.seeding import lane
 
@@ -28,35 +29,28 @@ def home():
     raise AssertionError("no base home can be furnished")
 
 
-def weighted(ways_, weights):
-    return [
-        type(way)(way.unique, way.recipe.model_copy(update={"weight": weight}))
-        for way, weight in zip(ways_, weights, strict=True)
-    ]
+def first_candidate(home, hazard):
+    return candidates(hazard, CATALOG.hazard(hazard).anomalies, home.layout, home.context)[0]
 
 
-def one_per_recipe(home, hazard):
-    found = ways(hazard, CATALOG.hazard(hazard).anomalies, home.layout, home.site)
-    assert found
-    return found[:1]
+def changed(candidate, **changes):
+    return Candidate(candidate.unique, candidate.recipe.model_copy(update=changes))
 
 
 def test_tiny_weights_keep_their_proportions(home):
     """u^(1/w) is 0 for all of them, then the order in the file would decide."""
-    (way,) = one_per_recipe(home, "stove_on")
-    pair = weighted([way, way], [1e-6, 3e-6])
+    candidate = first_candidate(home, "stove_on")
+    pair = [changed(candidate, weight=weight) for weight in (1e-6, 3e-6)]
     rng = lane(1, 0, "order")
-    first = Counter(shuffled(pair, rng)[0].recipe.weight for _ in range(2000))
+    first = Counter(weighted_order(pair, rng)[0].recipe.weight for _ in range(2000))
     assert 0.70 < first[3e-6] / 2000 < 0.80
 
 
-def test_a_way_that_does_not_fit_leaves_the_layout_alone(home):
+def test_a_candidate_that_does_not_fit_leaves_the_layout_alone(home):
     layout = home.layout.copy()
     before = dict(layout.items), dict(layout.intents)
-    (way,) = one_per_recipe(home, "sharp_object")
-    nowhere = weighted([way], [1.0])[0]
-    nowhere = type(way)(way.unique, nowhere.recipe.model_copy(update={"rooms": ("ballroom",)}))
-    assert bring_about(nowhere, layout, home.site, (), lane(1, 0, "x")) is None
+    nowhere = changed(first_candidate(home, "sharp_object"), rooms=("ballroom",))
+    assert inject_candidate(nowhere, layout, home.context, (), lane(1, 0, "x")) is None
     assert (layout.items, layout.intents) == before
 
 
@@ -64,14 +58,14 @@ def test_each_drawn_hazard_gets_an_object_of_its_own(home):
     drawn = [h.id for h in CATALOG.hazards][:5]
     for k in range(20):
         layout = home.layout.copy(node_ids(lane(3, k, "ids"), home.ids))
-        made = inject(drawn, layout, home.site, False, lane(3, k, "inject"))
+        made = inject(drawn, layout, home.context, False, lane(3, k, "inject"))
         if isinstance(made, Rejection):
             assert made.cause.check == "no_place"
             assert made.cause.hazard in drawn
             continue
         assert [m.hazard for m in made] == drawn
         assert len({m.object_id for m in made}) == len(drawn)
-        others = add_lookalikes(layout, home.site, made, lane(3, k, "lookalikes"))
+        others = add_lookalikes(layout, home.context, made, lane(3, k, "lookalikes"))
         assert not {m.object_id for m in others} & {m.object_id for m in made}
         assert not {m.object_id for m in (*made, *others) if m.before is None} & home.ids
         return
@@ -82,11 +76,11 @@ def test_a_hazard_without_a_place_is_named(home):
     hazard = CATALOG.hazard("spill")
     recipes = tuple(r.model_copy(update={"rooms": ("ballroom",)}) for r in hazard.anomalies)
     bare = hazard.model_copy(update={"anomalies": recipes})
-    site = type(home.site)(
-        home.site.home,
-        home.site.zones,
+    context = type(home.context)(
+        home.context.home,
+        home.context.zones,
         CATALOG.model_copy(update={"hazards": (bare,)}),
-        home.site.models,
+        home.context.models,
     )
-    made = inject(["spill"], home.layout.copy(), site, False, lane(3, 0, "inject"))
+    made = inject(["spill"], home.layout.copy(), context, False, lane(3, 0, "inject"))
     assert made == Rejection(Cause("hazards", "no_place", "spill"))

@@ -14,7 +14,7 @@ from sdgen.home.layout import footprint
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations
-from sdgen.pipeline.stage import FurnishedHome, furnished_home, pick_home
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
 from sdgen.zones import derive_zones, floor_obstacles
 from shapely.geometry import Polygon
@@ -48,7 +48,7 @@ def pieces(made: FurnishedHome):
 
 def test_pieces_stand_in_their_rooms(stages):
     for made in stages:
-        rooms = {room.id: Polygon(room.polygon_m) for room in made.site.home.rooms}
+        rooms = {room.id: Polygon(room.polygon_m) for room in made.context.home.rooms}
         for item, info in pieces(made):
             x, y, _ = item.pose.position_m
             shape = footprint(info, x, y, yaw_of(item.pose.quat_xyzw))
@@ -68,14 +68,14 @@ def test_doorways_stay_clear(stages):
                 continue
             x, y, _ = item.pose.position_m
             shape = footprint(info, x, y, yaw_of(item.pose.quat_xyzw))
-            for opening in made.site.home.openings:
+            for opening in made.context.home.openings:
                 if opening.kind != "window":
                     assert not shape.intersects(opening_rectangle(opening, 0.6)), item.category
 
 
 def test_needed_pieces_are_there_and_chairs_face_their_table(stages):
     for made in stages:
-        types = {room.id: room.type for room in made.site.home.rooms}
+        types = {room.id: room.type for room in made.context.home.rooms}
         by_room: dict[str, set[str]] = {}
         for item, _ in pieces(made):
             by_room.setdefault(types[item.room_id], set()).add(item.category)
@@ -97,7 +97,7 @@ def test_needed_pieces_are_there_and_chairs_face_their_table(stages):
 def test_cupboards_have_their_backs_to_a_wall(stages):
     backed = ("wardrobe", "bookshelf", "fridge", "stove", "sofa", "dresser", "toilet")
     for made in stages:
-        rooms = {room.id: room for room in made.site.home.rooms}
+        rooms = {room.id: room for room in made.context.home.rooms}
         for item, info in pieces(made):
             if item.category not in backed:
                 continue
@@ -112,10 +112,10 @@ def test_cupboards_have_their_backs_to_a_wall(stages):
 
 
 def test_homes_differ_and_have_three_to_six_rooms(stages):
-    counts = {len(made.site.home.rooms) for made in stages}
+    counts = {len(made.context.home.rooms) for made in stages}
     assert counts <= {3, 4, 5, 6}
     assert len(counts) > 1
-    assert len({made.site.home.rooms[0].polygon_m for made in stages}) == len(stages)
+    assert len({made.context.home.rooms[0].polygon_m for made in stages}) == len(stages)
 
 
 def test_a_generated_home_keeps_its_id_and_split_through_attempts():
@@ -134,4 +134,4 @@ def test_what_is_left_free_is_what_a_reader_of_the_scene_finds(stages):
         assert rounded_rings(free) == made.free_space
         traits = {c.name: c.properties for c in CATALOG.categories}
         zones = derive_zones(scene.home, scene.objects, LIBRARY.infos, traits)
-        assert zones == tuple(made.site.zones)
+        assert zones == tuple(made.context.zones)

@@ -7,7 +7,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import LEAST_THINGS, add_clutter
 from sdgen.library import load_library
-from sdgen.pipeline.stage import FurnishedHome, furnished_home
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.seeding import lane
 
 
@@ -21,8 +21,6 @@ def test_every_home_holds_sixty_things(home):
         stage = furnished_home(base, catalog, library, models, ids, lane(seed, 0, "furnish"))
         assert isinstance(stage, FurnishedHome)
         layout = stage.layout.copy()
-        add_clutter(
-            layout, stage.site.home, stage.site.zones, catalog, models, lane(seed, 0, "place")
-        )
+        add_clutter(layout, stage.context, lane(seed, 0, "place"))
         small = [item for item in layout.items.values() if not item.fixed]
         assert len(small) >= LEAST_THINGS > 60

@@ -4,6 +4,7 @@ import itertools
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.facts import Body
 from sdgen.freespace import opening_rectangle
 from sdgen.geometry import quat_from_yaw
 from sdgen.hazards.splits import SplitModels
@@ -11,8 +12,7 @@ from sdgen.home.furnish import put_piece
 from sdgen.home.layout import IN_WALL_M, Layout, within_room
 from sdgen.library import load_library
 from sdgen.physics.checks import penetrations
-from sdgen.pipeline.stage import FurnishedHome, furnished_home
-from sdgen.relations import Body
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
 from sdgen.vocabulary import FLAT_M, OPENINGS, OVERHEAD_M
@@ -38,7 +38,7 @@ def test_base_homes_hold_no_furniture_that_cuts_or_blocks_a_doorway(home):
         assert penetrations(LIBRARY, made.scene(0, made.layout.items)) == []
         doorways = [
             opening_rectangle(opening, 0.6)
-            for opening in made.site.home.openings
+            for opening in made.context.home.openings
             if opening.kind != "window"
         ]
         for item in made.layout.items.values():

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 from sdgen.errors import SceneRejected
-from sdgen.hazards.ways import Made, Way
+from sdgen.hazards.placing import Injected
 from sdgen.home.layout import Intent
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
@@ -59,13 +59,11 @@ def contents(**changes):
     cushion = toy.thing(9, "cushion_01", (1.4, 0.8, 0.94))
     stove = toy.thing(11, "stove_01", (3.5, 0.5, 0), variant="lit", fixed=True)
     rest = toy.thing(11, "stove_01", (3.5, 0.5, 0), fixed=True)
-    recipe = next(r for r in toy.catalog().hazard("stove_on").anomalies if r.kind == "set")
-    way = Way(unique=None, recipe=recipe)
     values = {
         "items": {item.id: item for item in (table, milk, cushion, stove)},
         "intents": {40: Intent("ON", 77), 9: Intent("ON", 40)},
         "anomalies": {},
-        "lookalikes": {11: Made("stove_on", 11, way, rest)},
+        "lookalikes": {11: Injected("stove_on", 11, rest)},
     }
     return Contents(**(values | changes))
 
@@ -95,7 +93,7 @@ def test_a_lookalike_by_state_is_switched_back_not_taken_away():
 @pytest.mark.parametrize(("culprit", "hazard"), [(9, "spill"), (77, None)])
 def test_an_anomaly_or_furniture_at_fault_rejects_the_try(culprit, hazard):
     there = contents()
-    there = replace(there, anomalies={9: Made("spill", 9, there.lookalikes[11].way, None)})
+    there = replace(there, anomalies={9: Injected("spill", 9, None)})
     rejection = without(there, offence(there, culprit))
     assert isinstance(rejection, Rejection)
     assert rejection.cause.hazard == hazard

@@ -17,8 +17,8 @@ from sdgen.hazards.inject import inject
 from sdgen.hazards.splits import SplitModels
 from sdgen.library import Library
 from sdgen.options import BuildOptions
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.pipeline.spec import node_ids
-from sdgen.pipeline.stage import FurnishedHome, furnished_home, pick_home
 from sdgen.rejection import Rejection, reject
 from sdgen.seeding import lane
 
@@ -102,17 +102,17 @@ def _try(
     rng = lane(options.seed, index, f"fit:{hazard}")
     for _ in range(TRIES):
         layout = home.layout.copy()
-        made = inject([hazard], layout, home.site, False, rng)
+        injected = inject([hazard], layout, home.context, False, rng)
         trial.tries += 1
-        if isinstance(made, Rejection):
+        if isinstance(injected, Rejection):
             continue
         trial.placed += 1
-        facts = facts_of(home.scene(index, layout.items), library.infos, home.site.catalog)
+        facts = facts_of(home.scene(index, layout.items), library.infos, home.context.catalog)
         others = [
             other.id
-            for other in home.site.catalog.hazards
+            for other in home.context.catalog.hazards
             if other.id != hazard
-            and all(other.predicate.evaluate(m.object_id, facts).value for m in made)
+            and all(other.predicate.evaluate(m.object_id, facts).value for m in injected)
         ]
         trial.claimed.update(others)
         trial.alone += not others

@@ -139,7 +139,9 @@ class Facts:
         """All relations of the scene, sorted; who is in which room is written as INSIDE."""
         out = [Edge(s.id, s.room_id, "INSIDE") for s in self._structures.values()]
         for object_id in self.bodies:
-            out += [Edge(object_id, room, "INSIDE") for room in self.room_ids(object_id)[:1] if room]
+            out += [
+                Edge(object_id, room, "INSIDE") for room in self.room_ids(object_id)[:1] if room
+            ]
             for relation in FINDERS:
                 out += [Edge(object_id, t, relation) for t in self.holds(object_id, relation)]
         return tuple(sorted(set(out), key=lambda e: (e.from_id, e.relation, e.to_id)))

@@ -4,62 +4,68 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
+from sdgen.hazards.candidates import Candidate, candidates, weighted_order
+from sdgen.hazards.placing import Injected, inject_candidate
 from sdgen.hazards.splits import withheld_anomaly
-from sdgen.hazards.ways import Made, Site, Way, bring_about, shuffled, ways
+from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
 from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
 
-WAYS_TRIED = 20
+CANDIDATES_TRIED = 20
+#: Of the hazards, this many have a near miss in a scene, so that having one says little.
 LOOKALIKE_SHARE = 0.85
-LOOKALIKE_WAYS_TRIED = 6
+LOOKALIKE_CANDIDATES_TRIED = 6
 
 
 def inject(
-    hazards: Sequence[str], layout: Layout, site: Site, training: bool, rng: Rng
-) -> tuple[Made, ...] | Rejection:
+    hazards: Sequence[str], layout: Layout, context: HomeContext, training: bool, rng: Rng
+) -> tuple[Injected, ...] | Rejection:
     """One anomaly of each drawn hazard. ``training`` leaves withheld unique anomalies out."""
-    made: list[Made] = []
+    anomalies: list[Injected] = []
     for hazard_id in hazards:
-        hazard = site.catalog.hazard(hazard_id)
-        found = ways(hazard_id, hazard.anomalies, layout, site)
+        hazard = context.catalog.hazard(hazard_id)
+        allowed = candidates(hazard_id, hazard.anomalies, layout, context)
         if training:
-            found = [way for way in found if not withheld_anomaly(way.unique)]
-        taken = {m.object_id for m in made}
-        one = _first(shuffled(found, rng)[:WAYS_TRIED], layout, site, taken, rng)
-        if one is None:
+            allowed = [one for one in allowed if not withheld_anomaly(one.unique)]
+        taken = {other.object_id for other in anomalies}
+        order = weighted_order(allowed, rng)[:CANDIDATES_TRIED]
+        injected = _inject_first(order, layout, context, taken, rng)
+        if injected is None:
             return reject("hazards", "no_place", hazard=hazard_id)
-        made.append(one)
-    return tuple(made)
+        anomalies.append(injected)
+    return tuple(anomalies)
 
 
 def add_lookalikes(
-    layout: Layout, site: Site, anomalies: Sequence[Made], rng: Rng
-) -> tuple[Made, ...]:
+    layout: Layout, context: HomeContext, anomalies: Sequence[Injected], rng: Rng
+) -> tuple[Injected, ...]:
     """One benign near miss for most hazards, whether or not they were drawn."""
-    made: list[Made] = []
-    for hazard in site.catalog.hazards:
+    lookalikes: list[Injected] = []
+    for hazard in context.catalog.hazards:
         wanted = rng.random() < LOOKALIKE_SHARE
-        order = shuffled(ways(hazard.id, hazard.lookalikes, layout, site), rng)
+        order = weighted_order(candidates(hazard.id, hazard.lookalikes, layout, context), rng)
         if not wanted:
             continue
-        taken = {m.object_id for m in (*anomalies, *made)}
-        one = _first(order[:LOOKALIKE_WAYS_TRIED], layout, site, taken, rng, keep_off=taken)
-        if one is not None:
-            made.append(one)
-    return tuple(made)
+        taken = {other.object_id for other in (*anomalies, *lookalikes)}
+        order = order[:LOOKALIKE_CANDIDATES_TRIED]
+        injected = _inject_first(order, layout, context, taken, rng, keep_off=taken)
+        if injected is not None:
+            lookalikes.append(injected)
+    return tuple(lookalikes)
 
 
-def _first(
-    order: Sequence[Way],
+def _inject_first(
+    order: Sequence[Candidate],
     layout: Layout,
-    site: Site,
+    context: HomeContext,
     taken: Collection[int],
     rng: Rng,
     keep_off: Collection[int] = (),
-) -> Made | None:
-    for way in order:
-        one = bring_about(way, layout, site, taken, rng, keep_off)
-        if one is not None:
-            return one
+) -> Injected | None:
+    """The first candidate that fits; None, and nothing changed, when none does."""
+    for candidate in order:
+        injected = inject_candidate(candidate, layout, context, taken, rng, keep_off)
+        if injected is not None:
+            return injected
     return None

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe
 from sdgen.facts import Facts
 from sdgen.hazards.certify import Positive
-from sdgen.hazards.ways import Made
+from sdgen.hazards.placing import Injected
 from sdgen.households import decide
 from sdgen.library.states import state_parts
 from sdgen.scene import Anomaly, Household, Lookalike, Remedy
@@ -109,15 +109,15 @@ def remedy(hazard: Hazard, facts: Facts, object_id: int) -> tuple[Remedy, ...]:
 
 
 def lookalike_records(
-    made: Sequence[Made], facts: Facts, catalog: Catalog
+    lookalikes: Sequence[Injected], facts: Facts, catalog: Catalog
 ) -> tuple[Lookalike, ...]:
     """Lookalikes sorted by object id, with what the missed predicate measures of them."""
     records: Mapping[int, Lookalike] = {
-        m.object_id: Lookalike(
-            object_id=m.object_id,
-            near_miss_of=m.hazard,
-            evidence=catalog.hazard(m.hazard).predicate.measure(m.object_id, facts),
+        missed.object_id: Lookalike(
+            object_id=missed.object_id,
+            near_miss_of=missed.hazard,
+            evidence=catalog.hazard(missed.hazard).predicate.measure(missed.object_id, facts),
         )
-        for m in made
+        for missed in lookalikes
     }
     return tuple(records[k] for k in sorted(records))

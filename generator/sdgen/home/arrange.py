@@ -20,7 +20,8 @@ from sdgen.freespace import ROBOT_RADIUS_M, opening_rectangle, polygons, union
 from sdgen.geometry import quat_from_yaw, round_position, round_quat
 from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side, sides_of
-from sdgen.home.furnish import Models, put_piece, stand_in, top_of
+from sdgen.home.context import Models
+from sdgen.home.furnish import put_piece, stand_in, top_of
 from sdgen.home.layout import IN_WALL_M, Intent, Layout, footprint
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
@@ -63,7 +64,7 @@ class _RoomState:
         return [k for c in categories for k in self.placed.get(c, ())]
 
 
-def arrange(
+def furnish_by_rules(
     home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng
 ) -> Layout | Rejection:
     """The layout with the furniture of every room by its type's rules."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -11,16 +10,14 @@ from shapely.geometry import Polygon
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.records import BaseHome, BaseRoom, FurnitureItem
 from sdgen.geometry import Vec3, apply, matrix, quat_from_yaw, round_position, round_quat
+from sdgen.home.context import Models
 from sdgen.home.layout import Intent, Layout, within_room
 from sdgen.home.shell import frame_size
-from sdgen.library.records import Asset, AssetInfo
+from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
 from sdgen.vocabulary import FLAT_M, OPENINGS
-
-#: Which models a scene may use (its split decides): category -> models.
-Models = Callable[[str], tuple[Asset, ...]]
 
 OPTIONAL_SHARE = 0.75
 #: Joint values of an interior door: most stand open, as in homes.
@@ -60,7 +57,7 @@ def fill_openings(
     return layout
 
 
-def _opened(item: ObjectInstance, asset: Asset, joint: str, value: float) -> ObjectInstance:
+def _opened(item: ObjectInstance, asset: AssetInfo, joint: str, value: float) -> ObjectInstance:
     return settled_states(item.model_copy(update={"joints": {joint: round(value, 4)}}), asset)
 
 
@@ -84,10 +81,10 @@ def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
     return quat_from_yaw(math.atan2(dy, dx))
 
 
-def furnish(
+def furnish_as_drawn(
     base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng
 ) -> Layout | Rejection:
-    """The layout with the furniture of every room."""
+    """The layout with the furniture of every room where the base home has it."""
     for source, room in zip(base.rooms, home.rooms, strict=True):
         furnished = _furnish_room(source, room, layout, models, rng)
         if isinstance(furnished, Rejection):

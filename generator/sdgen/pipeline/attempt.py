@@ -6,16 +6,16 @@ from collections import Counter
 from dataclasses import dataclass
 
 from sdgen.facts import Facts
-from sdgen.freespace import free_shape, reachable
+from sdgen.freespace import free_shape, unreachable_rooms
 from sdgen.hazards.certify import Survey, survey
-from sdgen.hazards.ways import Made
+from sdgen.hazards.placing import Injected
 from sdgen.library import Library
 from sdgen.physics.client import Client
 from sdgen.physics.settle import Settled
-from sdgen.pipeline.contents import fill, without
+from sdgen.pipeline.contents import place_contents, without
+from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.pipeline.rest import Rested, come_to_rest
 from sdgen.pipeline.spec import SceneSpec, node_ids
-from sdgen.pipeline.stage import FurnishedHome
 from sdgen.rejection import Cause, Rejection, reject
 from sdgen.zones import floor_obstacles, swing_blocked
 
@@ -29,7 +29,7 @@ class Proved:
 
     facts: Facts
     surveyed: Survey
-    lookalikes: tuple[Made, ...]
+    lookalikes: tuple[Injected, ...]
     settled: Settled
     taken_away: Counter[Cause]
 
@@ -49,7 +49,7 @@ def attempt(
     """
     lane = f"{home_attempt}:{placement}"
     ids = node_ids(spec.lane(f"ids:{lane}"), taken=home.ids)
-    contents = fill(
+    contents = place_contents(
         spec.hazards, home, home.layout.copy(ids), spec.split == "train", spec.lane(f"place:{lane}")
     )
     taken_away: Counter[Cause] = Counter()
@@ -59,7 +59,7 @@ def attempt(
         rested = come_to_rest(spec.index, home, contents, round_ > 0, library, client)
         offenders = rested.offenders
         if not offenders:
-            surveyed = survey(rested.facts, home.site.catalog)
+            surveyed = survey(rested.facts, home.context.catalog)
             offenders = _unproved(rested, surveyed, library)
             if not offenders:
                 return _proved(home, rested, surveyed, taken_away, library)
@@ -102,7 +102,7 @@ def _proved(
 ) -> Proved | Rejection:
     contents = rested.contents
     obstacles = floor_obstacles(contents.benign(), library.infos)
-    cut_off = reachable(home.site.home, free_shape(home.site.home, obstacles))
+    cut_off = unreachable_rooms(home.context.home, free_shape(home.context.home, obstacles))
     if cut_off:
         return reject("proof", "room_cut_off", category=cut_off[0].type)
     return Proved(

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from sdgen.hazards.inject import add_lookalikes, inject
-from sdgen.hazards.ways import Made
+from sdgen.hazards.placing import Injected
 from sdgen.home.clutter import add_clutter
 from sdgen.home.layout import Intent, Layout
-from sdgen.pipeline.stage import FurnishedHome
+from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.rejection import Rejection, Stage, reject
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import Rng
@@ -22,8 +22,8 @@ class Contents:
 
     items: Mapping[int, ObjectInstance]
     intents: Mapping[int, Intent]
-    anomalies: Mapping[int, Made]
-    lookalikes: Mapping[int, Made]
+    anomalies: Mapping[int, Injected]
+    lookalikes: Mapping[int, Injected]
 
     def benign(self) -> list[ObjectInstance]:
         """All but the anomalies."""
@@ -40,11 +40,11 @@ class Contents:
         limit: float | None = None,
     ) -> Rejection:
         """A rejection for the sake of one object; its hazard is at fault if it is an anomaly."""
-        made = self.anomalies.get(object_id)
+        injected = self.anomalies.get(object_id)
         return reject(
             stage,
             check,
-            hazard=None if made is None else made.hazard,
+            hazard=None if injected is None else injected.hazard,
             category=self.items[object_id].category,
             other=other,
             objects=(object_id,),
@@ -66,24 +66,23 @@ class Contents:
         return replace(self, items=items)
 
 
-def fill(
+def place_contents(
     hazards: Sequence[str], home: FurnishedHome, layout: Layout, training: bool, rng: Rng
 ) -> Contents | Rejection:
     """Anomalies of the drawn hazards, lookalikes and clutter, placed in ``layout`` (taken over).
 
     ``training`` leaves withheld unique anomalies out.
     """
-    anomalies = inject(hazards, layout, home.site, training, rng)
+    anomalies = inject(hazards, layout, home.context, training, rng)
     if isinstance(anomalies, Rejection):
         return anomalies
-    lookalikes = add_lookalikes(layout, home.site, anomalies, rng)
-    site = home.site
-    add_clutter(layout, site.home, site.zones, site.catalog, site.models, rng)
+    lookalikes = add_lookalikes(layout, home.context, anomalies, rng)
+    add_clutter(layout, home.context, rng)
     return Contents(
         items=dict(layout.items),
         intents=dict(layout.intents),
-        anomalies={made.object_id: made for made in anomalies},
-        lookalikes={made.object_id: made for made in lookalikes},
+        anomalies={injected.object_id: injected for injected in anomalies},
+        lookalikes={injected.object_id: injected for injected in lookalikes},
     )
 
 
@@ -109,13 +108,13 @@ def without(contents: Contents, offenders: Mapping[int, Rejection]) -> Reduced |
             return rejection
     items, intents = dict(contents.items), dict(contents.intents)
     for object_id in going:
-        made = contents.lookalikes.get(object_id)
-        if made is not None and made.before is not None:
-            items[object_id] = made.before
+        injected = contents.lookalikes.get(object_id)
+        if injected is not None and injected.before is not None:
+            items[object_id] = injected.before
             continue
         del items[object_id]
         intents.pop(object_id, None)
-    lookalikes = {k: made for k, made in contents.lookalikes.items() if k not in going}
+    lookalikes = {k: injected for k, injected in contents.lookalikes.items() if k not in going}
     left = Contents(items, intents, contents.anomalies, lookalikes)
     return Reduced(left, tuple(going.values()))
 

@@ -13,7 +13,7 @@ from sdgen.physics.checks import penetrations
 from sdgen.physics.client import Client
 from sdgen.physics.settle import Settled, settle
 from sdgen.pipeline.contents import Contents
-from sdgen.pipeline.stage import FurnishedHome
+from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.rejection import Rejection
 from sdgen.scene import Pose
 
@@ -58,12 +58,12 @@ def come_to_rest(
             for key, pose in settled.poses.items()
         }
     )
-    rooms = Rooms(home.site.home)
+    rooms = Rooms(home.context.home)
     contents = contents.housed(
         {k: rooms.room_id(item, library.infos[item.asset]) for k, item in contents.items.items()}
     )
     scene = home.scene(index, contents.items)
-    facts = facts_of(scene, library.infos, home.site.catalog)
+    facts = facts_of(scene, library.infos, home.context.catalog)
     offenders = _restless(contents, settled, again)
     offenders |= _off_target(contents, facts, offenders)
     if not offenders:

@@ -20,8 +20,8 @@ from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.pipeline.attempt import attempt
 from sdgen.pipeline.finish import finish, with_history
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import SceneSpec, draw_spec, node_ids
-from sdgen.pipeline.stage import FurnishedHome, furnished_home
 from sdgen.rejection import Cause, Causes, Rejection, reject
 from sdgen.scene import SceneBundle
 
@@ -116,4 +116,4 @@ def try_scene(
     proved = attempt(spec, home, home_attempt, placement, library, client)
     if isinstance(proved, Rejection):
         return proved
-    return finish(spec, proved, home.site.catalog, library, options, client)
+    return finish(spec, proved, home.context.catalog, library, options, client)

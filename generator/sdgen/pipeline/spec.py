@@ -10,7 +10,7 @@ from sdgen.hazards.draw import draw
 from sdgen.hazards.splits import Split, split_of_home
 from sdgen.households import sample_household
 from sdgen.options import BuildOptions
-from sdgen.pipeline.stage import HomeChoice, pick_home
+from sdgen.pipeline.furnished import HomeChoice, pick_home
 from sdgen.scene import Household
 from sdgen.seeding import Rng, lane
 

@@ -153,7 +153,9 @@ def _housed(item: SceneItem, facts: Facts) -> Iterator[Problem]:
         rooms = facts.room_ids(thing.id)
         if thing.room_id not in rooms:
             where = f"{item.where('scene.json')}: object {thing.id} ({thing.category})"
-            yield Problem("scene", f"{where}: room_id: {thing.room_id} stored, {list(rooms)} derived")
+            yield Problem(
+                "scene", f"{where}: room_id: {thing.room_id} stored, {list(rooms)} derived"
+            )
 
 
 def _carried(item: SceneItem, facts: Facts) -> Iterator[Problem]:

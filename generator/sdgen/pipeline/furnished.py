@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from sdgen.catalog.records import BaseHome, Catalog
 from sdgen.errors import UsageError
 from sdgen.facts import room_at
-from sdgen.freespace import free_shape, random_point, reachable, rounded_rings
+from sdgen.freespace import free_shape, random_point, rounded_rings, unreachable_rooms
 from sdgen.geometry import Vec2
 from sdgen.hazards.splits import SplitModels
-from sdgen.hazards.ways import Site
-from sdgen.home.arrange import arrange
-from sdgen.home.furnish import fill_openings, furnish
+from sdgen.home.arrange import furnish_by_rules
+from sdgen.home.context import HomeContext
+from sdgen.home.furnish import fill_openings, furnish_as_drawn
 from sdgen.home.generate import generate_home
 from sdgen.home.layout import Layout
 from sdgen.home.shell import build_shell
@@ -32,7 +32,7 @@ BASE_SHARE = 0.25
 class FurnishedHome:
     """Where a scene can play: the home, the furniture, and what follows from them."""
 
-    site: Site
+    context: HomeContext
     layout: Layout
     free_space: tuple[tuple[Vec2, ...], ...]
     agent_start: AgentStart
@@ -40,7 +40,7 @@ class FurnishedHome:
     @property
     def ids(self) -> frozenset[int]:
         """Every node id that is in use."""
-        home = self.site.home
+        home = self.context.home
         rooms, structures = (r.id for r in home.rooms), (s.id for s in home.structures)
         return frozenset((*rooms, *structures, *self.layout.items))
 
@@ -49,8 +49,8 @@ class FurnishedHome:
         return Scene(
             id=f"{index:06d}",
             index=index,
-            home=self.site.home,
-            zones=tuple(self.site.zones),
+            home=self.context.home,
+            zones=tuple(self.context.zones),
             free_space=self.free_space,
             agent_start=self.agent_start,
             objects=tuple(items[k] for k in sorted(items)),
@@ -111,9 +111,9 @@ def furnished_home(
     if isinstance(layout, Rejection):
         return layout
     if base.kind == "procedural":
-        layout = arrange(home, layout, catalog, models, rng)
+        layout = furnish_by_rules(home, layout, catalog, models, rng)
     else:
-        layout = furnish(base, home, layout, models, rng)
+        layout = furnish_as_drawn(base, home, layout, models, rng)
     if isinstance(layout, Rejection):
         return layout
     home = _sorted(home)
@@ -122,7 +122,7 @@ def furnished_home(
     properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
     infos: Mapping[str, AssetInfo] = library.infos
     free = free_shape(home, floor_obstacles(furniture, infos))
-    cut_off = reachable(home, free)
+    cut_off = unreachable_rooms(home, free)
     if cut_off:
         return reject("home", "room_cut_off", category=cut_off[0].type)
     in_swing = swing_blocked(furniture, infos)
@@ -134,7 +134,7 @@ def furnished_home(
         return reject("home", "no_free_floor")
     zones = derive_zones(home, furniture, infos, properties)
     return FurnishedHome(
-        site=Site(home, zones, catalog, models),
+        context=HomeContext(home, zones, catalog, models),
         layout=layout,
         free_space=rounded_rings(free),
         agent_start=_agent_start(start, room, rng),

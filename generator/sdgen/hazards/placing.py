@@ -1,0 +1,198 @@
+"""Puts one anomaly or lookalike into a layout: a thing to a place, or furniture to a state."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from shapely.geometry import Polygon
+
+from sdgen.actions import in_state
+from sdgen.catalog.records import PlaceRecipe, SetRecipe
+from sdgen.hazards.candidates import Candidate
+from sdgen.home.context import KEEP_CLEAR, HomeContext
+from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, within_room
+from sdgen.library.records import Asset
+from sdgen.scene import ObjectInstance
+from sdgen.seeding import Rng
+from sdgen.vocabulary import OPENINGS
+
+#: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
+FLUSH_M = 0.0005
+TARGETS_TRIED = 4
+#: Spots looked at on one target where only some heights will do (a high shelf of a bookcase).
+SPOTS_TRIED = 6
+ZONE_KEEP_SHARE = 0.7
+
+
+@dataclass(frozen=True)
+class Injected:
+    """The object that shows an anomaly (or lookalike) of ``hazard``, and what it was before;
+    None for one that is new."""
+
+    hazard: str
+    object_id: int
+    before: ObjectInstance | None
+
+
+def inject_candidate(
+    candidate: Candidate,
+    layout: Layout,
+    context: HomeContext,
+    taken: Collection[int],
+    rng: Rng,
+    keep_off: Collection[int] = (),
+) -> Injected | None:
+    """Change ``layout`` so that it holds this candidate; None, and no change, if nothing fits.
+
+    ``taken`` are objects other anomalies or lookalikes already use; nothing is put on or into
+    those of ``keep_off`` (a pot on a burning stove is no benign near miss of one).
+    """
+    if isinstance(candidate.recipe, SetRecipe):
+        return _set(candidate, candidate.recipe, layout, context, taken, rng)
+    return _place(candidate, candidate.recipe, layout, context, keep_off, rng)
+
+
+def _set(
+    candidate: Candidate,
+    recipe: SetRecipe,
+    layout: Layout,
+    context: HomeContext,
+    taken: Collection[int],
+    rng: Rng,
+) -> Injected | None:
+    found = [
+        item
+        for item in layout.items.values()
+        if item.category == candidate.unique.category
+        and item.id not in taken
+        and recipe.state not in item.states
+        and (not recipe.rooms or context.room_type(item.room_id) in recipe.rooms)
+    ]
+    for k in rng.permutation(len(found)).tolist()[:TARGETS_TRIED]:
+        before = found[k]
+        after = in_state(before, layout.info(before.id), recipe.state, rng)
+        if after is None or recipe.state not in after.states:
+            continue
+        stood = layout.blocks_of(before)
+        opened = [block for block in layout.blocks_of(after) if block not in stood]
+        if layout.clashes(opened, ignore=(before.id,), gap_m=0.0) is not None:
+            continue
+        is_opening = before.category in OPENINGS
+        if not is_opening and not within_room(opened, context.home, before.room_id):
+            continue
+        layout.put(after)
+        return Injected(candidate.unique.hazard, before.id, before)
+    return None
+
+
+def _place(
+    candidate: Candidate,
+    recipe: PlaceRecipe,
+    layout: Layout,
+    context: HomeContext,
+    keep_off: Collection[int],
+    rng: Rng,
+) -> Injected | None:
+    models = [
+        m
+        for m in context.models(candidate.unique.category)
+        if recipe.state is None or recipe.state in m.state_names
+    ]
+    if not models:
+        return None
+    asset = models[int(rng.integers(len(models)))]
+    if candidate.unique.target == "floor":
+        return _place_on_floor(candidate, recipe, asset, layout, context, rng)
+    targets = [
+        item
+        for item in layout.items.values()
+        if item.category == candidate.unique.target
+        and item.id not in keep_off
+        and (not recipe.rooms or context.room_type(item.room_id) in recipe.rooms)
+    ]
+    for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:
+        target = targets[k]
+        spot = _spot(recipe, asset, target.id, layout, rng)
+        if spot is not None:
+            return _put(
+                candidate, recipe, asset, spot, target.room_id, target.id, layout, context, rng
+            )
+    return None
+
+
+def _spot(
+    recipe: PlaceRecipe, asset: Asset, target_id: int, layout: Layout, rng: Rng
+) -> Vec3Yaw | None:
+    """A free spot of the target at a height the recipe allows."""
+    for _ in range(SPOTS_TRIED):
+        spot = layout.spot_on_object(asset, target_id, recipe.relation, rng)
+        if spot is None or _height_fits(recipe, spot[0][2]):
+            return spot
+    return None
+
+
+def _height_fits(recipe: PlaceRecipe, z: float) -> bool:
+    low = recipe.min_height_m if recipe.min_height_m is not None else -1.0
+    high = recipe.max_height_m if recipe.max_height_m is not None else 100.0
+    return low <= z <= high
+
+
+def _place_on_floor(
+    candidate: Candidate,
+    recipe: PlaceRecipe,
+    asset: Asset,
+    layout: Layout,
+    context: HomeContext,
+    rng: Rng,
+) -> Injected | None:
+    rooms = [r for r in context.home.rooms if not recipe.rooms or r.type in recipe.rooms]
+    for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
+        room = rooms[k]
+        outline = Polygon(room.polygon_m)
+        inner = outline.buffer(-0.08)
+        if recipe.zone:
+            area = context.zone_shape(recipe.zone, room.id).intersection(inner)
+            spot = layout.spot_on_floor(asset, area, outline, rng, keep_share=ZONE_KEEP_SHARE)
+        else:
+            barred = recipe.avoid_zones or KEEP_CLEAR
+            avoid = context.zone_shape(barred)
+            share = 0.2 if recipe.avoid_zones else 1.0
+            spot = layout.spot_on_floor(asset, inner, outline, rng, avoid=avoid, avoid_share=share)
+        if spot is not None:
+            return _put(
+                candidate,
+                recipe,
+                asset,
+                spot,
+                room.id,
+                context.floor_id(room.id),
+                layout,
+                context,
+                rng,
+            )
+    return None
+
+
+def _put(
+    candidate: Candidate,
+    recipe: PlaceRecipe,
+    asset: Asset,
+    spot: Vec3Yaw,
+    room_id: int,
+    target_id: int,
+    layout: Layout,
+    context: HomeContext,
+    rng: Rng,
+) -> Injected | None:
+    lies = context.catalog.category(asset.category).kind == "hazard_only"
+    item = layout.new_item(asset, spot, room_id, FLUSH_M if lies else DROP_M)
+    if lies:
+        item = item.model_copy(update={"fixed": True})
+    if recipe.state is not None:
+        changed = in_state(item, asset, recipe.state, rng)
+        if changed is None:
+            return None
+        item = changed
+    layout.put(item, Intent(recipe.relation, target_id))
+    return Injected(candidate.unique.hazard, item.id, None)

@@ -49,6 +49,10 @@ KNIFE = CategoryTerm(any_of=("knife",))
             "{relation: INSIDE, target: [fridge], target_state: OPEN}",
             RelationTerm(relation="INSIDE", targets=("fridge",), target_state="OPEN"),
         ),
+        (
+            "{relation: BETWEEN, target: hall}",
+            RelationTerm(relation="BETWEEN", targets=("hall",)),
+        ),
         ("height: {max_m: 1.3}", HeightTerm(max_m=1.3)),
         (
             "height: {min_m: 1, max_m: 2, margin_m: 0.1, evidence: reach_height_m}",
@@ -117,6 +121,11 @@ def test_each_term_is_read(text: str, term: Predicate) -> None:
         ("height: {min_m: 2, max_m: 1}", "height.min_m: min_m (2) is above max_m (1)"),
         ("height: {max_cm: 130}", "height.max_cm: unknown key (did you mean 'max_m'?)"),
         ("distance: {max_m: 1}", "distance: missing key 'to'"),
+        ("height: {max_m: 0.02}", "height: nothing is surely within these limits"),
+        ("height: {min_m: 1, max_m: 1.05}", "the margin is 0.03 m"),
+        ("zone: {kind: heat, overlap: 0.1}", "zone: nothing is surely in or out of it"),
+        ("{relation: BETWEEN, target: knife}", "target: unknown room type 'knife'"),
+        ("{relation: BETWEEN, target_state: OPEN}", "target_state: rooms have no states"),
         ("zone: corridor", "zone: unknown zone 'corridor'"),
         ("zone: {overlap: 0.5}", "zone: missing key 'kind'"),
         ("any: {category: knife}", "any: expected a list of terms, got a mapping"),

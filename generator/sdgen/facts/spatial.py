@@ -68,9 +68,10 @@ def facing(facts: Facts, object_id: int) -> Iterable[Related]:
 
 
 def under(facts: Facts, object_id: int) -> Iterable[Related]:
-    """Built-in things with a surface over the object, unless it is inside something."""
+    """Built-in things with a surface over the object, unless it is inside something or on them."""
     body = facts.bodies[object_id]
     free = [Kleene(r.holds, r.sure).negated() for r in facts.related(object_id, "INSIDE")]
+    on = {r.target_id: Kleene(r.holds, r.sure) for r in facts.related(object_id, "ON")}
     ids, tops, boxes = facts.roofs
     room = tops - body.high[2]
     over = room > UNDER_M.below
@@ -78,10 +79,11 @@ def under(facts: Facts, object_id: int) -> Iterable[Related]:
     over &= (boxes[:, 1] <= body.high[1]) & (boxes[:, 3] >= body.low[1])
     for index in np.flatnonzero(over):
         other = facts.bodies[ids[index]]
-        if other is body or other.high[2] <= body.high[2]:
+        if other is body:
             continue
+        off = on.get(ids[index], NO).negated()
         share = UNDER_SHARE.more(body.covered_by(other.footprint))
-        holds = all_of((*free, UNDER_M.more(float(room[index])), share))
+        holds = all_of((*free, off, UNDER_M.at_least(float(room[index])), share))
         yield from _related(facts, ids[index], holds)
 
 

@@ -66,9 +66,8 @@ BEARING_LEAST_M = 0.1
 BEARING_LEVEL = 0.5
 #: UNDER: share of the footprint below the other's.
 UNDER_SHARE = around(0.5, 0.1)
-#: UNDER: how far a thing's top lies below the other's highest surface, metres. Half a
-#: centimetre higher still counts: what just fits in touches.
-UNDER_M = around(-0.005, 0.003)
+#: UNDER: how far a thing's top lies below the other's highest surface, metres.
+UNDER_M = around(0.0, 0.005)
 #: Zones: share of the footprint in the zone, for tags and BLOCKS (a zone term has its own).
 ZONE_SHARE = around(0.5, 0.15)
 #: Zones: how far the object's range of heights and the zone's overlap, metres.

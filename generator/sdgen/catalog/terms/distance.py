@@ -31,13 +31,13 @@ class DistanceTerm(Term):
         if not reader.has("distance"):
             return None
         below = reader.child("distance")
-        low, high = read_limits(below)
+        low, high, margin = read_limits(below, MARGIN_M)
         term = cls(
             to=below.words("to", choices=scope.categories, what="category"),
             to_state=below.state("to_state", None),
             min_m=low,
             max_m=high,
-            margin_m=below.number("margin_m", MARGIN_M, low=0.0, high=1.0),
+            margin_m=margin,
         )
         below.done()
         return term

@@ -31,11 +31,11 @@ class HeightTerm(Term):
         if not reader.has("height"):
             return None
         below = reader.child("height")
-        low, high = read_limits(below)
+        low, high, margin = read_limits(below, MARGIN_M)
         term = cls(
             min_m=low,
             max_m=high,
-            margin_m=below.number("margin_m", MARGIN_M, low=0.0, high=1.0),
+            margin_m=margin,
             evidence=below.choice("evidence", ("height_m", "reach_height_m"), "height_m"),
         )
         below.done()

@@ -6,15 +6,18 @@ from sdgen.catalog.reader import Reader
 from sdgen.kleene import Kleene, all_of, at_least, at_most
 
 
-def read_limits(reader: Reader) -> tuple[float | None, float | None]:
-    """Both limits of a mapping, metres; one of them may be left out."""
+def read_limits(reader: Reader, margin_m: float) -> tuple[float | None, float | None, float]:
+    """Both limits of a mapping, metres, of which one may be left out, and the margin."""
     low = reader.number("min_m", None, low=0.0, high=100.0)
     high = reader.number("max_m", None, low=0.0, high=100.0)
     if low is None and high is None and reader.ok:
         reader.problem("needs min_m or max_m (metres)")
     if low is not None and high is not None and low > high:
         reader.problem(f"min_m ({low:g}) is above max_m ({high:g})", "min_m")
-    return low, high
+    margin = float(reader.number("margin_m", margin_m, low=0.0, high=1.0))
+    if high is not None and high - (low or 0.0) < (margin if low is None else 2 * margin):
+        reader.problem(f"nothing is surely within these limits: the margin is {margin:g} m")
+    return low, high, margin
 
 
 def within(measured: float, low: float | None, high: float | None, margin: float) -> Kleene:

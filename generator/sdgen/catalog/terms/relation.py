@@ -33,11 +33,18 @@ class RelationTerm(Term):
                 reader.problem("'target' needs a 'relation' beside it (such as relation: ON)")
             return None
         state = reader.state("target_state", None)
-        return cls(
-            relation=reader.choice("relation", RELATIONS),
-            targets=reader.words("target", (), choices=scope.categories, what="category"),
-            target_state=state,
+        relation = reader.choice("relation", RELATIONS)
+        # A door is BETWEEN rooms: those are named by their types.
+        between = relation == "BETWEEN"
+        targets = reader.words(
+            "target",
+            (),
+            choices=scope.rooms if between else scope.categories,
+            what="room type" if between else "category",
         )
+        if between and state is not None:
+            reader.problem("rooms have no states", "target_state")
+        return cls(relation=relation, targets=targets, target_state=state)
 
     def evaluate(self, object_id: int, facts: FactSource) -> Verdict:
         return any_verdict(

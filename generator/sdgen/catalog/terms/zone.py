@@ -36,6 +36,8 @@ class ZoneTerm(Term):
             overlap=below.number("overlap", OVERLAP, low=0.01, high=1.0),
             margin=below.number("margin", MARGIN, low=0.0, high=0.5),
         )
+        if term.margin > min(term.overlap, 1.0 - term.overlap):
+            below.problem(f"nothing is surely in or out of it: the margin is {term.margin:g}")
         below.done()
         return term
 

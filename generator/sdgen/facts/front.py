@@ -59,10 +59,12 @@ class Facts:
     # --- what predicates ask ---------------------------------------------------------------------
 
     def category(self, object_id: int) -> str:
-        """Category of an object or structure."""
+        """Category of an object or structure; the type of a room."""
         if object_id in self.bodies:
             return self.bodies[object_id].item.category
-        return self._structures[object_id].category
+        if object_id in self._structures:
+            return self._structures[object_id].category
+        return self.rooms.by_id[object_id].type
 
     def states(self, object_id: int) -> tuple[str, ...]:
         """States that hold, from variant and joints; none for structures and rooms."""

@@ -1,0 +1,66 @@
+"""The tables of thresholds in the documents are those of the code."""
+
+import math
+
+import pytest
+from sdgen.catalog.terms import distance, height
+from sdgen.catalog.terms import zone as zone_term
+from sdgen.facts import thresholds as t
+from sdgen.resources import data_path
+from sdgen.vocabulary import CHILD_REACH_M, RELATIONS, TAGS
+
+OUTPUT = data_path("hazard_catalog").parent / "output" / "README.md"
+PAGES = (data_path("hazard_catalog", "README.md"), OUTPUT)
+DEGREES = t.Threshold(*(math.degrees(value) for value in t.FACING_RAD))
+
+#: Relation or term, what is measured, which side of the limit holds, the threshold.
+ROWS = (
+    ("ON", "gap between its lowest point and the surface, m", "at most", t.ON_GAP_M),
+    ("ON", "share of its footprint over the surface", "more than", t.ON_SHARE),
+    ("ON", "m below the highest surface that carries it", "at most", t.ON_LEVEL_M),
+    ("INSIDE", "how deep its centre lies in the hollow's box, m", "at least", t.INSIDE_M),
+    ("CLOSE", "gap between the boxes, in one room, m", "less than", t.CLOSE_M),
+    ("FACING", "angle between its front and the other's centre, degrees", "less than", DEGREES),
+    ("UNDER", "share of its footprint below the other's", "more than", t.UNDER_SHARE),
+    ("UNDER", "m from its top to the other's highest surface", "at least", t.UNDER_M),
+    ("BLOCKS", "share of its footprint in a doorway's zones", "at least", t.ZONE_SHARE),
+    ("BLOCKS", "its own height, m", "more than", t.BLOCKING_HEIGHT_M),
+    ("NEAR_HEAT", "gap from its footprint to the heat zone, m", "less than", t.NEAR_HEAT_M),
+    ("NEAR_WATER", "gap from its footprint to the water zone, m", "less than", t.NEAR_WATER_M),
+    ("zones", "overlap of its heights with the zone's, m", "at least", t.ZONE_LEVEL_M),
+    ("room", "m by which the next room's outline is farther", "at least", t.ROOM_M),
+    ("room", "m from the nearest outline, or it is outdoors", "at most", t.OUTDOORS_M),
+)
+#: Terms and tags with a limit of their own or of the hazard's.
+SENTENCES = (
+    f"`height` is undecided within {height.MARGIN_M:g} m, `distance` within "
+    f"{distance.MARGIN_M:g} m, `zone` (at least {zone_term.OVERLAP:g} of the footprint) within "
+    f"{zone_term.MARGIN:g} of it",
+    f"`IN_REACH_OF_CHILD`: loose, at most {CHILD_REACH_M:g} m up and not `INSIDE` something that",
+    f"`NEAR_EDGE`: its centre less than {t.NEAR_EDGE_M:g} m from the edge",
+    f"`IN_DOORWAY`, `IN_WALKWAY`: at least {zone_term.OVERLAP:g} of its footprint",
+)
+
+
+def line(name, measured, side, limit):
+    """A row of the table."""
+    return f"| {name} | {measured} | {side} {limit.limit:g} | {limit.below:g} to {limit.above:g} |"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+def test_the_table_has_every_threshold(page):
+    text = page.read_text(encoding="utf-8")
+    assert [row for row in ROWS if line(*row) not in text.splitlines()] == []
+    table = [row for row in text.splitlines() if row.count("|") == 5 and " to " in row[-25:]]
+    assert len(table) == len(ROWS), "a row that no threshold has"
+    flat = " ".join(text.split())
+    assert [words for words in SENTENCES if words not in flat] == []
+
+
+def test_every_relation_tag_and_threshold_is_there():
+    named = {name for name, *_ in ROWS} | {"BETWEEN"}
+    assert set(RELATIONS) <= named
+    assert all(any(f"`{tag}`" in words for words in SENTENCES) for tag in TAGS)
+    known = {id(row[3]) for row in ROWS if row[3] is not DEGREES} | {id(t.FACING_RAD)}
+    mine = {name: v for name, v in vars(t).items() if isinstance(v, t.Threshold)}
+    assert [name for name, value in mine.items() if id(value) not in known] == []

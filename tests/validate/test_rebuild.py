@@ -1,13 +1,82 @@
-"""Which differences between then and now a rebuild speaks of."""
+"""Scenes made again are compared to the last file, pictures included."""
 
+import json
+import shutil
 from pathlib import Path
 from types import SimpleNamespace
 
+import pytest
+from sdgen.cli.main import run
 from sdgen.dataset import Dataset
 from sdgen.dataset.versions import package_versions
-from sdgen.validate.rebuild import rebuild
+from sdgen.library import load_library
+from sdgen.validate import rebuild, validate
 
 from tests import toy
+from tests.shared import Shared
+from tests.validate.test_validate import edit_json, reseal
+
+Captured = pytest.CaptureFixture[str]
+
+
+@pytest.fixture
+def drawn(shared: Shared, tmp_path: Path) -> Path:
+    """A scene of two small views and its twin, drawn by TinyRenderer."""
+
+    def make(path: Path) -> None:
+        options = "--n 1 --seed 7 --views 2 --size 64x48 --twins --renderer cpu --workers 1"
+        assert run(["build", *options.split(), "--out", str(path)]) == 0
+
+    return Path(shutil.copytree(shared.folder("drawn-by-tiny", make), tmp_path / "d"))
+
+
+def _swap_views(scene: Path) -> None:
+    """Views 0 and 1 change places in all that is written of them."""
+    (scene / "views/00").rename(scene / "views/02")
+    (scene / "views/01").rename(scene / "views/00")
+    (scene / "views/02").rename(scene / "views/01")
+    for k in (0, 1):
+        edit_json(scene / f"views/0{k}/view.json", lambda data, k=k: data.update(index=k))
+
+    def swap(data: dict[str, list[dict[str, object]]]) -> None:
+        data["views"] = [{**view, "view": k} for k, view in enumerate(reversed(data["views"]))]
+        for anomaly in data["anomalies"]:
+            pixels = anomaly["evidence_pixels"]
+            assert isinstance(pixels, list)
+            anomaly["evidence_pixels"] = pixels[::-1]
+
+    edit_json(scene / "visibility.json", swap)
+
+
+@pytest.mark.slow
+def test_swapped_views_are_found_when_the_scene_is_made_again(drawn: Path) -> None:
+    assert validate(drawn) == []
+    again = rebuild(Dataset(drawn), load_library(), 1)
+    assert again == ([], "")
+    for scene in (drawn / "scenes").iterdir():
+        _swap_views(scene)
+    reseal(drawn)
+    assert validate(drawn) == []  # nothing in the files alone can tell
+    found = [problem.text for problem in rebuild(Dataset(drawn), load_library(), 1).problems]
+    for name in ("000000", "000000-twin"):
+        for file in ("rgb.png", "depth.png", "instance.png", "part.png", "view.json"):
+            text = f"scenes/{name}/views/00/{file}: made again, it is another file"
+            assert text in found, found
+
+
+@pytest.mark.slow
+def test_pictures_of_another_renderer_are_not_compared_and_it_says_so(
+    drawn: Path, capsys: Captured
+) -> None:
+    edit_json(drawn / "dataset.json", lambda data: data.update(renderers=["Crayon 1.0"]))
+    assert run(["validate", str(drawn), "--rebuild", "1"]) == 0
+    told = capsys.readouterr()
+    assert "1 made again, no problem found" in told.out
+    assert "pictures not compared: drawn by Crayon 1.0, here is " in told.err
+    assert run(["validate", str(drawn), "--rebuild", "1", "--json"]) == 0
+    shown = json.loads(capsys.readouterr().out)
+    assert (shown["scenes"], shown["made_again"], shown["problems"]) == (2, 1, [])
+    assert shown["note"].startswith("pictures not compared")
 
 
 def test_versions_that_decide_content_count_and_those_of_pictures_do_not(tmp_path: Path) -> None:
@@ -17,5 +86,6 @@ def test_versions_that_decide_content_count_and_those_of_pictures_do_not(tmp_pat
         writer.finish(renderers=("painted",))
     data = Dataset(tmp_path)
     library = SimpleNamespace(sha256=data.info.assets_sha256)
-    (problem,) = rebuild(data, library, 0)  # type: ignore[arg-type]
+    ((problem,), note) = rebuild(data, library, 0)  # type: ignore[arg-type]
     assert "versions.numpy: 0.9 then" in str(problem)
+    assert note == ""

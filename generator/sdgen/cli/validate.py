@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from sdgen.engines.machine import usable_cores
-from sdgen.errors import SHOWN
+from sdgen.errors import SHOWN, InputError
+
+if TYPE_CHECKING:
+    from sdgen.validate import Problem
 
 
 @click.command(short_help="Check a data set: schemas, hashes, masks, every label again.")
@@ -17,7 +23,8 @@ from sdgen.errors import SHOWN
     type=click.IntRange(min=0),
     metavar="K",
     default=0,
-    help="Also make K scenes again and compare them byte for byte.",
+    help="Also make K scenes again and compare every file, pictures too where the renderer is "
+    "the one that drew them.",
 )
 @click.option(
     "--catalog",
@@ -35,17 +42,20 @@ from sdgen.errors import SHOWN
 @click.option(
     "--workers", type=click.IntRange(min=1), metavar="N", help="Processes [default: cores]."
 )
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object, all problems in it.")
 def validate(
     dataset: Path,
     rebuild: int,
     catalogs: tuple[Path, ...],
     assets: tuple[Path, ...],
     workers: int | None,
+    as_json: bool,
 ) -> None:
     """Check a data set from its files alone.
 
-    Schemas, digests, masks against graph and visibility, depth against boxes, every relation,
-    zone and predicate evaluated again. Exit code 1 when anything is wrong.
+    Schemas, digests, masks against graph and visibility, cameras and depth against walls and
+    boxes, colours against masks, every relation, zone and predicate evaluated again. Exit code 1
+    when anything is wrong.
 
     \b
     Example: sdgen validate output/sdgen-n12-s7
@@ -55,7 +65,7 @@ def validate(
     from sdgen.dataset import Dataset
     from sdgen.validate import validate as check
 
-    catalog = None
+    catalog, note, made = None, "", 0
     if catalogs:
         from sdgen.catalog.load import load_catalog
 
@@ -68,15 +78,38 @@ def validate(
         from sdgen.validate.rebuild import rebuild as make_again
 
         with bar("making again") as on_scene:
-            problems = make_again(Dataset(dataset), load_library(assets), rebuild, on_scene)
+            problems, note = make_again(Dataset(dataset), load_library(assets), rebuild, on_scene)
+        made = min(rebuild, len(Dataset(dataset)))
+    if as_json:
+        _print(dataset, problems, made, note)
+        click.get_current_context().exit(1 if problems else 0)
     for problem in problems[:SHOWN]:
         click.echo(str(problem))
     if problems:
         noun = "problem" if len(problems) == 1 else "problems"
         rest = f" ({SHOWN} shown)" if len(problems) > SHOWN else ""
-        skipped = "; nothing was made again" if rebuild and problems[0].check != "rebuild" else ""
+        skipped = "; nothing was made again" if rebuild and not made else ""
         click.echo(f"{dataset}: {len(problems)} {noun}{rest}{skipped}", err=True)
         click.get_current_context().exit(1)
     scenes = len(Dataset(dataset).entries)
-    again = f", {min(rebuild, scenes)} made again" if rebuild else ""
+    again = f", {made} made again" if rebuild else ""
     click.echo(f"{dataset}: {scenes} scenes checked{again}, no problem found")
+    if note:
+        click.echo(note, err=True)
+
+
+def _print(dataset: Path, problems: Sequence[Problem], made: int, note: str) -> None:
+    """What was found, as one object; ``scenes`` is null when the folder is no data set."""
+    from sdgen.dataset import Dataset
+
+    try:
+        scenes = len(Dataset(dataset, partial=True).entries)
+    except InputError:
+        scenes = None
+    told = {
+        "scenes": scenes,
+        "made_again": made,
+        "note": note,
+        "problems": [{"check": problem.check, "text": problem.text} for problem in problems],
+    }
+    click.echo(json.dumps(told, indent=1, ensure_ascii=False))

@@ -3,14 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import NamedTuple
 
 from sdgen.dataset import Dataset
-from sdgen.dataset.scene_folder import content_files, content_sha256
+from sdgen.dataset.disk import remove_tree
+from sdgen.dataset.records import CONTENT_FILES, DatasetInfo, ManifestEntry
+from sdgen.dataset.scene_folder import BUILD_FOLDER, FinishedScene, SceneWriter
+from sdgen.dataset.text import read_record
 from sdgen.dataset.versions import OF_PICTURES, package_versions
-from sdgen.errors import SceneRejected
+from sdgen.engines.worker import SceneWorker, WorkerSetup
+from sdgen.errors import RendererError, SceneRejected
 from sdgen.library import Library
-from sdgen.pipeline import make_scene
+from sdgen.render import RENDERERS, Choice, choose_renderer
+from sdgen.scratch import Scratch
 from sdgen.validate.problems import Problem
+
+
+class Rebuilt(NamedTuple):
+    """What making scenes again found, and a line about what could not be compared."""
+
+    problems: list[Problem]
+    note: str
 
 
 def rebuild(
@@ -18,44 +33,89 @@ def rebuild(
     library: Library,
     scenes: int,
     on_scene: Callable[[int, int], None] | None = None,
-) -> list[Problem]:
-    """Make ``scenes`` scenes again, spread over the data set, and compare their content digests.
+) -> Rebuilt:
+    """Make ``scenes`` scenes and their twins again, spread over the data set, as a build does.
 
-    ``library`` must be the one of the build. The views are not drawn again.
+    Every file is compared byte for byte; pictures, and what is counted in them, when the renderer
+    that drew them is at hand. ``library`` must be the one of the build.
     """
-    return list(_rebuild(data, library, scenes, on_scene))
-
-
-def _rebuild(
-    data: Dataset,
-    library: Library,
-    scenes: int,
-    on_scene: Callable[[int, int], None] | None,
-) -> Iterator[Problem]:
     info = data.info
     if library.sha256 != info.assets_sha256:
-        yield Problem("rebuild", "dataset.json: assets_sha256: other models than the ones at hand")
-        return
+        text = "dataset.json: assets_sha256: other models than the ones at hand"
+        return Rebuilt([Problem("rebuild", text)], "")
+    problems = list(_versions(info))
+    total = len(data)
+    picked = sorted({k * total // scenes for k in range(min(scenes, total))}) if scenes else []
+    if not picked:
+        return Rebuilt(problems, "")
+    choice, note = _renderer(info) if info.options.sensors else (None, "")
+    with Scratch() as place:
+        setup = WorkerSetup(
+            catalog=data.catalog,
+            library_folders=library.folders,
+            library_sha256=library.sha256,
+            options=info.options,
+            writer=SceneWriter(place, info.options),
+            choice=choice,
+            one_thread=False,
+        )
+        with closing(SceneWorker(setup)) as worker:
+            for done, k in enumerate(picked):
+                if on_scene is not None:
+                    on_scene(done, len(picked))
+                problems += _scene(data, data[k].entry, worker, place, note == "")
+    return Rebuilt(problems, note)
+
+
+def _versions(info: DatasetInfo) -> Iterator[Problem]:
     here = package_versions()
     for name, version in info.versions.items():
         if here.get(name) != version and name not in OF_PICTURES:
             text = f"{version} then, {here.get(name, 'none')} now: bytes may differ"
             yield Problem("rebuild", f"dataset.json: versions.{name}: {text}")
-    total = len(data)
-    picked = sorted({k * total // scenes for k in range(min(scenes, total))}) if scenes else []
-    for done, k in enumerate(picked):
-        if on_scene is not None:
-            on_scene(done, len(picked))
-        entry = data[k].entry
-        where = f"scenes/{entry.id}"
+
+
+def _renderer(info: DatasetInfo) -> tuple[Choice | None, str]:
+    """The renderer that drew the data set, or None and why its pictures cannot be compared."""
+    here = package_versions()
+    for name in OF_PICTURES:
+        then = info.versions.get(name)
+        if then != here.get(name):
+            return None, f"pictures not compared: {name} {then} then, {here.get(name)} now"
+    if len(info.renderers) > 1:
+        return None, f"pictures not compared: drawn by {' and '.join(info.renderers)}"
+    found = []
+    for kind in RENDERERS:
         try:
-            bundle = make_scene(entry.index, data.catalog, library, info.options)
-        except SceneRejected as error:
-            yield Problem("rebuild", f"{where}: {error}")
+            choice = choose_renderer(kind)
+        except RendererError:
             continue
-        files = content_files(bundle)
-        for name, made in files.items():
-            if made != (data.path / where / name).read_bytes():
-                yield Problem("rebuild", f"{where}/{name}: made again, it is another file")
-        if content_sha256(files) != entry.content_sha256:
-            yield Problem("rebuild", f"{where}: content_sha256: made again, it is another scene")
+        if choice.renderer_string in info.renderers:
+            return choice, ""
+        found.append(choice.renderer_string)
+    then = info.renderers[0] if info.renderers else "nobody knows what"
+    return None, f"pictures not compared: drawn by {then}, here is {' and '.join(found) or 'none'}"
+
+
+def _scene(
+    data: Dataset, entry: ManifestEntry, worker: SceneWorker, place: Path, pictures: bool
+) -> Iterator[Problem]:
+    """One scene, and its twin where the data set has one."""
+    try:
+        worker(entry.index)
+    except SceneRejected as error:
+        yield Problem("rebuild", f"scenes/{entry.id}: {error}")
+        return
+    ids = {entry.id, f"{entry.id}-twin"}
+    for stored in (e for e in data.entries if e.id in ids):
+        done = place / BUILD_FOLDER / "entries" / f"{stored.id}.json"
+        made = read_record(FinishedScene, done, str(done)).entry
+        for name in sorted(stored.files):
+            compared = pictures or name in CONTENT_FILES or name.endswith("/view.json")
+            if compared and made.files.get(name) != stored.files[name]:
+                text = "made again, it is another file"
+                yield Problem("rebuild", f"scenes/{stored.id}/{name}: {text}")
+        if made.content_sha256 != stored.content_sha256:
+            text = "content_sha256: made again, it is another scene"
+            yield Problem("rebuild", f"scenes/{stored.id}: {text}")
+    remove_tree(place / "scenes")

@@ -15,10 +15,11 @@ from sdgen.scene import Box, Camera, ObjectInstance
 
 Pixels = npt.NDArray[np.uint16]
 
-#: How far a pixel may lie off its surface, for each metre of depth (from one metre on). Half a
-#: millimetre of rounding and the renderers' 32-bit depth make 1.8 mm (EGL) and 3.1 mm
-#: (TinyRenderer) at most, in 240 views of 20 scenes; a camera 5 cm astray makes more somewhere.
-_SLACK = 0.005
+# How far a pixel may lie off its surface, for each metre of depth (from one metre on), and in
+# pixels: whichever is more. Rounding and 32-bit depth make 1.8 mm at most with EGL; TinyRenderer
+# snaps to corners of pixels, 0.7 of one (3.1 mm a metre at 320x240). In 240 views of 20 scenes; a
+# camera 5 cm astray makes more somewhere in each of them.
+_SLACK, _SLACK_PIXELS = 0.005, 1.0
 #: Share of the pixels looked at, and number of them, that may still be off.
 _SHARE, _FEW = 0.0005, 3
 #: Pixels looked at in a view, about: a regular grid of them tells as much as all.
@@ -46,7 +47,7 @@ def off_surface(
             off[here] = _off_boxes(points[here], structures[node_id].pieces)
         elif node_id in things:
             off[here] = _off_object(points[here], things[node_id], infos)
-    bad = off > _SLACK * np.maximum(z, 1.0)
+    bad = off > max(_SLACK, _SLACK_PIXELS / camera.K[0][0]) * np.maximum(z, 1.0)
     if bad.sum() <= max(_FEW, _SHARE * len(z)):
         return None
     worst = int(np.bincount(seen[bad]).argmax())

@@ -12,7 +12,7 @@ from sdgen.hazards.placing import Injected
 from sdgen.library import Library
 from sdgen.physics.client import Client
 from sdgen.physics.settle import Settled
-from sdgen.pipeline.contents import place_contents, without
+from sdgen.pipeline.contents import Contents, place_contents, without
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.pipeline.rest import Rested, come_to_rest
 from sdgen.pipeline.spec import SceneSpec, node_ids
@@ -47,11 +47,7 @@ def attempt(
     Follows from the specification, the furnished home and the two numbers alone: no try depends
     on another.
     """
-    lane = f"{home_attempt}:{placement}"
-    ids = node_ids(spec.lane(f"ids:{lane}"), taken=home.ids)
-    contents = place_contents(
-        spec.hazards, home, home.layout.copy(ids), spec.split == "train", spec.lane(f"place:{lane}")
-    )
+    contents = placed(spec, home, home_attempt, placement)
     taken_away: Counter[Cause] = Counter()
     for round_ in range(SETTLE_ROUNDS):
         if isinstance(contents, Rejection):
@@ -69,6 +65,16 @@ def attempt(
         contents = reduced.contents
         taken_away.update(rejection.cause for rejection in reduced.taken_away)
     return reject("physics", "no_rest")
+
+
+def placed(
+    spec: SceneSpec, home: FurnishedHome, home_attempt: int, placement: int
+) -> Contents | Rejection:
+    """What this attempt puts into the home, before anything moves; ids and all from own lanes."""
+    lane = f"{home_attempt}:{placement}"
+    layout = home.layout.copy(node_ids(spec.lane(f"ids:{lane}"), taken=home.ids))
+    training = spec.split == "train"
+    return place_contents(spec.hazards, home, layout, training, spec.lane(f"place:{lane}"))
 
 
 def _unproved(rested: Rested, surveyed: Survey, library: Library) -> dict[int, Rejection]:

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import BaseModel, ConfigDict, Field
 
-from sdgen.geometry import Quat, Vec2, Vec3
+from sdgen.geometry import Array, Quat, Vec2, Vec3, matrix
 from sdgen.rejection import Cause, Causes
 from sdgen.rejection import Stage as PipelineStage
 from sdgen.vocabulary import OpeningKind, ZoneKind
@@ -37,6 +37,10 @@ class Pose(Record):
 
     position_m: Vec3
     quat_xyzw: Quat
+
+    def matrix(self) -> Array:
+        """``world_from_object`` as a (4, 4) matrix for column vectors."""
+        return matrix(self.position_m, self.quat_xyzw)
 
 
 class Box(Record):

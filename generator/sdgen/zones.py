@@ -20,7 +20,7 @@ from shapely.ops import unary_union
 
 from sdgen.facts import Body
 from sdgen.freespace import Grid, free_shape, opening_rectangle, polygons
-from sdgen.geometry import Vec2, apply, matrix
+from sdgen.geometry import Vec2, apply
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Home, ObjectInstance, Opening, Room, Zone
 from sdgen.vocabulary import (
@@ -76,7 +76,7 @@ def swing_sectors(
             x, y = joint.origin_m[0], hinge_y
             points = [(x, y, 0.0)]
             points += [(x + leaf_m * math.cos(a), y + leaf_m * math.sin(a), 0.0) for a in angles]
-            world = apply(matrix(item.pose.position_m, item.pose.quat_xyzw), points)
+            world = apply(item.pose.matrix(), points)
             out.append(Polygon(world[:, :2]).buffer(0))
     return out
 

@@ -7,7 +7,7 @@ from collections.abc import Collection
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.geometry import Array, apply, matrix
+from sdgen.geometry import Array, apply
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.scene import ObjectInstance
@@ -61,5 +61,5 @@ def _wanted(library: Library, item: ObjectInstance, parts: Collection[str]) -> l
 
 
 def _world_from_part(library: Library, item: ObjectInstance, name: str) -> Array:
-    world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
+    world_from_object = item.pose.matrix()
     return world_from_object @ object_from_part(library.info(item.asset), name, item.joints)

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from sdgen.geometry import Array, apply, matrix
+from sdgen.geometry import Array, apply
 from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance
 
@@ -21,7 +21,7 @@ class Body:
     def __init__(self, item: ObjectInstance, info: AssetInfo) -> None:
         self.item = item
         self.info = info
-        self.world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
+        self.world_from_object = item.pose.matrix()
         self.corners = apply(self.world_from_object, info.outermost_m)
         self.low = self.corners.min(axis=0)
         self.high = self.corners.max(axis=0)

@@ -16,7 +16,7 @@ from shapely.geometry import Point, Polygon
 from sdgen.catalog.predicate import Related
 from sdgen.facts.body import center_of
 from sdgen.facts.thresholds import OUTDOORS_M, ROOM_M
-from sdgen.geometry import Array, matrix
+from sdgen.geometry import Array
 from sdgen.kleene import NO, YES, Kleene
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Home, ObjectInstance, Room
@@ -51,7 +51,7 @@ class Rooms:
 
     def room_id(self, item: ObjectInstance, info: AssetInfo) -> int:
         """The room an object is in by its pose; what it had where it is outdoors."""
-        world = matrix(item.pose.position_m, item.pose.quat_xyzw)
+        world = item.pose.matrix()
         return next((k for k in self.of(item.id, center_of(world, info)) if k), item.room_id)
 
     def between(self, object_id: int) -> Iterable[Related]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
-from sdgen.geometry import apply, box_corners, matrix
+from sdgen.geometry import apply, box_corners
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Camera, Scene
 from sdgen.vocabulary import OPENINGS
@@ -76,7 +76,7 @@ def plan(
     for item in sorted(scene.objects, key=lambda o: (o.pose.position_m[2], o.id)):
         x, y, _ = infos[item.asset].extents_m
         box = box_corners((-x / 2, -y / 2, 0.0), (x / 2, y / 2, 0.0))[[0, 2, 6, 4]]
-        world = matrix(item.pose.position_m, item.pose.quat_xyzw)
+        world = item.pose.matrix()
         outline = [(float(p[0]), float(p[1])) for p in apply(world, box)]
         kind = "opening" if item.category in OPENINGS else "fixed" if item.fixed else "loose"
         shape = Shape(kind, text(outline), f"{item.category} {item.id}")

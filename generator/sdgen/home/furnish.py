@@ -9,7 +9,7 @@ from shapely.geometry import Polygon
 
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.records import BaseHome, BaseRoom, FurnitureItem
-from sdgen.geometry import Vec3, apply, matrix, quat_from_yaw, round_position, round_quat
+from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_quat
 from sdgen.home.context import Models
 from sdgen.home.layout import Intent, Layout, within_room
 from sdgen.home.shell import frame_size
@@ -197,5 +197,5 @@ def top_of(layout: Layout, object_id: int) -> float:
     item, info = layout.items[object_id], layout.info(object_id)
     tops = [s.z_m for s in info.supports if s.container is None and s.headroom_m is None]
     local: Vec3 = (0.0, 0.0, max(tops) if tops else info.extents_m[2])
-    world = matrix(item.pose.position_m, item.pose.quat_xyzw)
+    world = item.pose.matrix()
     return float(apply(world, [local])[0][2])

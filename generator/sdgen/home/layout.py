@@ -22,7 +22,6 @@ from sdgen.geometry import (
     Vec3,
     apply,
     box_corners,
-    matrix,
     quat_from_yaw,
     round_position,
     round_quat,
@@ -107,7 +106,7 @@ class Layout:
         chair goes under a table; everything else takes its box.
         """
         info = self.library.info(item.asset)
-        world = matrix(item.pose.position_m, item.pose.quat_xyzw)
+        world = item.pose.matrix()
         drawn = info.variants[item.variant]
         out = []
         # Openings sit in walls: only an open leaf takes space in a room.
@@ -168,7 +167,7 @@ class Layout:
         target = self.items[target_id]
         info = self.info(target_id)
         drawn = info.variants[target.variant]
-        world = matrix(target.pose.position_m, target.pose.quat_xyzw)
+        world = target.pose.matrix()
         supports = [
             s
             for s in info.supports
@@ -214,7 +213,7 @@ class Layout:
             return None
         if any(intent == Intent("INSIDE", target_id) for intent in self.intents.values()):
             return None
-        world = matrix(target.pose.position_m, target.pose.quat_xyzw)
+        world = target.pose.matrix()
         moved = world @ object_from_part(info, container.part, target.joints)
         bottom = list(container.center_m)
         bottom[2] -= container.size_m[2] / 2

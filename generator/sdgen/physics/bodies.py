@@ -8,7 +8,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from sdgen.errors import AssetError
-from sdgen.geometry import Array, apply, matrix, vec3
+from sdgen.geometry import Array, apply, vec3
 from sdgen.library import Library
 from sdgen.library.shape import centre_of_mass
 from sdgen.library.states import object_from_part
@@ -93,7 +93,7 @@ def add_object(
     """The object as one body; returns it and its centre of mass in the object's frame."""
     info = library.info(item.asset)
     made = collision_of(library, item)
-    world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
+    world_from_object = item.pose.matrix()
     body = client.body(
         # Shapes are made around the centre of mass, so that no inertial frame is needed.
         client.convex(made.obj),

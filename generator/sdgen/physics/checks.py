@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from sdgen.geometry import Array, apply, matrix
+from sdgen.geometry import Array, apply
 from sdgen.library import Library
 from sdgen.physics.bodies import add_object, add_piece, collision_of
 from sdgen.physics.client import Client, ContactPoint
@@ -133,7 +133,7 @@ def _bodies(client: Client, library: Library, scene: Scene) -> list[_Body]:
             add = partial(add_piece, client, piece)
             out.append(_Body(structure.id, True, False, False, bounds, add))
     for item in sorted(scene.objects, key=lambda o: o.id):
-        pose = matrix(item.pose.position_m, item.pose.quat_xyzw)
+        pose = item.pose.matrix()
         points = apply(pose, collision_of(library, item).points)
         bounds = np.array([points.min(axis=0), points.max(axis=0)])
         add = partial(_add_static, client, library, item)

@@ -8,7 +8,7 @@ from types import TracebackType
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.geometry import Array, matrix, quat_from_matrix, vec3
+from sdgen.geometry import Array, quat_from_matrix, vec3
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.bodies import add_structures
@@ -42,7 +42,7 @@ class RayWorld:
         shapes: dict[tuple[str, str], int] = {}
         for item in sorted(scene.objects, key=lambda o: o.id):
             info = library.info(item.asset)
-            world_from_object = matrix(item.pose.position_m, item.pose.quat_xyzw)
+            world_from_object = item.pose.matrix()
             for number, part in enumerate(info.variants[item.variant], start=1):
                 if (item.asset, part) not in shapes:
                     path = library.objs(item.asset)[part]

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.geometry import Array, apply, matrix, quat_from_matrix
+from sdgen.geometry import Array, apply, quat_from_matrix
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.bullet import pb
@@ -135,7 +135,7 @@ class BulletGraphics:
         """A body for each drawn part, in their order."""
         info = library.info(item.asset)
         objs, meshes = library.objs(item.asset), library.mesh(item.asset)
-        pose = self._shift @ matrix(item.pose.position_m, item.pose.quat_xyzw)
+        pose = self._shift @ item.pose.matrix()
         apart = {part.name: index for index, part in enumerate(info.parts)}
         bodies = []
         for name in info.variants[item.variant]:

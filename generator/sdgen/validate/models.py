@@ -10,7 +10,7 @@ from PIL import Image
 from shapely.geometry import Polygon
 
 from sdgen.catalog.records import Category
-from sdgen.geometry import Array, apply, matrix
+from sdgen.geometry import Array, apply
 from sdgen.library import Library
 from sdgen.library.alone import MODEL_ID, alone_on_floor
 from sdgen.library.records import Asset
@@ -155,7 +155,7 @@ def rest(model: Model, client: Client) -> Iterator[str]:
         return
     pose = settled.poses[MODEL_ID]
     outline = model.library.info(model.asset.id).outermost_m
-    lowest = apply(matrix(pose.position_m, pose.quat_xyzw), outline)[:, 2].min()
+    lowest = apply(pose.matrix(), outline)[:, 2].min()
     if lowest < -_SANK_M - _HULL_SLACK * max(model.asset.extents_m):
         yield f"sinks {-lowest * 1000:.0f} mm into the floor"
 

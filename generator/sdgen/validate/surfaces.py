@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.dataset.reader import SceneItem
-from sdgen.geometry import Array, apply, inverse, matrix
+from sdgen.geometry import Array, apply, inverse
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Box, Camera, ObjectInstance
 
@@ -82,6 +82,6 @@ def _off_object(points: Array, thing: ObjectInstance, infos: Mapping[str, AssetI
     if any(thing.joints.values()) or thing.variant != "default":
         return np.zeros(len(points))
     size = np.asarray(infos[thing.asset].extents_m)
-    own = apply(inverse(matrix(thing.pose.position_m, thing.pose.quat_xyzw)), points)
+    own = apply(inverse(thing.pose.matrix()), points)
     beyond = np.abs(own - (0, 0, size[2] / 2)) - size / 2
     return np.asarray(np.maximum(beyond, 0).max(axis=1), dtype=np.float64)

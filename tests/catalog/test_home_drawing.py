@@ -9,7 +9,7 @@ from typing import Literal
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.records import BaseHome, BaseOpening, FurnitureItem
+from sdgen.catalog.records import FurnitureItem, HomeSpec, OpeningSpec
 from sdgen.hazards.splits import SplitModels, split_of_home
 from sdgen.library import Library, load_library
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
@@ -86,7 +86,7 @@ FLAT = ("rug", "bath_mat")
 TUCKED_IN = ("chair", "office_chair")
 
 
-def _rooms(home: BaseHome) -> dict[str, Polygon]:
+def _rooms(home: HomeSpec) -> dict[str, Polygon]:
     return {room.name: unary_union([box(*r) for r in room.rectangles_m]) for room in home.rooms}
 
 
@@ -103,7 +103,7 @@ def _print(item: FurnitureItem, largest: bool) -> Polygon:
     return translate(turned, item.position_m[0], item.position_m[1])
 
 
-def _swing(home: BaseHome, opening: BaseOpening) -> Polygon:
+def _swing(home: HomeSpec, opening: OpeningSpec) -> Polygon:
     """The square a door's leaf sweeps, in the room listed first (or last, when flipped)."""
     x, y = opening.center_m
     reach = SWING_M[opening.kind]
@@ -116,7 +116,7 @@ def _swing(home: BaseHome, opening: BaseOpening) -> Polygon:
 
 
 @HOMES
-def test_furniture_stays_in_its_room_off_walls_and_apart(home: BaseHome) -> None:
+def test_furniture_stays_in_its_room_off_walls_and_apart(home: HomeSpec) -> None:
     outlines = _rooms(home)
     for room in home.rooms:
         inner = outlines[room.name].buffer(-FACE_M + 0.001, join_style="mitre")
@@ -130,7 +130,7 @@ def test_furniture_stays_in_its_room_off_walls_and_apart(home: BaseHome) -> None
 
 
 @HOMES
-def test_backs_stand_two_to_four_centimetres_off_the_wall(home: BaseHome) -> None:
+def test_backs_stand_two_to_four_centimetres_off_the_wall(home: HomeSpec) -> None:
     outlines = _rooms(home)
     for room in home.rooms:
         inner = outlines[room.name].buffer(-FACE_M, join_style="mitre")
@@ -142,7 +142,7 @@ def test_backs_stand_two_to_four_centimetres_off_the_wall(home: BaseHome) -> Non
 
 
 @HOMES
-def test_doors_swing_free_even_beside_the_largest_furniture(home: BaseHome) -> None:
+def test_doors_swing_free_even_beside_the_largest_furniture(home: HomeSpec) -> None:
     pieces = [
         (item, _print(item, largest=True))
         for room in home.rooms
@@ -158,7 +158,7 @@ def test_doors_swing_free_even_beside_the_largest_furniture(home: BaseHome) -> N
 
 
 @HOMES
-def test_a_person_gets_from_door_to_door(home: BaseHome) -> None:
+def test_a_person_gets_from_door_to_door(home: HomeSpec) -> None:
     """0.7 m wide ways join all the doorways of a room, past its usual furniture."""
     outlines = _rooms(home)
     for room in home.rooms:
@@ -179,7 +179,7 @@ def test_a_person_gets_from_door_to_door(home: BaseHome) -> None:
 
 
 @HOMES
-def test_the_home_has_its_rooms_and_size(home: BaseHome) -> None:
+def test_the_home_has_its_rooms_and_size(home: HomeSpec) -> None:
     types = {room.type for room in home.rooms}
     assert types >= {"kitchen", "living_room", "bedroom", "bathroom"}
     area = sum(outline.area for outline in _rooms(home).values())
@@ -190,7 +190,7 @@ def test_the_home_has_its_rooms_and_size(home: BaseHome) -> None:
 
 
 @HOMES
-def test_every_hazard_finds_what_it_needs(home: BaseHome) -> None:
+def test_every_hazard_finds_what_it_needs(home: HomeSpec) -> None:
     needed = {i.category for room in home.rooms for i in room.furniture if not i.optional}
     assert needed >= {"sink_cabinet", "washbasin", "nightstand", "coffee_table", "bookshelf"}
     assert {"trash_bin"} <= {i.category for room in home.rooms for i in room.furniture}
@@ -211,7 +211,7 @@ def library() -> Library:
 @HOMES
 @pytest.mark.parametrize("split", ["train", "test"])
 def test_the_home_can_be_furnished_every_time(
-    home: BaseHome, split: Literal["train", "test"], library: Library
+    home: HomeSpec, split: Literal["train", "test"], library: Library
 ) -> None:
     """Whatever models are drawn: every needed piece stands, every room is reached."""
     models = SplitModels(library, split)

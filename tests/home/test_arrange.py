@@ -26,7 +26,7 @@ OPTIONS = BuildOptions(n=20, seed=9, homes="procedural")
 
 def stage(index: int) -> FurnishedHome:
     choice = pick_home(CATALOG, OPTIONS, index)
-    base = choice.plan(CATALOG, lane(9, index, "plan:0"))
+    base = choice.spec(CATALOG, lane(9, index, "plan:0"))
     assert base is not None
     ids = iter((lane(9, index, "ids").permutation(65535) + 1).tolist())
     models = SplitModels(LIBRARY, "test")
@@ -120,7 +120,7 @@ def test_homes_differ_and_have_three_to_six_rooms(stages):
 
 def test_a_generated_home_keeps_its_id_and_split_through_attempts():
     choice = pick_home(CATALOG, OPTIONS, 3)
-    first, second = (choice.plan(CATALOG, lane(9, 3, f"plan:{k}")) for k in range(2))
+    first, second = (choice.spec(CATALOG, lane(9, 3, f"plan:{k}")) for k in range(2))
     assert first is not None
     assert second is not None
     assert first.id == second.id == choice.id

@@ -3,13 +3,13 @@
 import itertools
 
 import pytest
-from sdgen.catalog.records import BaseHome
+from sdgen.catalog.records import HomeSpec
 from sdgen.home.shell import build_shell
 from sdgen.library import load_library
 from sdgen.seeding import lane
 from shapely.geometry import Polygon, box
 
-BASE = BaseHome.model_validate(
+BASE = HomeSpec.model_validate(
     {
         "id": "two_rooms",
         "title": "two rooms",

@@ -9,7 +9,7 @@ from pydantic import model_validator
 from pydantic_core import InitErrorDetails
 
 from sdgen.catalog.entry import as_record
-from sdgen.catalog.records import BaseHome, BaseOpening, BaseRoom
+from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
 from sdgen.catalog.words import Text, Word, between
 from sdgen.scene import Record
 from sdgen.strict import problem, refuse
@@ -26,8 +26,8 @@ class HomeYaml(Record):
     title: Text
     # Lower than any code allows to live in; higher than any storey.
     height_m: Annotated[float, between(2.0, 6.0)] = 2.6
-    rooms: tuple[BaseRoom, ...]
-    openings: tuple[BaseOpening, ...]
+    rooms: tuple[RoomSpec, ...]
+    openings: tuple[OpeningSpec, ...]
     replaces: bool = False
 
     @model_validator(mode="after")
@@ -37,9 +37,9 @@ class HomeYaml(Record):
             refuse(*found)
         return self
 
-    def record(self) -> BaseHome:
+    def record(self) -> HomeSpec:
         """The record of it."""
-        return as_record(self, BaseHome)
+        return as_record(self, HomeSpec)
 
     def _room_problems(self) -> Iterator[InitErrorDetails]:
         """Rooms lie apart, furniture in its room."""
@@ -82,7 +82,7 @@ def _holds(rect: Rect, point: tuple[float, float, float]) -> bool:
     return rect[0] <= point[0] <= rect[2] and rect[1] <= point[1] <= rect[3]
 
 
-def _on_edge(room: BaseRoom, opening: BaseOpening) -> bool:
+def _on_edge(room: RoomSpec, opening: OpeningSpec) -> bool:
     """True when the opening's centre lies on an edge of the room along its axis."""
     x, y = opening.center_m
     for x0, y0, x1, y1 in room.rectangles_m:

@@ -257,8 +257,8 @@ class FurnitureItem(Record):
     jitter_m: Annotated[float, Field(ge=0.0), between(0.0, 0.5)] = 0.0
 
 
-class BaseRoom(Record):
-    """A room of a base home: axis-aligned rectangles that join to its outline."""
+class RoomSpec(Record):
+    """A room as a home is specified: axis-aligned rectangles that join to its outline."""
 
     name: Word
     type: RoomName
@@ -266,7 +266,7 @@ class BaseRoom(Record):
     furniture: tuple[FurnitureItem, ...] = ()
 
     @model_validator(mode="after")
-    def _low_before_high(self) -> BaseRoom:
+    def _low_before_high(self) -> RoomSpec:
         wrong = [
             problem(("rectangles_m", index), "expected [x_min, y_min, x_max, y_max]")
             for index, (a, b, c, d) in enumerate(self.rectangles_m)
@@ -279,7 +279,7 @@ class BaseRoom(Record):
         return self
 
 
-class BaseOpening(Record):
+class OpeningSpec(Record):
     """A door or window of a base home: centre on the wall's middle line.
 
     A door's leaf swings into the room that is listed first; with ``hinge_flip`` into the other.
@@ -293,15 +293,16 @@ class BaseOpening(Record):
     hinge_flip: bool = False
 
 
-class BaseHome(Record):
-    """A home's plan: drawn by hand, or generated (``procedural``: rules furnish its rooms)."""
+class HomeSpec(Record):
+    """What a home is to be: a base home drawn by hand, or a generated one (``procedural``: rules
+    furnish its rooms)."""
 
     id: str
     title: str
     kind: Literal["base", "procedural"] = "base"
     height_m: float = 2.6
-    rooms: tuple[BaseRoom, ...]
-    openings: tuple[BaseOpening, ...]
+    rooms: tuple[RoomSpec, ...]
+    openings: tuple[OpeningSpec, ...]
 
 
 class HomeMix(Record):
@@ -321,7 +322,7 @@ class Catalog(Record):
     room_types: tuple[RoomType, ...]
     households: tuple[HouseholdTemplate, ...]
     reach: tuple[ReachRow, ...]
-    homes: tuple[BaseHome, ...]
+    homes: tuple[HomeSpec, ...]
     mixes: tuple[HomeMix, ...] = ()
 
     def hazard(self, hazard_id: str) -> Hazard:

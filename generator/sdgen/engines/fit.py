@@ -84,10 +84,10 @@ def _home(
 ) -> FurnishedHome | Rejection:
     rng = lane(options.seed, index, "fit")
     ids = node_ids(rng)
-    plan = pick_home(catalog, options, index).plan(catalog, rng)
-    if plan is None:
+    spec = pick_home(catalog, options, index).spec(catalog, rng)
+    if spec is None:
         return reject("home", "no_floor_plan")
-    return furnished_home(plan, catalog, library, SplitModels(library, "test"), ids, rng)
+    return furnished_home(spec, catalog, library, SplitModels(library, "test"), ids, rng)
 
 
 def _try(

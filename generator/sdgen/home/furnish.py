@@ -8,7 +8,7 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from sdgen.actions import at_rest, in_state, settled_states
-from sdgen.catalog.records import BaseHome, BaseRoom, FurnitureItem
+from sdgen.catalog.records import FurnitureItem, HomeSpec, RoomSpec
 from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_quat
 from sdgen.home.context import Models
 from sdgen.home.layout import Intent, Layout, within_room
@@ -27,10 +27,10 @@ SWITCHED = ("floor_lamp", "desk_lamp", "tv")
 
 
 def fill_openings(
-    base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng
+    spec: HomeSpec, home: Home, layout: Layout, models: Models, rng: Rng
 ) -> Layout | Rejection:
     """The layout with doors and windows in their holes; rejected when no model has the size."""
-    for source, opening in zip(base.openings, home.openings, strict=True):
+    for source, opening in zip(spec.openings, home.openings, strict=True):
         width, _ = frame_size(source)
         fitting = [m for m in models(opening.kind) if abs(m.extents_m[1] - width) < 0.06]
         if not fitting:
@@ -82,10 +82,10 @@ def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
 
 
 def furnish_as_drawn(
-    base: BaseHome, home: Home, layout: Layout, models: Models, rng: Rng
+    spec: HomeSpec, home: Home, layout: Layout, models: Models, rng: Rng
 ) -> Layout | Rejection:
     """The layout with the furniture of every room where the base home has it."""
-    for source, room in zip(base.rooms, home.rooms, strict=True):
+    for source, room in zip(spec.rooms, home.rooms, strict=True):
         furnished = _furnish_room(source, room, layout, models, rng)
         if isinstance(furnished, Rejection):
             return furnished
@@ -94,7 +94,7 @@ def furnish_as_drawn(
 
 
 def _furnish_room(
-    source: BaseRoom, room: Room, layout: Layout, models: Models, rng: Rng
+    source: RoomSpec, room: Room, layout: Layout, models: Models, rng: Rng
 ) -> Layout | Rejection:
     placed: dict[str, list[int]] = {}
     for piece in source.furniture:

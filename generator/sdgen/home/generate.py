@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sdgen.catalog.records import BaseHome, BaseRoom, Catalog
+from sdgen.catalog.records import Catalog, HomeSpec, RoomSpec
 from sdgen.errors import UsageError
 from sdgen.home.plan import plan_random
 from sdgen.home.plan_openings import openings_random
@@ -14,7 +14,7 @@ HEIGHTS_M = (2.4, 2.5, 2.6, 2.7)
 TRIES = 6
 
 
-def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> BaseHome | None:
+def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> HomeSpec | None:
     """A home of one of the catalogue's mixes of rooms; None when no plan came out valid."""
     if not catalog.mixes:
         raise UsageError("the catalogue has no mix of rooms to generate homes from (plans.yaml)")
@@ -25,13 +25,13 @@ def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> BaseHome | None:
         openings = None if plan is None else openings_random(plan, rng)
         if plan is None or openings is None:
             continue
-        return BaseHome(
+        return HomeSpec(
             id=home_id,
             title=f"generated home of {len(plan.rooms)} rooms ({mix.name})",
             kind="procedural",
             height_m=HEIGHTS_M[int(rng.integers(len(HEIGHTS_M)))],
             rooms=tuple(
-                BaseRoom(name=room.name, type=room.type, rectangles_m=room.rectangles_m)
+                RoomSpec(name=room.name, type=room.type, rectangles_m=room.rectangles_m)
                 for room in plan.rooms
             ),
             openings=openings,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from sdgen.catalog.records import BaseOpening
+from sdgen.catalog.records import OpeningSpec
 from sdgen.geometry import Vec2
 from sdgen.home.plan import DOOR_WALL_M, FRONT_DOOR_WALL_M, Plan
 from sdgen.home.walls import Wall
@@ -27,9 +27,9 @@ ALSO_JOINED = (("kitchen", "living_room"), ("kitchen", "dining_room"))
 ALSO_JOINED_CHANCE = 0.5
 
 
-def openings_random(plan: Plan, rng: Rng) -> tuple[BaseOpening, ...] | None:
+def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | None:
     """Openings of a plan, doors first; None when some door finds no place."""
-    doors: list[BaseOpening] = []
+    doors: list[OpeningSpec] = []
     front = _door(plan.outer(0), "front_door", doors, FRONT_DOOR_WALL_M, rng)
     if front is None:
         return None
@@ -60,8 +60,8 @@ def _also_joined(plan: Plan) -> list[tuple[int, int]]:
 
 
 def _door(
-    walls: Sequence[Wall], kind: str, others: Sequence[BaseOpening], least_m: float, rng: Rng
-) -> BaseOpening | None:
+    walls: Sequence[Wall], kind: str, others: Sequence[OpeningSpec], least_m: float, rng: Rng
+) -> OpeningSpec | None:
     margin = FRONT_DOOR_MARGIN_M if kind == "front_door" else DOOR_MARGIN_M
     fitting = [w for w in walls if w.length_m >= max(least_m, 2 * margin)]
     for _ in range(TRIES if fitting else 0):
@@ -73,14 +73,14 @@ def _door(
         t = wall.low_m + margin + t if rng.random() < 0.5 else wall.high_m - margin - t
         center = _rounded(wall.point(t))
         if all(math.dist(center, other.center_m) >= DOORS_APART_M for other in others):
-            return BaseOpening.model_validate(
+            return OpeningSpec.model_validate(
                 {"kind": kind, "center_m": center, "along": wall.along}
             )
     return None
 
 
-def _windows(plan: Plan, doors: Sequence[BaseOpening], rng: Rng) -> list[BaseOpening]:
-    out: list[BaseOpening] = []
+def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[OpeningSpec]:
+    out: list[OpeningSpec] = []
     for index, room in enumerate(plan.rooms):
         if room.type == "hall":
             continue
@@ -95,7 +95,7 @@ def _windows(plan: Plan, doors: Sequence[BaseOpening], rng: Rng) -> list[BaseOpe
             spare = wall.length_m - 2 * margin
             t = wall.low_m + margin + spare * float(rng.uniform(0.25, 0.75))
             sill = 1.5 if small else (1.1 if room.type == "kitchen" else 0.9)
-            window = BaseOpening(
+            window = OpeningSpec(
                 kind="window",
                 center_m=_rounded(wall.point(t)),
                 along=wall.along,

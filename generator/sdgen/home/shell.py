@@ -13,7 +13,7 @@ from shapely.geometry import LineString, Point, Polygon
 from shapely.geometry.polygon import orient
 from shapely.ops import unary_union
 
-from sdgen.catalog.records import BaseHome, BaseOpening, BaseRoom
+from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
 from sdgen.geometry import Vec2
 from sdgen.library import Library
 from sdgen.scene import Box, Home, Opening, Room, Structure
@@ -27,36 +27,36 @@ FRAME_M = {"door": (0.90, 2.10), "front_door": (1.00, 2.10), "window": (1.20, 1.
 SMALL_WINDOW_M = (0.60, 0.60)
 
 
-def frame_size(opening: BaseOpening) -> tuple[float, float]:
+def frame_size(opening: OpeningSpec) -> tuple[float, float]:
     """Width and height of the hole an opening needs."""
     if opening.kind == "window" and opening.small:
         return SMALL_WINDOW_M
     return FRAME_M[opening.kind]
 
 
-def build_shell(base: BaseHome, library: Library, ids: Iterator[int], rng: Rng) -> Home:
+def build_shell(spec: HomeSpec, library: Library, ids: Iterator[int], rng: Rng) -> Home:
     """Rooms and structures of a home; openings get the ids of the objects to fill them."""
-    outlines = [_outline(room) for room in base.rooms]
+    outlines = [_outline(room) for room in spec.rooms]
     rooms = tuple(
         Room(
             id=next(ids),
             name=room.name,
             type=room.type,
             polygon_m=_ring(outline.buffer(-HALF_WALL_M, join_style="mitre")),
-            height_m=base.height_m,
+            height_m=spec.height_m,
         )
-        for room, outline in zip(base.rooms, outlines, strict=True)
+        for room, outline in zip(spec.rooms, outlines, strict=True)
     )
-    openings = tuple(_opening(o, rooms, next(ids)) for o in base.openings)
+    openings = tuple(_opening(o, rooms, next(ids)) for o in spec.openings)
     structures: list[Structure] = []
-    for source, room in zip(base.rooms, rooms, strict=True):
+    for source, room in zip(spec.rooms, rooms, strict=True):
         structures += _structures(source, room, openings, library, ids, rng)
     return Home(
-        id=base.id, kind=base.kind, rooms=rooms, structures=tuple(structures), openings=openings
+        id=spec.id, kind=spec.kind, rooms=rooms, structures=tuple(structures), openings=openings
     )
 
 
-def _outline(room: BaseRoom) -> Polygon:
+def _outline(room: RoomSpec) -> Polygon:
     shape = unary_union([shapely_box(*r) for r in room.rectangles_m])
     return orient(shape.simplify(1e-6))
 
@@ -66,22 +66,22 @@ def _ring(polygon: Polygon) -> tuple[Vec2, ...]:
     return tuple((round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in points)
 
 
-def _opening(base: BaseOpening, rooms: Sequence[Room], object_id: int) -> Opening:
-    width, height = frame_size(base)
-    spot = Point(base.center_m)
+def _opening(spec: OpeningSpec, rooms: Sequence[Room], object_id: int) -> Opening:
+    width, height = frame_size(spec)
+    spot = Point(spec.center_m)
     touching = [
         room.id
         for room in rooms
         if Polygon(room.polygon_m).buffer(2 * HALF_WALL_M, join_style="mitre").contains(spot)
     ]
-    if base.hinge_flip:
+    if spec.hinge_flip:
         touching.reverse()
     return Opening(
         object_id=object_id,
-        kind=base.kind,
+        kind=spec.kind,
         room_ids=tuple(touching),
-        center_m=(base.center_m[0], base.center_m[1], base.sill_m),
-        along=base.along,
+        center_m=(spec.center_m[0], spec.center_m[1], spec.sill_m),
+        along=spec.along,
         width_m=width,
         height_m=height,
     )
@@ -97,7 +97,7 @@ def _pick_surface(library: Library, kind: str, room_type: str, rng: Rng) -> str:
 
 
 def _structures(
-    source: BaseRoom,
+    source: RoomSpec,
     room: Room,
     openings: Sequence[Opening],
     library: Library,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from sdgen.catalog.records import BaseHome, Catalog
+from sdgen.catalog.records import Catalog, HomeSpec
 from sdgen.errors import UsageError
 from sdgen.facts import room_at
 from sdgen.freespace import free_shape, random_point, rounded_rings, unreachable_rooms
@@ -76,10 +76,10 @@ class HomeChoice:
     """
 
     id: str
-    base: BaseHome | None
+    base: HomeSpec | None
 
-    def plan(self, catalog: Catalog, rng: Rng) -> BaseHome | None:
-        """The plan to furnish; None when no generated plan came out valid."""
+    def spec(self, catalog: Catalog, rng: Rng) -> HomeSpec | None:
+        """The home to build and furnish; None when no generated floor plan came out valid."""
         return self.base or generate_home(self.id, catalog, rng)
 
 
@@ -98,7 +98,7 @@ def pick_home(catalog: Catalog, options: BuildOptions, index: int) -> HomeChoice
 
 
 def furnished_home(
-    base: BaseHome,
+    spec: HomeSpec,
     catalog: Catalog,
     library: Library,
     models: SplitModels,
@@ -106,14 +106,14 @@ def furnished_home(
     rng: Rng,
 ) -> FurnishedHome | Rejection:
     """A furnished, still empty home. ``ids`` are used up."""
-    home = build_shell(base, library, ids, rng)
-    layout = fill_openings(base, home, Layout(library, ids), models, rng)
+    home = build_shell(spec, library, ids, rng)
+    layout = fill_openings(spec, home, Layout(library, ids), models, rng)
     if isinstance(layout, Rejection):
         return layout
-    if base.kind == "procedural":
+    if spec.kind == "procedural":
         layout = furnish_by_rules(home, layout, catalog, models, rng)
     else:
-        layout = furnish_as_drawn(base, home, layout, models, rng)
+        layout = furnish_as_drawn(spec, home, layout, models, rng)
     if isinstance(layout, Rejection):
         return layout
     home = _sorted(home)

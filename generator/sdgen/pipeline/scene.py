@@ -90,11 +90,11 @@ def furnish_for(
     spec: SceneSpec, home_attempt: int, catalog: Catalog, library: Library
 ) -> FurnishedHome | Rejection:
     """The home of a scene as this attempt plans and furnishes it; nothing else decides it."""
-    plan = spec.home.plan(catalog, spec.lane(f"plan:{home_attempt}"))
-    if plan is None:
+    home = spec.home.spec(catalog, spec.lane(f"plan:{home_attempt}"))
+    if home is None:
         return reject("home", "no_floor_plan")
     return furnished_home(
-        plan,
+        home,
         catalog,
         library,
         SplitModels(library, spec.split),

@@ -159,6 +159,7 @@ SWEEPS = {
     "height": (height, "height: {max_m: 1.3}", 1.2, 1.4),
     "height of two": (height, "height: {min_m: 0.2, max_m: 1.3}", 1.0, 1.4),
     "distance": (close, "distance: {to: stove, max_m: 0.5}", 0.3, 0.7),
+    "facing_away": (facing, "facing_away: {from: tv, min_deg: 100}", math.pi, 0.0),
     "room": (through_the_door, "room: kitchen", 3.9, 4.2),
     "room, outdoors": (out_of_the_house, "room: kitchen", 0.0, 0.3),
     "state": (ajar, "state: CLOSED", 0.0, 0.8),

@@ -15,6 +15,7 @@ from pydantic import Field
 from sdgen.catalog.terms.category import CategoryTerm
 from sdgen.catalog.terms.combine import AllTerm, AnyTerm, NotTerm
 from sdgen.catalog.terms.distance import DistanceTerm
+from sdgen.catalog.terms.facing_away import FacingAwayTerm
 from sdgen.catalog.terms.height import HeightTerm
 from sdgen.catalog.terms.relation import RelationTerm
 from sdgen.catalog.terms.room import RoomTerm
@@ -31,6 +32,7 @@ TERMS: dict[str, type[Term]] = {
     "height": HeightTerm,
     "distance": DistanceTerm,
     "zone": ZoneTerm,
+    "facing_away": FacingAwayTerm,
     "all": AllTerm,
     "any": AnyTerm,
     "not": NotTerm,

@@ -14,6 +14,7 @@ from sdgen.home.layout import footprint
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations
+from sdgen.physics.world import standing
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
 from sdgen.zones import derive_zones, floor_obstacles
@@ -58,7 +59,8 @@ def test_pieces_stand_in_their_rooms(stages):
 def test_no_furniture_cuts_into_anything(stages):
     """The check itself is tested in physics: here, that what is placed needs none."""
     for made in stages:
-        assert penetrations(LIBRARY, made.scene(0, made.layout.items)) == []
+        with standing(LIBRARY, made.scene(0, made.layout.items)) as world:
+            assert penetrations(world) == []
 
 
 def test_doorways_stay_clear(stages):

@@ -12,6 +12,7 @@ from sdgen.home.furnish import put_piece
 from sdgen.home.layout import IN_WALL_M, Layout, within_room
 from sdgen.library import load_library
 from sdgen.physics.checks import penetrations
+from sdgen.physics.world import standing
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
@@ -35,7 +36,8 @@ def stage(home, number: int) -> FurnishedHome:
 def test_base_homes_hold_no_furniture_that_cuts_or_blocks_a_doorway(home):
     for number in range(3):
         made = stage(home, number)
-        assert penetrations(LIBRARY, made.scene(0, made.layout.items)) == []
+        with standing(LIBRARY, made.scene(0, made.layout.items)) as world:
+            assert penetrations(world) == []
         doorways = [
             opening_rectangle(opening, 0.6)
             for opening in made.context.home.openings

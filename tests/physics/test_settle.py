@@ -5,7 +5,7 @@ from sdgen.geometry import quat_from_axis_angle, rotation_matrix
 from sdgen.library import Library
 from sdgen.physics.bodies import collision_of
 from sdgen.physics.client import GRAVITY_M_S2, STEP_S, Client
-from sdgen.physics.settle import DRIFT_LIMIT_M, settle
+from sdgen.physics.settle import DRIFT_LIMIT_M, settle_scene
 
 from tests.fakes import box_room, thing
 
@@ -25,7 +25,7 @@ def test_a_cube_on_a_table_stays_where_it_was_put(library: Library) -> None:
     scene = box_room(
         [thing(10, "table_01", (0, 0, 0)), thing(11, "cube_01", (0.2, 0.1, TABLE_TOP))]
     )
-    result = settle(library, scene, [11])
+    result = settle_scene(library, scene, [11])
     x, y, z = result.poses[11].position_m
     assert (x, y) == pytest.approx((0.2, 0.1), abs=2e-4)
     assert z == pytest.approx(TABLE_TOP, abs=0.0015)
@@ -39,7 +39,7 @@ def test_poses_are_of_the_object_frame_not_of_the_centre_of_mass(library: Librar
     """A cube lying on its side: its origin, the middle of a face, ends half a cube up."""
     quat = quat_from_axis_angle((1, 0, 0), math.pi / 2)
     scene = box_room([thing(11, "cube_01", (0.0, 0.0, 0.1), quat)])
-    result = settle(library, scene, [11])
+    result = settle_scene(library, scene, [11])
     assert result.poses[11].position_m == pytest.approx((0.0, 0.0, 0.1), abs=0.002)
     up = rotation_matrix(result.poses[11].quat_xyzw)[:, 2]
     assert up == pytest.approx((0, -1, 0), abs=0.01)
@@ -47,7 +47,7 @@ def test_poses_are_of_the_object_frame_not_of_the_centre_of_mass(library: Librar
 
 def test_what_hangs_over_the_edge_falls_and_is_called_unstable(library: Library) -> None:
     plank = thing(11, "plank_01", (0.75, 0.0, TABLE_TOP))
-    result = settle(library, box_room([thing(10, "table_01", (0, 0, 0)), plank]), [11])
+    result = settle_scene(library, box_room([thing(10, "table_01", (0, 0, 0)), plank]), [11])
     assert result.unstable == (11,)
     assert result.drift_m[11] > DRIFT_LIMIT_M  # it is not waited for any longer
 
@@ -57,8 +57,8 @@ def test_only_drawn_parts_at_their_joints_hold_things(library: Library) -> None:
     plank = thing(11, "plank_01", (0.02, 0.0, 0.8))
     closed = box_room([thing(10, "cabinet_01", (0, 0, 0)), plank])
     opened = box_room([thing(10, "cabinet_01", (0, 0, 0), joints={"door": -1.5}), plank])
-    assert settle(library, closed, [11]).drift_m[11] < 0.002
-    assert settle(library, opened, [11]).drift_m[11] > 0.05
+    assert settle_scene(library, closed, [11]).drift_m[11] < 0.002
+    assert settle_scene(library, opened, [11]).drift_m[11] > 0.05
 
 
 def test_a_used_client_gives_the_same_bytes(library: Library) -> None:
@@ -67,11 +67,11 @@ def test_a_used_client_gives_the_same_bytes(library: Library) -> None:
     things += [thing(20, "plank_01", (0.0, 0.0, 1.0))]
     scene = box_room(things)
     ids = [11, 12, 13, 20]
-    fresh = settle(library, scene, ids)
+    fresh = settle_scene(library, scene, ids)
     with Client() as client:
-        settle(library, box_room([thing(5, "cube_02", (1, 1, 0.5))]), [5], client)
-        again = settle(library, scene, list(reversed(ids)), client)
-        third = settle(library, scene, ids, client)
+        settle_scene(library, box_room([thing(5, "cube_02", (1, 1, 0.5))]), [5], client)
+        again = settle_scene(library, scene, list(reversed(ids)), client)
+        third = settle_scene(library, scene, ids, client)
     assert fresh == again == third
 
 

@@ -34,7 +34,7 @@ from sdgen.scene import Home, ObjectInstance, Opening, Pose
 from sdgen.seeding import Rng
 from sdgen.vocabulary import HALF_WALL_M, OPENINGS
 
-DROP_M = 0.003
+DROP_M = 0.001
 GAP_M = 0.01
 TRIES = 12
 #: What may reach into a wall: less than physics calls a penetration.

@@ -3,6 +3,18 @@
 from sdgen.physics.checks import penetrations, unsupported
 from sdgen.physics.client import Client
 from sdgen.physics.rays import Hits, RayWorld
-from sdgen.physics.settle import Settled, settle
+from sdgen.physics.settle import Settled, settle, settle_scene
+from sdgen.physics.world import World, standing
 
-__all__ = ["Client", "Hits", "RayWorld", "Settled", "penetrations", "settle", "unsupported"]
+__all__ = [
+    "Client",
+    "Hits",
+    "RayWorld",
+    "Settled",
+    "World",
+    "penetrations",
+    "settle",
+    "settle_scene",
+    "standing",
+    "unsupported",
+]

@@ -140,11 +140,35 @@ class Client:
                 restitution=0.0,
                 linearDamping=0.05,
                 angularDamping=0.1,
+                # Or a neighbour that moves could not wake it.
+                activationState=pb.ACTIVATION_STATE_ENABLE_SLEEPING,
                 physicsClientId=self._id,
             )
         else:
             pb.changeDynamics(body, -1, lateralFriction=friction, physicsClientId=self._id)
         return int(body)
+
+    def remove(self, body: int) -> None:
+        """Take a body out of the world; its shape stays for others."""
+        pb.removeBody(body, physicsClientId=self._id)
+
+    def place(self, body: int, position_m: Sequence[float], quat_xyzw: Sequence[float]) -> None:
+        """Put a body's centre of mass somewhere, at rest; a sleeping one sleeps on."""
+        pb.resetBasePositionAndOrientation(
+            body, list(position_m), list(quat_xyzw), physicsClientId=self._id
+        )
+
+    def wake(self, body: int) -> None:
+        """Let a body move again."""
+        pb.changeDynamics(
+            body, -1, activationState=pb.ACTIVATION_STATE_WAKE_UP, physicsClientId=self._id
+        )
+
+    def sleep(self, body: int) -> None:
+        """Leave a body out of the simulation until one that moves touches it."""
+        pb.changeDynamics(
+            body, -1, activationState=pb.ACTIVATION_STATE_SLEEP, physicsClientId=self._id
+        )
 
     def pose(self, body: int) -> BodyPose:
         """World pose of a body's centre of mass."""

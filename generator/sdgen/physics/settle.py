@@ -8,14 +8,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sdgen.geometry import Array, matrix, rotation_matrix, vec3
+from sdgen.geometry import matrix
 from sdgen.library import Library
-from sdgen.physics.bodies import add_object, add_structures
 from sdgen.physics.client import BodyPose, Client
+from sdgen.physics.world import World
 from sdgen.scene import Contact, Pose, Scene
 
 MAX_STEPS = 480
+#: Looked at every twentieth of a second; still is what moves by less than 1 mm/s and turns by less
+#: than 0.01 rad/s over two such windows: a thing that falls 3 mm and rocks is not still meanwhile.
 _WINDOW = 12
+_QUIET_WINDOWS = 2
 _STILL_M = 5e-5
 _STILL_RAD = 5e-4
 
@@ -41,59 +44,55 @@ class Settled:
     unstable: tuple[int, ...]
 
 
-def settle(
+def settle(world: World, max_steps: int = MAX_STEPS) -> Settled:
+    """Simulate the loose things of a world until all are still, at most ``max_steps`` of 1/240 s.
+
+    What did not move over two windows running sleeps until something that moves touches it, so
+    that the last thing to come to rest is simulated alone: the same rule for every loose thing.
+    """
+    client, loose = world.client, world.loose
+    bodies = {key: one.body for key, one in loose.items()}
+    start = {key: client.pose(body) for key, body in bodies.items()}
+    steps, moving = _run(client, bodies, max_steps)
+    drift: dict[int, float] = {}
+    tilt: dict[int, float] = {}
+    for key, body in bodies.items():
+        end = client.pose(body)
+        drift[key] = _apart(start[key], end)
+        tilt[key] = _up_angle(start[key], end)
+    beyond = {k for k in bodies if drift[k] > DRIFT_LIMIT_M or tilt[k] > TILT_LIMIT_RAD}
+    return Settled(
+        poses={key: world.pose(key) for key in bodies},
+        drift_m=drift,
+        tilt_rad=tilt,
+        contacts=_contacts(client, {one.body: one.owner for one in world.placed}),
+        steps=steps,
+        unstable=tuple(sorted(moving | beyond)),
+    )
+
+
+def settle_scene(
     library: Library,
     scene: Scene,
     dynamic_ids: Collection[int],
     client: Client | None = None,
     max_steps: int = MAX_STEPS,
 ) -> Settled:
-    """Simulate ``dynamic_ids`` until all are still, at most ``max_steps`` of 1/240 s.
+    """Let ``dynamic_ids`` of a scene come to rest in a world of their own; all else is static.
 
-    Everything else is static. The result depends on the arguments only, also on a client that
-    has been used before. Raises AssetError for an object without collision pieces.
+    The result depends on the arguments only, also on a client that has been used before. Raises
+    AssetError for an object without collision pieces.
     """
     if client is None:
         with Client() as own:
-            return settle(library, scene, dynamic_ids, own, max_steps)
-    client.reset()
-    owner = add_structures(client, scene)
-    wanted = frozenset(dynamic_ids)
-    bodies: dict[int, tuple[int, Array]] = {}
-    for item in sorted(scene.objects, key=lambda o: o.id):
-        body, com = add_object(client, library, item, item.id in wanted)
-        owner[body] = item.id
-        if item.id in wanted:
-            bodies[item.id] = (body, com)
-    missing = sorted(wanted - bodies.keys())
-    if missing:
-        raise KeyError(missing[0])
-    start = {key: client.pose(body) for key, (body, _) in bodies.items()}
-    steps, moving = _run(client, {key: body for key, (body, _) in bodies.items()}, max_steps)
-    poses: dict[int, Pose] = {}
-    drift: dict[int, float] = {}
-    tilt: dict[int, float] = {}
-    for key, (body, com) in bodies.items():
-        end = client.pose(body)
-        offset = rotation_matrix(end.quat_xyzw) @ com
-        poses[key] = Pose(
-            position_m=vec3(np.asarray(end.position_m) - offset), quat_xyzw=end.quat_xyzw
-        )
-        drift[key] = _apart(start[key], end)
-        tilt[key] = _up_angle(start[key], end)
-    beyond = {k for k in poses if drift[k] > DRIFT_LIMIT_M or tilt[k] > TILT_LIMIT_RAD}
-    return Settled(
-        poses=poses,
-        drift_m=drift,
-        tilt_rad=tilt,
-        contacts=_contacts(client, owner),
-        steps=steps,
-        unstable=tuple(sorted(moving | beyond)),
-    )
+            return settle_scene(library, scene, dynamic_ids, own, max_steps)
+    world = World(library, client)
+    world.become(scene, dynamic_ids)
+    return settle(world, max_steps)
 
 
 def _run(client: Client, bodies: dict[int, int], max_steps: int) -> tuple[int, set[int]]:
-    """Step until nothing moved over two windows running; ids that still moved at the end.
+    """Step until all sleep; ids that still moved at the end.
 
     What is beyond the limit of drift is not waited for: it is unstable wherever it comes to rest.
     """
@@ -101,17 +100,22 @@ def _run(client: Client, bodies: dict[int, int], max_steps: int) -> tuple[int, s
         client.detect()
         return 0, set()
     before = start = {key: client.pose(body) for key, body in bodies.items()}
-    moving = set(bodies)
-    steps = quiet = 0
-    while steps < max_steps and quiet < 2:
+    quiet = dict.fromkeys(bodies, 0)
+    steps, awaited = 0, True
+    while steps < max_steps and awaited:
         client.step(_WINDOW)
         steps += _WINDOW
         after = {key: client.pose(body) for key, body in bodies.items()}
-        moving = {key for key in bodies if _moved(before[key], after[key])}
-        awaited = [key for key in moving if _apart(start[key], after[key]) <= DRIFT_LIMIT_M]
-        quiet = 0 if awaited else quiet + 1
+        for key, body in bodies.items():
+            quiet[key] = 0 if _moved(before[key], after[key]) else quiet[key] + 1
+            if quiet[key] == _QUIET_WINDOWS:
+                client.sleep(body)
+        awaited = any(
+            quiet[key] < _QUIET_WINDOWS and _apart(start[key], after[key]) <= DRIFT_LIMIT_M
+            for key in bodies
+        )
         before = after
-    return steps, moving
+    return steps, {key for key in bodies if quiet[key] < _QUIET_WINDOWS}
 
 
 def _moved(before: BodyPose, after: BodyPose) -> bool:

@@ -12,6 +12,7 @@ from sdgen.hazards.placing import Injected
 from sdgen.library import Library
 from sdgen.physics.client import Client
 from sdgen.physics.settle import Settled
+from sdgen.physics.world import World
 from sdgen.pipeline.contents import Contents, place_contents, without
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.pipeline.rest import Rested, come_to_rest
@@ -49,10 +50,11 @@ def attempt(
     """
     contents = placed(spec, home, home_attempt, placement)
     taken_away: Counter[Cause] = Counter()
+    world = World(library, client)
     for round_ in range(SETTLE_ROUNDS):
         if isinstance(contents, Rejection):
             return contents
-        rested = come_to_rest(spec.index, home, contents, round_ > 0, library, client)
+        rested = come_to_rest(spec.index, home, contents, round_ > 0, library, world)
         offenders = rested.offenders
         if not offenders:
             surveyed = survey(rested.facts, home.context.catalog)

@@ -10,15 +10,15 @@ from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
 from sdgen.physics.checks import penetrations
-from sdgen.physics.client import Client
 from sdgen.physics.settle import Settled, settle
+from sdgen.physics.world import World
 from sdgen.pipeline.contents import Contents
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.rejection import Rejection
 from sdgen.scene import Pose
 
-#: After things were taken away, the rest must stand as it stood: this is the play that contacts
-#: have when Bullet starts anew from rounded poses; what loses its support moves much further.
+#: After things were taken away, the rest must stand as it stood: what touched them may play by
+#: this much; what loses its support moves much further.
 STILL_M = 0.003
 
 
@@ -41,15 +41,16 @@ def come_to_rest(
     contents: Contents,
     again: bool,
     library: Library,
-    client: Client,
+    world: World,
 ) -> Rested:
     """Let everything loose fall, then look whether all of it stands, on its target, uncut.
 
-    ``again``: all of it stood already, and something else was taken away.
+    ``world`` is the try's own, and holds the contents at their rounded poses after it. ``again``:
+    all of it stood already, and something else was taken away.
     """
-    scene = home.scene(index, contents.items)
-    loose = [item.id for item in scene.objects if not item.fixed]
-    settled = settle(library, scene, loose, client)
+    loose = {key for key, item in contents.items.items() if not item.fixed}
+    world.become(home.scene(index, contents.items), loose)
+    settled = settle(world)
     contents = contents.posed(
         {
             key: Pose(
@@ -63,11 +64,12 @@ def come_to_rest(
         {k: rooms.room_id(item, library.infos[item.asset]) for k, item in contents.items.items()}
     )
     scene = home.scene(index, contents.items)
+    world.become(scene, loose)
     facts = facts_of(scene, library.infos, home.context.catalog)
     offenders = _restless(contents, settled, again)
     offenders |= _off_target(contents, facts, offenders)
     if not offenders:
-        for violation in penetrations(library, scene, client=client):
+        for violation in penetrations(world):
             there = [k for k in violation.objects if k in contents.items]
             for key in [k for k in there if not contents.items[k].fixed] or there[:1]:
                 offenders[key] = contents.objection(

@@ -20,7 +20,7 @@ from sdgen.library.supports import carried_share, find_supports, headroom_m
 from sdgen.physics.bodies import object_pieces
 from sdgen.physics.client import Client
 from sdgen.physics.overlap import deepest_overlap_m
-from sdgen.physics.settle import settle
+from sdgen.physics.settle import settle_scene
 
 #: Faces a variant may have; things longer than this are furniture.
 SMALL_FACES, LARGE_FACES, SMALL_M = 800, 2500, 0.6
@@ -147,7 +147,7 @@ def rest(model: Model, client: Client) -> Iterator[str]:
     if category is not None and (category.kind == "opening" or "HANGABLE" in category.properties):
         return
     scene = alone_on_floor(model.library, model.asset.id)
-    settled = settle(model.library, scene, {MODEL_ID}, client)
+    settled = settle_scene(model.library, scene, {MODEL_ID}, client)
     if settled.tilt_rad[MODEL_ID] > _TIPPED_RAD:
         yield f"tips over by {np.degrees(settled.tilt_rad[MODEL_ID]):.0f} degrees"
     elif MODEL_ID in settled.unstable:

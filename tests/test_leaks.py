@@ -18,7 +18,7 @@ import pytest
 from sdgen.cameras.parts import part_points
 from sdgen.catalog.load import load_catalog
 from sdgen.geometry import apply, inverse, rotation_matrix
-from sdgen.library import Library, load_library
+from sdgen.library import Library
 from sdgen.scene import Camera, ObjectInstance
 from sdgen.truth.graph import opaque_name
 from sklearn.ensemble import HistGradientBoostingClassifier
@@ -26,6 +26,7 @@ from threadpoolctl import threadpool_limits
 
 from tests.made import Made, made_scenes
 from tests.shared import Shared
+from tests.shipped import shipped_library
 
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
@@ -51,7 +52,7 @@ class Table:
 
 @pytest.fixture(scope="module")
 def library() -> Library:
-    return load_library()
+    return shipped_library()
 
 
 @pytest.fixture(scope="module")

@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 import sdgen
 
+from tests.shipped import shipped_library
+
 ROOT = Path(__file__).resolve().parent.parent
 TEXT = {".py", ".md", ".toml", ".yaml", ".yml", ".json", ".jsonl", ".txt", ".cff", ".sh", ""}
 DATA_LIMIT = 80_000_000
@@ -91,8 +93,7 @@ def test_front_matter_is_there(name: str) -> None:
 
 
 def test_every_licence_an_asset_names_has_its_text() -> None:
-    from sdgen.library import load_library
 
-    named = {asset.licence for asset in load_library().assets.values()}
+    named = {asset.licence for asset in shipped_library().assets.values()}
     texts = {path.stem for path in (ROOT / "assets" / "LICENSES").iterdir()}
     assert named <= texts

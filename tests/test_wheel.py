@@ -13,7 +13,8 @@ from pathlib import Path
 
 import pytest
 import sdgen
-from sdgen.library import load_library
+
+from tests.shipped import shipped_library
 
 ROOT = Path(__file__).resolve().parent.parent
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("wheel")]  # one wheel, one worker
@@ -74,7 +75,7 @@ def test_installed_command_works_from_another_folder(installed: Path, tmp_path: 
     assert sdgen.__version__ in call(installed, "--version", cwd=tmp_path)
     assets = json.loads(call(installed, "assets", "list", "--json", cwd=tmp_path))
     hazards = json.loads(call(installed, "catalog", "list", "--json", cwd=tmp_path))
-    assert [row["id"] for row in assets] == list(load_library().assets)
+    assert [row["id"] for row in assets] == list(shipped_library().assets)
     assert {"spill", "stove_on"} <= {row["id"] for row in hazards}
 
 

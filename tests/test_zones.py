@@ -7,7 +7,6 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.geometry import apply, quat_from_yaw
 from sdgen.hazards.splits import SplitModels
-from sdgen.library import load_library
 from sdgen.library.states import object_from_part
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.scene import ObjectInstance, Pose
@@ -15,7 +14,9 @@ from sdgen.seeding import lane
 from sdgen.zones import swing_blocked, swing_sectors
 from shapely.geometry import MultiPoint, Point, Polygon
 
-LIBRARY = load_library()
+from tests.shipped import shipped_library
+
+LIBRARY = shipped_library()
 
 
 def door(asset, x=0.0, y=0.0, yaw=0.0):

@@ -11,13 +11,15 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import FurnitureItem, HomeSpec, OpeningSpec
 from sdgen.hazards.splits import SplitModels, split_of_home
-from sdgen.library import Library, load_library
+from sdgen.library import Library
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.seeding import lane
 from shapely import box
 from shapely.affinity import rotate, translate
 from shapely.geometry import Polygon
 from shapely.ops import unary_union
+
+from tests.shipped import shipped_library
 
 from .worlds import problems, write
 
@@ -205,7 +207,7 @@ def test_three_base_homes_one_for_each_split() -> None:
 
 @pytest.fixture(scope="module")
 def library() -> Library:
-    return load_library()
+    return shipped_library()
 
 
 @HOMES

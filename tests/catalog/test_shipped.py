@@ -10,11 +10,13 @@ from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.predicate import Related, ZoneShare
 from sdgen.catalog.records import Abode, Catalog, Hazard, PlaceRecipe, Recipe
-from sdgen.library import Asset, Library, load_library
+from sdgen.library import Asset, Library
 from sdgen.library.records import Support
 from sdgen.resources import data_path
 from shapely.affinity import rotate, translate
 from shapely.geometry import Polygon, box
+
+from tests.shipped import shipped_library
 
 from .worlds import Thing, World
 
@@ -49,7 +51,7 @@ NO_TWIN_OF_ITS_KIND = {"spill", "fridge_open", "front_door_open", "stove_on"}
 
 @cache
 def library() -> Library:
-    return load_library()
+    return shipped_library()
 
 
 def _top_m(category: str, at_most: float | None = None) -> float:

@@ -8,15 +8,17 @@ from sdgen.catalog.load import load_catalog
 from sdgen.engines.build import build as run_build
 from sdgen.engines.report import Note, SceneDone
 from sdgen.errors import InputError, SdgenError, UsageError
-from sdgen.library import load_library
 from sdgen.options import BuildOptions
 
+from tests.shipped import shipped_library
+
+pytestmark = pytest.mark.xdist_group("build")  # one data set, one worker
 OPTIONS = {"n": 2, "seed": 7, "views": 1, "sensors": ()}
 
 
 @pytest.fixture(scope="module")
 def tools():
-    return {"catalog": load_catalog(), "library": load_library()}
+    return {"catalog": load_catalog(), "library": shipped_library()}
 
 
 def build(tools, out, events=None, **changes):

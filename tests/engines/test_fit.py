@@ -5,15 +5,16 @@ from sdgen.catalog.load import load_catalog
 from sdgen.engines import build as building
 from sdgen.engines.fit import misfits
 from sdgen.errors import InputError, SdgenError
-from sdgen.library import load_library
 from sdgen.options import BuildOptions
+
+from tests.shipped import shipped_library
 
 pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
 def tools():
-    return {"catalog": load_catalog(), "library": load_library()}
+    return {"catalog": load_catalog(), "library": shipped_library()}
 
 
 def changed(catalog, hazard_id, **changes):

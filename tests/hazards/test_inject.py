@@ -8,14 +8,15 @@ from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import inject_candidate
 from sdgen.hazards.splits import SplitModels
-from sdgen.library import load_library
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection
 from sdgen.seeding import lane
 
+from tests.shipped import shipped_library
+
 CATALOG = load_catalog()
-LIBRARY = load_library()
+LIBRARY = shipped_library()
 
 
 @pytest.fixture(scope="module")

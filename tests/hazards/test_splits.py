@@ -5,9 +5,10 @@ from collections import Counter
 from sdgen.catalog.enumeration import enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.hazards.splits import SplitModels, split_of_home, withheld_anomaly, withheld_asset
-from sdgen.library import load_library
 
-LIBRARY = load_library()
+from tests.shipped import shipped_library
+
+LIBRARY = shipped_library()
 
 
 def test_homes_spread_over_the_splits():

@@ -11,7 +11,6 @@ from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
 from sdgen.home.layout import footprint
-from sdgen.library import load_library
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
@@ -20,8 +19,10 @@ from sdgen.seeding import lane
 from sdgen.zones import derive_zones, floor_obstacles
 from shapely.geometry import Polygon
 
+from tests.shipped import shipped_library
+
 CATALOG = load_catalog()
-LIBRARY = load_library([])
+LIBRARY = shipped_library()
 OPTIONS = BuildOptions(n=20, seed=9, homes="procedural")
 
 

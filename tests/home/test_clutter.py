@@ -6,14 +6,15 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import LEAST_THINGS, add_clutter
-from sdgen.library import load_library
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.seeding import lane
+
+from tests.shipped import shipped_library
 
 
 @pytest.mark.parametrize("home", ["three_room_flat_2", "apartment_1"])
 def test_every_home_holds_sixty_things(home):
-    catalog, library = load_catalog(), load_library([])
+    catalog, library = load_catalog(), shipped_library()
     models = SplitModels(library, "test")
     base = next(h for h in catalog.homes if h.id == home)
     for seed in range(3):

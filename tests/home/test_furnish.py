@@ -10,7 +10,6 @@ from sdgen.geometry import quat_from_yaw
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.furnish import put_piece
 from sdgen.home.layout import IN_WALL_M, Layout, within_room
-from sdgen.library import load_library
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
@@ -19,9 +18,10 @@ from sdgen.seeding import lane
 from sdgen.vocabulary import FLAT_M, OPENINGS, OVERHEAD_M
 
 from tests.fakes import box_room, fake_library, thing
+from tests.shipped import shipped_library
 
 CATALOG = load_catalog()
-LIBRARY = load_library()
+LIBRARY = shipped_library()
 
 
 def stage(home, number: int) -> FurnishedHome:

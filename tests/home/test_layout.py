@@ -6,12 +6,13 @@ import pytest
 from sdgen.actions import at_rest, in_state
 from sdgen.geometry import quat_from_yaw
 from sdgen.home.layout import Intent, Layout, footprint
-from sdgen.library import load_library
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
 from shapely.geometry import box
 
-LIBRARY = load_library()
+from tests.shipped import shipped_library
+
+LIBRARY = shipped_library()
 
 
 @pytest.fixture

@@ -5,9 +5,10 @@ import itertools
 import pytest
 from sdgen.catalog.records import HomeSpec
 from sdgen.home.shell import build_shell
-from sdgen.library import load_library
 from sdgen.seeding import lane
 from shapely.geometry import Polygon, box
+
+from tests.shipped import shipped_library
 
 BASE = HomeSpec.model_validate(
     {
@@ -31,7 +32,7 @@ BASE = HomeSpec.model_validate(
 
 @pytest.fixture(scope="module")
 def home():
-    return build_shell(BASE, load_library(), itertools.count(1), lane(0, 0, "shell"))
+    return build_shell(BASE, shipped_library(), itertools.count(1), lane(0, 0, "shell"))
 
 
 def test_rooms_are_the_rectangles_less_half_a_wall(home):

@@ -10,7 +10,6 @@ import pytest
 import yaml
 from sdgen.errors import AssetError
 from sdgen.library import load_library
-from sdgen.library.manifest import read_manifest
 from sdgen.resources import data_path
 
 Folder = dict[str, Any]
@@ -218,10 +217,3 @@ def test_an_id_or_surface_of_the_shipped_library_is_told(folder: Path) -> None:
     data["assets"][0]["id"] = "fridge_01"
     write(folder, data)
     assert "fridge_01: an asset folder before has this id" in problems(folder)
-
-
-def test_every_shipped_file_is_whole() -> None:
-    library = load_library()
-    for folder in library.folders:
-        library.check_files(folder)
-    assert len(read_manifest(library.folders[0])[0]) == len(library.assets)

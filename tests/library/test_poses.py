@@ -5,9 +5,10 @@ import math
 import numpy as np
 import pytest
 from sdgen.geometry import box_corners
-from sdgen.library import load_library
 from sdgen.library.poses import resting_poses
 from sdgen.library.shape import centre_of_mass
+
+from tests.shipped import shipped_library
 
 
 def test_a_slab_lies_flat_on_either_side() -> None:
@@ -50,7 +51,7 @@ def test_round_things_have_one_pose_at_least() -> None:
 
 
 def test_the_library_stores_what_its_hulls_give() -> None:
-    library = load_library()
+    library = shipped_library()
     for name in ("fridge_01", "mug_01", "milk_carton_01"):
         asset = library.assets[name]
         drawn = asset.variants["default"]

@@ -10,9 +10,10 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.errors import AssetError
-from sdgen.library import load_library
 from sdgen.library.meshes import read_glb
 from sdgen.library.quantized import plain_glb
+
+from tests.shipped import shipped_library
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 
@@ -82,7 +83,7 @@ def test_accessors_beyond_their_buffer_are_refused(count: int, stride: int) -> N
 
 
 def test_a_lying_file_is_a_located_error(tmp_path: Path) -> None:
-    asset = load_library().assets["mug_01"]
+    asset = shipped_library().assets["mug_01"]
     path = tmp_path / "mug.glb"
     path.write_bytes(small_glb(5123, 2, 4, b"\0" * 8, 10**6))
     with pytest.raises(AssetError, match=r"mug.glb: mesh of mug_01 cannot be read"):

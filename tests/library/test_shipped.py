@@ -3,11 +3,12 @@
 import pytest
 import yaml
 from sdgen.catalog.load import load_catalog
-from sdgen.library import Library, load_library
+from sdgen.library import Library
 from sdgen.resources import data_path
 from sdgen.validate.assets import check_assets
 
 from tests.by_path import ROOT, module_at
+from tests.shipped import shipped_library
 
 LIBRARY_LIMIT = 60_000_000
 #: One model in so many is looked at closely here.
@@ -16,7 +17,7 @@ SAMPLE_STRIDE = 60
 
 @pytest.fixture(scope="module")
 def library() -> Library:
-    return load_library()
+    return shipped_library()
 
 
 def test_it_is_large_enough(library: Library) -> None:

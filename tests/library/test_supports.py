@@ -5,12 +5,13 @@ import pytest
 import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sdgen.library import load_library
 from sdgen.library.meshes import MeshData
 from sdgen.library.shape import corners_of
 from sdgen.library.supports import carried_share, find_supports, headroom_m
 from shapely import union_all
 from shapely.geometry import Polygon, box
+
+from tests.shipped import shipped_library
 
 length = st.floats(0.1, 2.0)
 
@@ -73,7 +74,7 @@ def test_headroom_and_carrying_of_a_given_polygon() -> None:
 
 @pytest.mark.parametrize("category", ["bookshelf", "fridge", "dining_table", "tv_stand"])
 def test_what_our_models_say_is_found_on_their_meshes(category: str) -> None:
-    library = load_library()
+    library = shipped_library()
     for asset in library.by_category(category):
         meshes = library.mesh(asset.id)
         found = find_supports({part: meshes[part] for part in asset.variants["default"]})

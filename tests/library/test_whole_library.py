@@ -6,10 +6,11 @@ import re
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.library import load_library
+from sdgen.library.manifest import read_manifest
 from sdgen.validate.assets import check_assets
 
 from tests.by_path import ROOT, module_at
+from tests.shipped import shipped_library
 
 pytestmark = pytest.mark.library
 SHARES = 16
@@ -17,8 +18,15 @@ SHARES = 16
 
 @pytest.mark.parametrize("share", range(SHARES))
 def test_every_model_is_sound(share: int) -> None:
-    models = list(load_library().assets)[share::SHARES]
+    models = list(shipped_library().assets)[share::SHARES]
     assert check_assets([], load_catalog(), words=models) == []
+
+
+def test_every_file_is_whole() -> None:
+    library = shipped_library()
+    for folder in library.folders:
+        library.check_files(folder)
+    assert len(read_manifest(library.folders[0])[0]) == len(library.assets)
 
 
 def test_the_geometries_truly_differ(capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,9 +2,9 @@
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.library import load_library
 
 from tests.made import made_scenes
+from tests.shipped import shipped_library
 
 
 @pytest.fixture(scope="session")
@@ -14,7 +14,7 @@ def catalog():
 
 @pytest.fixture(scope="session")
 def library():
-    return load_library()
+    return shipped_library()
 
 
 @pytest.fixture(scope="session")

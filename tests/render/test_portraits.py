@@ -7,12 +7,13 @@ import pytest
 from PIL import Image
 from sdgen.cameras.pinhole import project
 from sdgen.cli.main import run
-from sdgen.library import Library, load_library
+from sdgen.library import Library
 from sdgen.library.states import derive_states
 from sdgen.render import open_renderer
 from sdgen.render.portraits import look_in_state, looks_of, portrait, portrait_camera
 
 from tests.fakes import RED
+from tests.shipped import shipped_library
 
 
 @pytest.mark.parametrize("extents", [(0.1, 0.1, 0.3), (1.0, 0.4, 0.01), (0.6, 2.0, 1.2)])
@@ -49,7 +50,7 @@ def test_looks_name_variants_and_open_joints(library: Library) -> None:
     [("fridge_01", "OPEN"), ("mug_01", "BROKEN"), ("apple_01", "EXPIRED"), ("wardrobe_01", "OPEN")],
 )
 def test_a_look_in_a_state_is_in_that_state(asset: str, state: str) -> None:
-    info = load_library().info(asset)
+    info = shipped_library().info(asset)
     look = look_in_state(info, state)
     assert look is not None
     assert state in derive_states(info, look.variant, look.joints)

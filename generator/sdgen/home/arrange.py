@@ -6,8 +6,8 @@ that a robot cannot cross is arranged anew, a bounded number of times.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from shapely import prepare
@@ -21,7 +21,7 @@ from sdgen.geometry import quat_from_yaw, round_position, round_quat
 from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side, sides_of
 from sdgen.home.context import Models
-from sdgen.home.furnish import put_piece, stand_in, top_of
+from sdgen.home.furnish import has_room, stand_in, top_of
 from sdgen.home.layout import IN_WALL_M, Intent, Layout, footprint
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
@@ -40,28 +40,53 @@ ROWS_TRIED = 6
 NEAR_DOOR_M = 0.2
 
 
-@dataclass
-class _RoomState:
-    """One try at a room: what stands there, and the floor that is kept clear for whom.
+@dataclass(frozen=True)
+class _RoomTry:
+    """One try at a room as it stands: what is placed, and the floor that is kept clear for whom.
+
+    A value: a piece more makes a new one, so that a row of which one unit finds no place leaves
+    nothing behind.
 
     ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
     No furniture stands on ``doors``; leaves swing over ``swings``, where no rug lies either.
     """
 
     room: Room
+    layout: Layout
+    models: Models
+    rng: Rng
     outline: Polygon
     sides: tuple[Side, ...]
     openings: tuple[Opening, ...]
     doors: BaseGeometry
     swings: BaseGeometry
     inside: Polygon
-    prints: dict[int, Polygon] = field(default_factory=dict)
-    placed: dict[str, list[int]] = field(default_factory=dict)
-    keep: list[tuple[int, Polygon]] = field(default_factory=list)
+    prints: Mapping[int, Polygon] = field(default_factory=dict)
+    placed: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    keep: tuple[tuple[int, Polygon], ...] = ()
 
     def all(self, categories: Sequence[str]) -> list[int]:
         """Ids of the pieces of these categories, in the order they were placed."""
         return [k for c in categories for k in self.placed.get(c, ())]
+
+    def with_piece(
+        self,
+        item: ObjectInstance,
+        intent: Intent | None,
+        shape: Polygon | None,
+        front: Polygon | None,
+    ) -> _RoomTry:
+        """The room with one piece more, which takes ``shape`` of the floor and keeps ``front``."""
+        layout = self.layout.copy()
+        layout.put(item, intent)
+        alike = (*self.placed.get(item.category, ()), item.id)
+        return replace(
+            self,
+            layout=layout,
+            placed={**self.placed, item.category: alike},
+            prints=self.prints if shape is None else {**self.prints, item.id: shape},
+            keep=self.keep if front is None else (*self.keep, (item.id, front)),
+        )
 
 
 def furnish_by_rules(
@@ -82,27 +107,28 @@ def _arrange_room(
 ) -> Layout | Rejection:
     """The layout with this room's furniture, after ROOM_TRIES tries at most."""
     for _ in range(ROOM_TRIES - 1):
-        arranged = _try_room(home, room, room_type, layout.copy(), models, rng)
+        arranged = _try_room(home, room, room_type, layout, models, rng)
         if isinstance(arranged, Layout):
             return arranged
-    return _try_room(home, room, room_type, layout.copy(), models, rng)
+    return _try_room(home, room, room_type, layout, models, rng)
 
 
 def _try_room(
     home: Home, room: Room, room_type: RoomType, layout: Layout, models: Models, rng: Rng
 ) -> Layout | Rejection:
-    state = _start(home, room)
+    furnished = _empty(home, room, layout, models, rng)
     for rule in room_type.furniture:
         count = int(rng.integers(rule.count[0], rule.count[1] + 1))
-        made = _follow(rule, count, state, layout, models, rng)
-        if rule.needed and not made:
+        more = _follow(rule, count, furnished)
+        if rule.needed and more is None:
             return reject("home", "no_place", category=rule.category or rule.row[0])
-    if not _passable(state, layout):
+        furnished = more or furnished
+    if not _passable(furnished):
         return reject("home", "no_way_through", category=room.type)
-    return layout
+    return furnished.layout
 
 
-def _start(home: Home, room: Room) -> _RoomState:
+def _empty(home: Home, room: Room, layout: Layout, models: Models, rng: Rng) -> _RoomTry:
     mine = tuple(o for o in home.openings if room.id in o.room_ids)
     doors: list[BaseGeometry] = []
     swings: list[BaseGeometry] = []
@@ -117,73 +143,68 @@ def _start(home: Home, room: Room) -> _RoomState:
     outline = Polygon(room.polygon_m)
     inside = outline.buffer(IN_WALL_M, join_style="mitre")
     prepare(inside)
-    sides = sides_of(room.polygon_m)
-    return _RoomState(room, outline, sides, mine, union(doors), union(swings), inside)
+    return _RoomTry(
+        room=room,
+        layout=layout,
+        models=models,
+        rng=rng,
+        outline=outline,
+        sides=sides_of(room.polygon_m),
+        openings=mine,
+        doors=union(doors),
+        swings=union(swings),
+        inside=inside,
+    )
 
 
-def _follow(
-    rule: FurnitureRule,
-    count: int,
-    state: _RoomState,
-    layout: Layout,
-    models: Models,
-    rng: Rng,
-) -> bool:
-    """Place the pieces of a rule; False when none found a place (or chance said no)."""
+def _follow(rule: FurnitureRule, count: int, tried: _RoomTry) -> _RoomTry | None:
+    """The room with the pieces of a rule; None when none found a place (or chance said no)."""
+    rng = tried.rng
     if rng.random() >= rule.chance:
-        return False
+        return None
     if rule.where == "row":
-        return _row(rule, state, layout, models, rng)
+        return _row(rule, tried)
     targets: list[int | None] = [None]
     if rule.of:
-        found = state.all(rule.of)
+        found = tried.all(rule.of)
         targets = [found[k] for k in rng.permutation(len(found)).tolist()]
         if rule.where in ("before", "under", "opposite"):
             targets = targets[:count]
             count = 1
-    made = False
+    furnished: _RoomTry | None = None
     for target in targets:
         for _ in range(count):
-            made = _one(rule, target, state, layout, models, rng) or made
-    return made
+            furnished = _with_one(rule, target, furnished or tried) or furnished
+    return furnished
 
 
-def _one(
-    rule: FurnitureRule,
-    target: int | None,
-    state: _RoomState,
-    layout: Layout,
-    models: Models,
-    rng: Rng,
-) -> bool:
-    candidates = models(rule.category)
-    for k in rng.permutation(len(candidates)).tolist()[:MODELS_TRIED]:
+def _with_one(rule: FurnitureRule, target: int | None, tried: _RoomTry) -> _RoomTry | None:
+    """The room with one piece of a rule, of the first model and pose that fit."""
+    candidates = tried.models(rule.category)
+    for k in tried.rng.permutation(len(candidates)).tolist()[:MODELS_TRIED]:
         asset = candidates[k]
         if rule.where == "above" and target is not None:
-            wide = layout.info(target).extents_m[1] + 0.03
+            wide = tried.layout.info(target).extents_m[1] + 0.03
             if asset.extents_m[1] > wide:
                 continue
-        for pose in _poses(rule, asset, target, state, layout, rng):
-            if _place(rule, asset, pose, target, state, layout, rng):
-                return True
-    return False
+        for pose in _poses(rule, asset, target, tried):
+            more = _placed(rule, asset, pose, target, tried)
+            if more is not None:
+                return more
+    return None
 
 
 def _poses(
-    rule: FurnitureRule,
-    asset: AssetInfo,
-    target_id: int | None,
-    state: _RoomState,
-    layout: Layout,
-    rng: Rng,
+    rule: FurnitureRule, asset: AssetInfo, target_id: int | None, tried: _RoomTry
 ) -> list[PlacedAt]:
+    layout, rng = tried.layout, tried.rng
     size = (asset.extents_m[0], asset.extents_m[1])
     if rule.where == "wall":
-        return anchors.against_walls(state.sides, size, rule.z_m, rng)
+        return anchors.against_walls(tried.sides, size, rule.z_m, rng)
     if rule.where == "corner":
-        return anchors.in_corners(state.sides, size, rng)
+        return anchors.in_corners(tried.sides, size, rng)
     if target_id is None:
-        return anchors.in_middle(state.outline, _taken(state), rng)
+        return anchors.in_middle(tried.outline, _taken(tried), rng)
     target, info = layout.items[target_id], layout.info(target_id)
     if rule.where == "on":
         return anchors.on_top(target, info, size, top_of(layout, target_id), rng)
@@ -197,70 +218,63 @@ def _poses(
         return anchors.above(target, info, size, rule.z_m)
     if rule.where == "under":
         return anchors.under(target)
-    return anchors.opposite(target, state.sides, size, rng)
+    return anchors.opposite(target, tried.sides, size, rng)
 
 
-def _taken(state: _RoomState) -> BaseGeometry:
-    shapes: list[BaseGeometry] = [state.doors]
-    shapes += [shape.buffer(0.3) for shape in state.prints.values()]
+def _taken(tried: _RoomTry) -> BaseGeometry:
+    shapes: list[BaseGeometry] = [tried.doors]
+    shapes += [shape.buffer(0.3) for shape in tried.prints.values()]
     return unary_union(shapes)
 
 
-def _place(
-    rule: FurnitureRule,
-    asset: AssetInfo,
-    pose: PlacedAt,
-    target: int | None,
-    state: _RoomState,
-    layout: Layout,
-    rng: Rng,
-) -> bool:
-    """Put a piece there if it fits: in the room, clear of doors, windows and others' fronts."""
+def _placed(
+    rule: FurnitureRule, asset: AssetInfo, pose: PlacedAt, target: int | None, tried: _RoomTry
+) -> _RoomTry | None:
+    """The room with a piece there; None unless it is in the room, clear of doors, windows and
+    others' fronts."""
     x, y, z, yaw = pose
     shape = footprint(asset, x, y, yaw)
     flat = asset.extents_m[2] <= FLAT_M
     on_floor = z < OVERHEAD_M and not flat and rule.where != "on"
-    if not state.inside.contains(shape) or z + asset.extents_m[2] > state.room.height_m:
-        return False
-    if _covers_opening(asset, pose, state):
-        return False
+    if not tried.inside.contains(shape) or z + asset.extents_m[2] > tried.room.height_m:
+        return None
+    if _covers_opening(asset, pose, tried):
+        return None
     front = _front(asset, pose, rule.front_m)
-    if flat and shape.intersects(state.swings):
-        return False
+    if flat and shape.intersects(tried.swings):
+        return None
     if on_floor:
-        if shape.intersects(state.doors):
-            return False
-        for owner, kept in state.keep:
+        if shape.intersects(tried.doors):
+            return None
+        for owner, kept in tried.keep:
             if owner == target or not kept.intersects(shape):
                 continue
             if kept.intersection(shape).area > 1e-3:
-                return False
+                return None
         # A seat's front is under its table, and a piece before another is that one's business.
-        if rule.where not in ("around", "before") and not _front_free(front, state):
-            return False
+        if rule.where not in ("around", "before") and not _front_free(front, tried):
+            return None
     item = stand_in(
         ObjectInstance(
-            id=next(layout.ids),
+            id=next(tried.layout.ids),
             category=asset.category,
             asset=asset.id,
             pose=Pose(
                 position_m=round_position((x, y, z)), quat_xyzw=round_quat(quat_from_yaw(yaw))
             ),
-            room_id=state.room.id,
+            room_id=tried.room.id,
             fixed=True,
         ),
         asset,
-        rng,
+        tried.rng,
     )
     intent = Intent("ON", target) if rule.where == "on" and target is not None else None
-    if not put_piece(item, asset, layout, intent):
-        return False
-    state.placed.setdefault(asset.category, []).append(item.id)
-    if on_floor:
-        state.prints[item.id] = shape
-    if on_floor and front is not None and rule.where not in ("around", "before"):
-        state.keep.append((item.id, front))
-    return True
+    if not has_room(item, asset, tried.layout, intent):
+        return None
+    keeps_front = on_floor and rule.where not in ("around", "before")
+    return tried.with_piece(
+        item, intent, shape if on_floor else None, front if keeps_front else None
+    )
 
 
 def _front(asset: AssetInfo, pose: PlacedAt, front_m: float) -> Polygon | None:
@@ -274,23 +288,23 @@ def _front(asset: AssetInfo, pose: PlacedAt, front_m: float) -> Polygon | None:
     return Polygon(local @ turn.T + (x, y))
 
 
-def _front_free(front: Polygon | None, state: _RoomState) -> bool:
+def _front_free(front: Polygon | None, tried: _RoomTry) -> bool:
     if front is None:
         return True
-    if front.difference(state.inside).area > 0.05 * front.area:
+    if front.difference(tried.inside).area > 0.05 * front.area:
         return False
     return all(
         not front.intersects(shape) or front.intersection(shape).area <= 1e-3
-        for shape in state.prints.values()
+        for shape in tried.prints.values()
     )
 
 
-def _covers_opening(asset: AssetInfo, pose: PlacedAt, state: _RoomState) -> bool:
+def _covers_opening(asset: AssetInfo, pose: PlacedAt, tried: _RoomTry) -> bool:
     """True when a piece against a wall stands before a window or a door in it."""
     x, y, z, yaw = pose
     low, high = z, z + asset.extents_m[2]
     shape = footprint(asset, x, y, yaw)
-    for opening in state.openings:
+    for opening in tried.openings:
         sill = opening.center_m[2]
         if high <= sill + 0.02 or low >= sill + opening.height_m:
             continue
@@ -299,73 +313,64 @@ def _covers_opening(asset: AssetInfo, pose: PlacedAt, state: _RoomState) -> bool
     return False
 
 
-def _row(rule: FurnitureRule, state: _RoomState, layout: Layout, models: Models, rng: Rng) -> bool:
-    """Units side by side against one wall, either way round."""
+def _row(rule: FurnitureRule, tried: _RoomTry) -> _RoomTry | None:
+    """The room with units side by side against one wall, either way round."""
+    rng = tried.rng
     for _ in range(ROWS_TRIED):
         order = rule.row if rng.random() < 0.5 else rule.row[::-1]
         chosen: list[AssetInfo] = []
         for category in order:
-            found = models(category)
+            found = tried.models(category)
             if not found:
-                return False
+                return None
             chosen.append(found[int(rng.integers(len(found)))])
         total = sum(a.extents_m[1] + ROW_GAP_M for a in chosen)
-        lengths = np.array([side.length_m for side in state.sides])
-        turns = rng.permutation(len(state.sides)).tolist()
+        lengths = np.array([side.length_m for side in tried.sides])
+        turns = rng.permutation(len(tried.sides)).tolist()
         turns.sort(key=lambda k: lengths[k] < total + 0.05)
         for k in turns:
-            side = state.sides[k]
+            side = tried.sides[k]
             spare = side.length_m - total - 2 * anchors.SIDE_GAP_M
             if spare < 0:
                 break
             for start in (0.0, spare, float(rng.uniform(0.0, spare))):
-                if _stand_row(rule, chosen, side, start, state, layout, rng):
-                    return True
-    return False
+                row = _with_row(rule, chosen, side, start, tried)
+                if row is not None:
+                    return row
+    return None
 
 
-def _stand_row(
-    rule: FurnitureRule,
-    chosen: Sequence[AssetInfo],
-    side: Side,
-    start: float,
-    state: _RoomState,
-    layout: Layout,
-    rng: Rng,
-) -> bool:
-    """All units of a row, or none of them."""
-    present = set(layout.items)
-    placed = {category: list(ids) for category, ids in state.placed.items()}
-    keep, prints = list(state.keep), dict(state.prints)
+def _with_row(
+    rule: FurnitureRule, chosen: Sequence[AssetInfo], side: Side, start: float, tried: _RoomTry
+) -> _RoomTry | None:
+    """The room with all units of a row; None when one of them finds no place."""
     t = start + anchors.SIDE_GAP_M
     for asset in chosen:
         width = asset.extents_m[1]
         middle = t + width / 2
         spot = side.at(middle, asset.extents_m[0] / 2 + anchors.BACK_GAP_M)
-        if not _place(rule, asset, (*spot, 0.0, side.yaw), None, state, layout, rng):
-            for object_id in [k for k in layout.items if k not in present]:
-                layout.drop(object_id)
-            state.placed.clear()
-            state.placed.update(placed)
-            state.keep, state.prints = keep, prints
-            return False
+        more = _placed(rule, asset, (*spot, 0.0, side.yaw), None, tried)
+        if more is None:
+            return None
+        tried = more
         t += width + ROW_GAP_M
-    return True
+    return tried
 
 
-def _passable(state: _RoomState, layout: Layout) -> bool:
+def _passable(tried: _RoomTry) -> bool:
     """True when a robot can get from each doorway of the room to every other and to its middle."""
-    ids = [k for found in state.placed.values() for k in found]
+    ids = [k for found in tried.placed.values() for k in found]
+    layout = tried.layout
     obstacles = floor_obstacles([layout.items[k] for k in ids], layout.library.infos)
     grown = union([o.buffer(ROBOT_RADIUS_M, quad_segs=2) for o in obstacles])
-    free = state.outline.buffer(-ROBOT_RADIUS_M, join_style="mitre").difference(grown)
+    free = tried.outline.buffer(-ROBOT_RADIUS_M, join_style="mitre").difference(grown)
     parts = polygons(free)
     ends = [
-        Point(doorway_point(opening, state.room))
-        for opening in state.openings
+        Point(doorway_point(opening, tried.room))
+        for opening in tried.openings
         if opening.kind != "window"
     ]
-    least = 0.3 if state.outline.area < 8.0 else 1.0
+    least = 0.3 if tried.outline.area < 8.0 else 1.0
     return any(
         part.area >= least and all(part.distance(end) <= NEAR_DOOR_M for end in ends)
         for part in parts

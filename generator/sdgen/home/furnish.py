@@ -169,7 +169,15 @@ def stand_in(item: ObjectInstance, asset: AssetInfo, rng: Rng) -> ObjectInstance
 def put_piece(
     item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Intent | None
 ) -> bool:
-    """Add a piece unless it clashes with another; flat things (rugs) lie under others, but not
+    """Add a piece if there is room for it; False, and no change, otherwise."""
+    if not has_room(item, asset, layout, intent):
+        return False
+    layout.put(item, intent)
+    return True
+
+
+def has_room(item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Intent | None) -> bool:
+    """True unless a piece clashes with another; flat things (rugs) lie under others, but not
     under the open leaf of a door."""
     flat = asset.extents_m[2] <= FLAT_M
     under = [
@@ -178,10 +186,7 @@ def put_piece(
         if (flat and other.category not in OPENINGS) or layout.info(i).extents_m[2] <= FLAT_M
     ]
     under += [intent.target_id] if intent else []
-    if layout.clashes(layout.blocks_of(item), ignore=tuple(under), gap_m=0.0) is not None:
-        return False
-    layout.put(item, intent)
-    return True
+    return layout.clashes(layout.blocks_of(item), ignore=tuple(under), gap_m=0.0) is None
 
 
 def _nearest(layout: Layout, ids: list[int], x: float, y: float) -> int | None:

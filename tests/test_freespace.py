@@ -6,10 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.freespace import (
     ROBOT_RADIUS_M,
+    Grid,
     free_shape,
     random_point,
     rounded_rings,
-    route,
     unreachable_rooms,
     without_holes,
 )
@@ -67,7 +67,7 @@ def test_rings_cover_the_same_floor_without_holes(spots):
 def test_a_route_goes_round_things():
     table = box(1.5, 0.0, 2.5, 2.0)
     free = free_shape(HOME, [table])
-    path = route(free, (0.5, 0.5), (3.5, 0.5))
+    path = Grid(free).route((0.5, 0.5), (3.5, 0.5))
     assert path is not None
     assert path.distance(table) > 0.2
     assert path.length > 4.0
@@ -83,10 +83,10 @@ def test_random_points_lie_inside_and_spread():
 
 def test_there_is_no_route_through_a_wall_of_things():
     free = free_shape(HOME, [box(1.5, -1.0, 2.5, 4.0)])
-    assert route(free, (0.5, 0.5), (3.5, 0.5)) is None
+    assert Grid(free).route((0.5, 0.5), (3.5, 0.5)) is None
 
 
 def test_a_route_over_free_floor_is_hardly_longer_than_the_straight_line():
-    path = route(free_shape(HOME, []), (0.5, 0.5), (3.5, 2.5))
+    path = Grid(free_shape(HOME, [])).route((0.5, 0.5), (3.5, 2.5))
     assert path is not None
     assert path.length < 1.1 * np.hypot(3.0, 2.0)

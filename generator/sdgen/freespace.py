@@ -19,9 +19,16 @@ from shapely.ops import unary_union
 
 from sdgen.geometry import Vec2
 from sdgen.scene import Home, Opening, Room
+from sdgen.vocabulary import HALF_WALL_M
 
+#: Half the width of common home robots (Stretch 0.34 m, TIAGo and Fetch 0.54 to 0.56 m across),
+#: and about that of a walking person.
 ROBOT_RADIUS_M = 0.25
+#: Cells of the path search: finer than the least gap that a robot of that radius could miss.
 GRID_M = 0.1
+#: How far free space reaches through a doorway beyond the middle of the wall, over the robot's
+#: radius: half a wall, and 2 cm so that the two rooms' areas surely meet.
+THROUGH_DOOR_M = HALF_WALL_M + 0.02
 
 
 def opening_rectangle(opening: Opening, depth_m: float) -> Polygon:
@@ -68,7 +75,7 @@ def free_shape(
         areas.append(Polygon(room.polygon_m).buffer(-radius_m, join_style="mitre"))
     for opening in home.openings:
         if opening.kind == "door":
-            gap = opening_rectangle(opening, radius_m + 0.08)
+            gap = opening_rectangle(opening, radius_m + THROUGH_DOOR_M)
             x0, y0, x1, y1 = gap.bounds
             inset = min(radius_m, opening.width_m / 2 - 0.02)
             if opening.along == "x":
@@ -164,11 +171,6 @@ class Grid:
                 left = max(across, along) + (diagonal - 1.0) * min(across, along)
                 heapq.heappush(queue, (reached + left, other))
         return None
-
-
-def route(free: BaseGeometry, start: Vec2, goal: Vec2) -> LineString | None:
-    """A short path in free space between two points; None if there is none."""
-    return Grid(free).route(start, goal)
 
 
 def random_point(shape: BaseGeometry, rng: np.random.Generator, tries: int = 40) -> Vec2 | None:

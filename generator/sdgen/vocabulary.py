@@ -42,6 +42,6 @@ FLAT_M = 0.03
 #: How high a small child grasps things, metres: the reach of a six-year-old, standing, arm up, of
 #: ``hazard_catalog/households.yaml``; three hazards take it as their limit.
 CHILD_REACH_M = 1.3
-#: What hangs higher than this, metres, is walked under: wall cabinets and shelves over furniture
-#: (their lower edges hang at 1.35 m or more in our homes).
+#: What hangs higher than this, metres, is walked under or past: wall cabinets and shelves hang at
+#: 1.3 m or more in our homes, over furniture or against the wall.
 OVERHEAD_M = 1.3

@@ -33,10 +33,15 @@ from sdgen.vocabulary import (
     ZoneKind,
 )
 
+#: How far a doorway's zone reaches into each room: a stride, and most of a leaf's sweep.
 DOORWAY_DEPTH_M = 0.6
+#: Half the width of a walkway: shoulders (0.5 m) with 0.1 m of room at either side.
 WALKWAY_HALF_M = 0.35
+#: What lies higher than a knee is no longer in a walker's way on the floor.
 FLOOR_ZONE_TOP_M = 0.5
+#: How high above a hob its heat is dangerous; hoods hang at 0.65 m for that reason.
 HEAT_ABOVE_M = 0.5
+#: A small child's arm, from the shoulder: how far beyond where it stands it takes things.
 CHILD_ARM_M = 0.5
 #: Width of a door's frame beside its leaf.
 FRAME_M = 0.05

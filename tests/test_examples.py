@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -64,3 +65,70 @@ def test_the_extra_catalogue_adds_one_hazard() -> None:
 def test_every_example_is_listed(path: Path) -> None:
     listed = (EXAMPLES / "README.md").read_text(encoding="utf-8")
     assert path.name in listed or path.name in ("README.md", "__pycache__")
+
+
+#: As much of PyTorch as the example uses: arrays for tensors, batches one after another.
+TORCH = """
+import numpy as np
+
+class Tensor:
+    def __init__(self, a): self.a = a
+    def permute(self, *axes): return Tensor(self.a.transpose(axes))
+    def float(self): return Tensor(self.a.astype("float32"))
+    def __truediv__(self, k): return Tensor(self.a / k)
+    def __gt__(self, k): return Tensor(self.a > k)
+    def mean(self): return float(self.a.mean())
+    shape = property(lambda self: self.a.shape)
+
+from_numpy = Tensor
+"""
+TORCH_DATA = """
+import pickle
+from multiprocessing import get_context
+from torch import Tensor
+import numpy as np
+
+class DataLoader:
+    def __init__(self, data, batch_size, shuffle, num_workers):
+        self.data, self.size, self.workers = data, batch_size, num_workers
+
+    def __iter__(self):
+        # As PyTorch's workers do: the data set goes to other processes and is indexed there.
+        with get_context("fork").Pool(self.workers) as pool:
+            data = pickle.loads(pickle.dumps(self.data))
+            items = pool.map(data.__getitem__, range(len(data)))
+        for k in range(0, len(items), self.size):
+            part = items[k : k + self.size]
+            yield {
+                key: Tensor(np.stack([item[key].a for item in part]))
+                for key in ("rgb", "depth_m", "target")
+            }
+"""
+
+
+@pytest.mark.slow
+def test_the_torch_loader_says_what_it_needs_and_loads(homes: Path, tmp_path: Path) -> None:
+    script = [sys.executable, str(EXAMPLES / "torch_loader.py"), str(homes)]
+    (tmp_path / "without").mkdir()
+    (tmp_path / "without" / "torch.py").write_text("raise ImportError")
+    (tmp_path / "with" / "torch" / "utils" / "data").mkdir(parents=True)
+    (tmp_path / "with" / "torch" / "__init__.py").write_text(TORCH)
+    (tmp_path / "with" / "torch" / "utils" / "__init__.py").write_text("")
+    (tmp_path / "with" / "torch" / "utils" / "data" / "__init__.py").write_text(TORCH_DATA)
+
+    def loaded(folder: str) -> subprocess.CompletedProcess[str]:
+        paths = os.pathsep.join([str(tmp_path / folder), os.environ.get("PYTHONPATH", "")])
+        environment = {**os.environ, "PYTHONPATH": paths}
+        return subprocess.run(script, capture_output=True, text=True, env=environment)
+
+    refused = loaded("without")
+    assert (refused.returncode, refused.stderr) == (
+        1,
+        "this example needs PyTorch: pip install torch\n",
+    )
+    done = loaded("with")
+    assert done.returncode == 0, done.stderr
+    first, *batches = done.stdout.splitlines()
+    assert first.startswith("8 views of <sdgen.Dataset ")
+    assert [line.split(" 0.")[0].split(")")[0] for line in batches] == ["(4, 3, 120, 160"] * 2
+    assert any("0.00%" not in line for line in batches)

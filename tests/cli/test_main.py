@@ -148,3 +148,34 @@ def test_a_terminal_without_unicode_is_no_error() -> None:
     command = [sys.executable, "-c", code]
     done = subprocess.run(command, capture_output=True, text=True, env=environment)
     assert (done.stdout, done.returncode) == ("1 ? 2\n", 0), done.stderr
+
+
+def test_an_optional_package_that_is_missing_is_one_line_that_names_the_extra() -> None:
+    code = (
+        "import sys\n"
+        "class Without:\n"
+        "    def find_spec(self, name, *_):\n"
+        "        if name.split('.')[0] == 'scipy':\n"
+        "            raise ModuleNotFoundError(f'No module named {name!r}', name=name)\n"
+        "sys.meta_path.insert(0, Without())\n"
+        "from sdgen.cli.main import run\n"
+        "sys.exit(run(['assets', 'validate', '--only', 'mug_01', '--workers', '1']))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.returncode == 1
+    assert done.stderr == (
+        "error: this needs the package 'scipy': pip install scipy (or sdgen's extra [assets])\n"
+    )
+    assert "bug" not in describe(ModuleNotFoundError("No module named 'x.y'"))
+
+
+def test_the_shell_completes_commands() -> None:
+    environment = {
+        **os.environ,
+        "_SDGEN_COMPLETE": "bash_complete",
+        "COMP_WORDS": "sdgen val",
+        "COMP_CWORD": "1",
+    }
+    command = [sys.executable, "-c", "from sdgen.cli.main import main; main()"]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
+    assert (done.returncode, done.stdout) == (0, "plain,validate\n")

@@ -143,7 +143,10 @@ def eye_height(text: str) -> float:
     help="Extra catalogue folder or file; repeatable.",
 )
 @click.option(
-    "--extensions", multiple=True, metavar="NAME,...", help="Shipped extension packs to switch on."
+    "--extensions",
+    multiple=True,
+    metavar="NAME,...",
+    help="Shipped extension packs to switch on; none is shipped yet.",
 )
 @click.option("--assets", type=FOLDER, multiple=True, help="Extra asset folder; repeatable.")
 @click.option("--twins", is_flag=True, help="Also write each scene's benign twin.")

@@ -27,7 +27,7 @@ _EXTENSIONS = click.option(
     "--extensions",
     multiple=True,
     metavar="NAME,...",
-    help="Shipped extension packs to switch on.",
+    help="Shipped extension packs to switch on; none is shipped yet.",
 )
 _JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 

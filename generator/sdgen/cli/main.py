@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import io
 import os
+import re
 import select
 import sys
 import traceback
@@ -125,8 +126,10 @@ def describe(error: Exception) -> str:
     if isinstance(error, OSError) and error.strerror:
         where = f"{error.filename}: " if error.filename else ""
         return f"error: {where}{error.strerror}{_os_advice(error)}"
-    if isinstance(error, ModuleNotFoundError) and error.name:
-        package = error.name.split(".")[0]
+    # Packages that raise the error of an import again, later, lose its name (trimesh does).
+    named = re.match(r"No module named '(\w+)", str(error))
+    if isinstance(error, ModuleNotFoundError) and named:
+        package = named[1]
         extra = f" (or sdgen's extra [{EXTRAS[package]}])" if package in EXTRAS else ""
         return f"error: this needs the package {package!r}: pip install {package}{extra}"
     if isinstance(error, MemoryError):

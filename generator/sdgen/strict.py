@@ -77,15 +77,22 @@ def read(source: Source, path: Path_, value: Any, model: type[M], names: Any = N
 
     ``names`` is the context of the validators: what names may be used.
     """
-    text = json.dumps(_present([model], value))
     try:
-        # Strict, in JSON mode: a list may become a tuple, but "1" stays no number.
-        return model.model_validate_json(text, strict=True, context=names)
+        return _record(model, value, names)
+    except ValidationError:
+        value_there = _present([model], value)  # dear, and seldom needed
+    try:
+        return _record(model, value_there, names)
     except ValidationError as error:
         for below, told in explain(error, model, value):
             source.problem((*path, *below), told)
         source.more += max(0, error.error_count() - SHOWN)
     return None
+
+
+def _record(model: type[M], value: Any, names: Any) -> M:
+    # Strict, in JSON mode: a list may become a tuple, but "1" stays no number.
+    return model.model_validate_json(json.dumps(value), strict=True, context=names)
 
 
 def explain(

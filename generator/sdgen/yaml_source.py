@@ -56,6 +56,8 @@ class Source:
     lines: dict[Path_, int] = field(default_factory=dict)
     found: list[tuple[int, str]] = field(default_factory=list)
     more: int = 0
+    #: Entries that people know by a name rather than by their place in a list.
+    named: dict[Path_, str] = field(default_factory=dict)
 
     @property
     def problems(self) -> list[str]:
@@ -78,8 +80,9 @@ class Source:
         if len(self.found) >= SHOWN:
             self.more += 1
             return
-        where = show_path(path)
-        text = f"{where}: {message}" if where else message
+        lead = next((path[:k] for k in range(len(path) + 1) if path[:k] in self.named), ())
+        where = [self.named.get(lead, ""), show_path(path[len(lead) :]), message]
+        text = ": ".join(part for part in where if part)
         self.found.append((self.line(path) if line is None else line, text))
 
 

@@ -43,24 +43,36 @@ def _line(reports: str, scene: str = "000003") -> str:
         (_line("", "000009"), ":1: scene: no scene '000009' (did you mean"),
         (
             _line('{"object_id": 12, "label": "unsafe"}'),
-            ":1: reports.0.object_id: scene",
+            ":1: reports[0].object_id: scene",
         ),
         (
             _line('{"object_id": 11, "label": "unsafe"}, {"object_id": 11, "label": "unsafe"}'),
-            ":1: reports.1.object_id: object 11 appears twice",
+            ":1: reports[1].object_id: object 11 appears twice",
         ),
-        (_line('{"object_id": 11, "label": "danger"}'), ":1: reports.0.label: Input should be"),
+        (
+            _line('{"object_id": 11, "label": "danger"}'),
+            ":1: reports[0].label: 'danger' is not one of",
+        ),
         (
             _line('{"object_id": 11, "label": "unsafe", "notify": "later"}'),
-            ":1: reports.0.notify: Input should be 'now', 'summary' or 'silent'",
+            ":1: reports[0].notify: 'later' is not one of now, summary, silent",
         ),
-        (_line('{"object_id": "11", "label": "unsafe"}'), ":1: reports.0.object_id: Input should"),
-        (_line('{"object_id": 11.0, "label": "unsafe"}'), ":1: reports.0.object_id: Input should"),
-        (_line('{"object_id": true, "label": "unsafe"}'), ":1: reports.0.object_id: Input should"),
-        (_line('{"object_id": 11}'), ":1: reports.0.label: Field required"),
-        (_line('{"object_id": 11, "label": "unsafe", "x": 1}'), ":1: reports.0.x: unknown key"),
+        (
+            _line('{"object_id": "11", "label": "unsafe"}'),
+            ":1: reports[0].object_id: expected a whole number, got",
+        ),
+        (
+            _line('{"object_id": 11.0, "label": "unsafe"}'),
+            ":1: reports[0].object_id: expected a whole number, got",
+        ),
+        (
+            _line('{"object_id": true, "label": "unsafe"}'),
+            ":1: reports[0].object_id: expected a whole number, got",
+        ),
+        (_line('{"object_id": 11}'), ":1: reports[0]: missing key 'label'"),
+        (_line('{"object_id": 11, "label": "unsafe", "x": 1}'), ":1: reports[0].x: unknown key"),
         ('{"scene": "000003", "report": []}', ":1: report: unknown key (did you mean 'reports'?)"),
-        ("[]", ":1: Input should be an object"),
+        ("[]", ":1: expected a mapping"),
     ],
 )
 def test_bad_predictions_are_located(

@@ -67,7 +67,7 @@ def _check(prediction: Prediction, data: Dataset, where: str) -> Iterable[str]:
     ids = {node.id for node in item.scene_graph.nodes}
     seen: set[int] = set()
     for k, report in enumerate(prediction.reports):
-        path = f"{where}: reports.{k}.object_id"
+        path = f"{where}: reports[{k}].object_id"
         if report.object_id not in ids:
             yield f"{path}: scene {prediction.scene} has no object {report.object_id}"
         if report.object_id in seen:

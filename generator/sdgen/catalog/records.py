@@ -254,7 +254,7 @@ class FurnitureItem(Record):
     on: CategoryName | None = None
     against_wall: bool = False
     # More than half a metre would be another place.
-    jitter_m: Annotated[float, Field(ge=0.0), between(0.0, 0.5)] = 0.0
+    jitter_m: Annotated[float, between(0.0, 0.5)] = Field(default=0.0, ge=0.0)
 
 
 class RoomSpec(Record):

@@ -16,7 +16,9 @@ from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from sdgen.errors import SHOWN, InputError, did_you_mean
+from sdgen.errors import SHOWN, InputError
+from sdgen.strict import explain
+from sdgen.yaml_source import show_path
 
 T = TypeVar("T", bound=BaseModel)
 
@@ -144,25 +146,17 @@ def read_bytes(path: Path, where: str) -> bytes:
 
 def to_record(model: type[T], data: bytes, where: str) -> T:
     """JSON bytes as a record. Raises InputError with all problems, ``where: key path: problem``."""
-    parse(data, where)  # what pydantic's parser lets pass: duplicate keys, NaN, 1e999
+    value = parse(data, where)  # what pydantic's parser lets pass: duplicate keys, NaN, 1e999
     try:
         # Strict, in JSON mode: a list may become a tuple, but "1" stays no number.
         return model.model_validate_json(data, strict=True)
     except ValidationError as error:
-        raise InputError(located(error, model, where)) from None
-
-
-def located(error: ValidationError, model: type[BaseModel], where: str) -> list[str]:
-    """The problems of a validation error, one line each."""
-    problems = []
-    for item in error.errors(include_url=False):
-        path = ".".join(str(step) for step in item["loc"])
-        text = item["msg"]
-        if item["type"] == "extra_forbidden":
-            hint = did_you_mean(str(item["loc"][-1]), list(model.model_fields))
-            text = f"unknown key{hint if len(item['loc']) == 1 else ''}"
-        problems.append(f"{where}: {path}: {text}" if path else f"{where}: {text}")
-    return problems
+        problems = explain(error, model, value)
+        told = [
+            f"{where}: {show_path(path)}: {text}" if path else f"{where}: {text}"
+            for path, text in problems
+        ]
+        raise InputError(told) from None
 
 
 def read_record(model: type[T], path: Path, where: str) -> T:

@@ -14,6 +14,7 @@ from sdgen.library.manifest import read_manifest
 from sdgen.library.meshes import (
     Hull,
     MeshData,
+    check_extents,
     outline,
     read_glb,
     read_hulls,
@@ -156,11 +157,15 @@ class Library:
                 continue
             names = [asset.texture, *(part.texture for part in asset.parts if part.texture)]
             textures.update(folder / name for name in names)
-            for read, name in ((read_glb, asset.mesh), (read_hulls, asset.hulls)):
-                try:
-                    read(folder / name, asset)
-                except AssetError as error:
-                    problems += error.problems
+            try:
+                meshes = read_glb(folder / asset.mesh, asset)
+                check_extents(folder / asset.mesh, asset, meshes)
+            except AssetError as error:
+                problems += error.problems
+            try:
+                read_hulls(folder / asset.hulls, asset)
+            except AssetError as error:
+                problems += error.problems
         for surface in self.surfaces.values():
             if self._folder_of["surface:" + surface.id] == folder:
                 textures.add(folder / surface.texture)

@@ -11,9 +11,10 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.errors import AssetError
+from sdgen.errors import AssetError, InputError
+from sdgen.files import read_plain
 from sdgen.geometry import Vec3, vec3
-from sdgen.library.quantized import plain_glb
+from sdgen.library.quantized import glb_document, lacks_normals, plain_glb
 from sdgen.library.records import Asset
 
 Floats = npt.NDArray[np.float64]
@@ -26,6 +27,11 @@ MAX_VERTICES = 300_000
 #: Left of a piece beyond its part's box: less than checks of penetration see, and enough that the
 #: piece of a part without thickness (a leaf, a sheet) is no flat one.
 HULL_SLACK_M = 0.002
+
+#: A file larger than this holds no model of so many vertices.
+MAX_BYTES = 200_000_000
+#: Meshes are quantized, sizes written with four digits: 2 mm is more than both, less than any eye.
+EXTENTS_SLACK_M = 0.002
 
 #: glTF is Y up; our objects are Z up: (x, y, z)_ours = (x, -z, y)_gltf.
 _OURS_FROM_GLTF = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -57,8 +63,13 @@ def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
     import trimesh
 
     try:
-        raw = plain_glb(path.read_bytes())
-        scene = trimesh.load_scene(io.BytesIO(raw), file_type="glb", process=False)
+        raw = read_plain(path, str(path), MAX_BYTES)
+    except InputError as error:
+        raise AssetError(error.problems) from None
+    try:
+        # Without normals trimesh asks scipy for them, and prints tracebacks where there is none.
+        bare = lacks_normals(glb_document(raw))
+        scene = trimesh.load_scene(io.BytesIO(plain_glb(raw)), file_type="glb", process=False)
         found: dict[str, MeshData] = {}
         for node in scene.graph.nodes_geometry:
             transform, geometry = scene.graph[node]
@@ -66,11 +77,15 @@ def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
             rotation = _OURS_FROM_GLTF @ transform[:3, :3]
             uvs = getattr(mesh.visual, "uv", None)
             count = len(mesh.vertices)
+            vertices = mesh.vertices @ rotation.T + _OURS_FROM_GLTF @ transform[:3, 3]
+            faces = np.asarray(mesh.faces, dtype=np.int64)
             found[str(node)] = MeshData(
-                vertices=mesh.vertices @ rotation.T + _OURS_FROM_GLTF @ transform[:3, 3],
-                normals=_unit(mesh.vertex_normals @ rotation.T),
+                vertices=vertices,
+                normals=_smooth(vertices, faces)
+                if bare
+                else _unit(mesh.vertex_normals @ rotation.T),
                 uvs=np.zeros((count, 2)) if uvs is None else np.asarray(uvs, dtype=np.float64),
-                faces=np.asarray(mesh.faces, dtype=np.int64),
+                faces=faces,
             )
     except Exception as error:  # trimesh raises whatever its parsers meet in a broken file
         reason = " ".join(str(error).split())[:200] or type(error).__name__
@@ -100,12 +115,14 @@ def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
 def read_hulls(path: Path, asset: Asset) -> tuple[Hull, ...]:
     """Convex pieces of a model. Raises AssetError for a missing or broken file."""
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(read_plain(path, str(path), MAX_BYTES).decode("utf-8"))
         hulls = tuple(
             Hull(str(piece["part"]), np.asarray(piece["vertices_m"], dtype=np.float64))
             for piece in data["pieces"]
         )
-    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+    except InputError as error:
+        raise AssetError(error.problems) from None
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
         reason = f"{type(error).__name__}: {error}"
         raise AssetError([f"{path}: hulls of {asset.id} cannot be read: {reason}"]) from None
     if not hulls:
@@ -144,6 +161,31 @@ def within_meshes(
         low, high = vertices.min(axis=0) - HULL_SLACK_M, vertices.max(axis=0) + HULL_SLACK_M
         out.append(Hull(hull.part, np.clip(hull.vertices_m, low, high)))
     return tuple(out)
+
+
+def check_extents(path: Path, asset: Asset, meshes: Mapping[str, MeshData]) -> None:
+    """Raise AssetError where the default variant is not as large as its record says."""
+    points = np.concatenate([meshes[part].vertices for part in asset.variants["default"]])
+    measured = points.max(axis=0) - points.min(axis=0)
+    if np.abs(measured - np.array(asset.extents_m)).max() <= EXTENTS_SLACK_M:
+        return
+    text = f"the mesh measures {_metres(measured)}, extents_m says {_metres(asset.extents_m)}"
+    if np.abs(measured[[0, 2, 1]] - np.array(asset.extents_m)).max() <= EXTENTS_SLACK_M:
+        text += "; it lies on its side: GLB files are read Y up, as glTF has it, not Z up"
+    raise AssetError([f"{path}: {asset.id}: {text}"])
+
+
+def _metres(values: Sequence[float] | Floats) -> str:
+    return " x ".join(f"{float(v):.3f}" for v in values) + " m"
+
+
+def _smooth(vertices: Floats, faces: Ints) -> Floats:
+    """Normals of vertices: of the faces around each, the larger the more they count."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    normals = np.zeros_like(vertices)
+    for k in range(3):
+        np.add.at(normals, faces[:, k], np.cross(b - a, c - a))
+    return _unit(normals)
 
 
 def _unit(vectors: Floats) -> Floats:

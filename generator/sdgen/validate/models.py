@@ -13,6 +13,7 @@ from sdgen.catalog.records import Category
 from sdgen.geometry import Array, apply
 from sdgen.library import Library
 from sdgen.library.alone import MODEL_ID, alone_on_floor
+from sdgen.library.plausible import LICENCES
 from sdgen.library.records import Asset
 from sdgen.library.shape import corners_of, hull_volume, outside_share, see_through, surface_points
 from sdgen.library.states import object_from_part
@@ -24,7 +25,6 @@ from sdgen.physics.settle import settle_scene
 
 #: Faces a variant may have; things longer than this are furniture.
 SMALL_FACES, LARGE_FACES, SMALL_M = 800, 2500, 0.6
-LICENCES = ("Apache-2.0", "BSD-3-Clause", "CC-BY-3.0", "CC-BY-4.0", "CC0-1.0", "MIT")
 _SIZE_SLACK_M = 0.002
 _SEEN_THROUGH = 0.03
 _COLOURS = 8

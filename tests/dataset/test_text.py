@@ -28,6 +28,32 @@ def test_pretty_text_reads_back_as_the_same_value(value: Any) -> None:
     assert json.loads(pretty(value)) == value
 
 
+def slow_pretty(value: Any, indent: str = "") -> tuple[str, bool]:
+    """The layout from the inside out: the text, and whether it is one line."""
+    if not isinstance(value, dict | list) or not value:
+        return json.dumps(value, ensure_ascii=False), True
+    inner = indent + " "
+    laid = [slow_pretty(item, inner) for item in (value.values() if is_dict(value) else value)]
+    keys = [f"{json.dumps(key, ensure_ascii=False)}: " for key in value] if is_dict(value) else []
+    parts = [key + text for key, (text, _) in zip(keys or [""] * len(laid), laid, strict=True)]
+    opening, closing = "{}" if is_dict(value) else "[]"
+    short = opening + ", ".join(parts) + closing
+    if all(one_line for _, one_line in laid) and len(indent) + len(short) <= LINE:
+        return short, True
+    lines = ",\n".join(inner + part for part in parts)
+    return f"{opening}\n{lines}\n{indent}{closing}", False
+
+
+def is_dict(value: Any) -> bool:
+    return isinstance(value, dict)
+
+
+@given(JSON, st.integers(0, LINE))
+def test_the_layout_is_that_of_slow_code(value: Any, pad: int) -> None:
+    padded = {"x" * pad: value, "rest": [value, "y" * pad]}
+    assert pretty(padded) == slow_pretty(padded)[0]
+
+
 def test_what_fits_a_line_stays_on_it() -> None:
     text = pretty({"short": [1, 2, 3], "long": ["x" * 50, "y" * 50, "z" * 50]})
     assert '"short": [1, 2, 3]' in text

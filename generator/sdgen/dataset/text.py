@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from json.encoder import encode_basestring
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -25,58 +24,43 @@ T = TypeVar("T", bound=BaseModel)
 LINE = 110
 
 
+#: Types of most values, known without asking for abstract classes.
+_SCALARS = frozenset({str, int, float, bool, type(None)})
+
+#: Writes floats by ``repr`` and refuses NaN and infinities.
+_ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
+
+
 def plain(value: Any) -> Any:
     """A record as dicts and lists: record keys in their order, mapping keys sorted."""
+    if type(value) in _SCALARS:
+        return value
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
     if isinstance(value, BaseModel):
         return {name: plain(getattr(value, name)) for name in type(value).model_fields}
     if isinstance(value, Mapping):
         return {str(key): plain(value[key]) for key in sorted(value)}
-    if isinstance(value, list | tuple):
-        return [plain(item) for item in value]
     return value
 
 
 def compact(value: Any) -> str:
     """``value`` (dicts, lists, scalars) on one line. ValueError for NaN and infinities."""
-    if isinstance(value, dict):
-        return "{" + ", ".join(f"{_scalar(k)}: {compact(v)}" for k, v in value.items()) + "}"
-    if isinstance(value, list):
-        return "[" + ", ".join([compact(item) for item in value]) + "]"
-    return _scalar(value)
-
-
-def _scalar(value: Any) -> str:
-    """A JSON scalar; what ``json.dumps`` writes, without making an encoder for each."""
-    if isinstance(value, str):
-        return encode_basestring(value)
-    if isinstance(value, float) and math.isfinite(value):
-        return float.__repr__(value)
-    return json.dumps(value, allow_nan=False)
+    return _ENCODER.encode(value)
 
 
 def pretty(value: Any, indent: str = "") -> str:
     """``value`` with whatever fits a line of ``LINE`` characters kept on one."""
-    return _pretty(value, indent)[0]
-
-
-def _pretty(value: Any, indent: str) -> tuple[str, bool]:
-    """The text, and whether it is one line. What holds a broken line is broken, too."""
-    if not isinstance(value, dict | list) or not value:
-        return compact(value), True
+    short = compact(value)
+    # What fits a line holds only what would fit one, too: it is looked at from the outside in.
+    if not isinstance(value, dict | list) or not value or len(indent) + len(short) <= LINE:
+        return short
     inner = indent + " "
-    parts = []
-    flat = True
-    for key, item in value.items() if isinstance(value, dict) else enumerate(value):
-        text, one_line = _pretty(item, inner)
-        flat = flat and one_line
-        parts.append(f"{_scalar(key)}: {text}" if isinstance(value, dict) else text)
-    opening, closing = "{}" if isinstance(value, dict) else "[]"
-    if flat:
-        short = opening + ", ".join(parts) + closing
-        if len(indent) + len(short) <= LINE:
-            return short, True
-    lines = ",\n".join([inner + part for part in parts])
-    return f"{opening}\n{lines}\n{indent}{closing}", False
+    if isinstance(value, dict):
+        items = [f"{inner}{compact(key)}: {pretty(item, inner)}" for key, item in value.items()]
+        return "{\n" + ",\n".join(items) + f"\n{indent}}}"
+    items = [inner + pretty(item, inner) for item in value]
+    return "[\n" + ",\n".join(items) + f"\n{indent}]"
 
 
 def record_bytes(record: BaseModel) -> bytes:

@@ -53,7 +53,8 @@ class BulletGraphics:
         self._folder = tempfile.TemporaryDirectory(prefix="sdgen-shell-")
         self._shell = ShellFolder(Path(self._folder.name))
         self.client: int = pb.connect(pb.DIRECT)
-        self._shapes: dict[tuple[Path, Rgba], int] = {}
+        #: Visual shape of an OBJ file in a colour, and the middle of its mesh.
+        self._shapes: dict[tuple[Path, Rgba], tuple[int, Array]] = {}
         self._bodies: list[int] = []
         self._vertices = 0
         self._set_owners({})
@@ -154,22 +155,24 @@ class BulletGraphics:
         drawn wins. Parts with one common origin would be drawn in an order that depends on what the
         process has drawn before.
         """
-        middle = np.round((vertices_m.min(axis=0) + vertices_m.max(axis=0)) / 2, 3)
-        middle += apart * _APART_M
         if (path, rgba) not in self._shapes:
+            middle = np.round((vertices_m.min(axis=0) + vertices_m.max(axis=0)) / 2, 3)
+            middle += apart * _APART_M
             # Triangles share few vertices once normals and texture coordinates count.
             self._vertices += 3 * len(vertices_m)
-            self._shapes[path, rgba] = pb.createVisualShape(
+            made = pb.createVisualShape(
                 pb.GEOM_MESH,
                 fileName=str(path),
                 rgbaColor=rgba,
                 visualFramePosition=(-middle).tolist(),
                 physicsClientId=self.client,
             )
+            self._shapes[path, rgba] = (int(made), middle)
+        shape, middle = self._shapes[path, rgba]
         body = pb.createMultiBody(
             0,
             -1,
-            self._shapes[path, rgba],
+            shape,
             basePosition=apply(pose, middle)[0].tolist(),
             baseOrientation=quat_from_matrix(pose[:3, :3]),
             physicsClientId=self.client,

@@ -17,6 +17,8 @@ Ints = npt.NDArray[np.int64]
 def clip_near(triangles: Array, near_m: float) -> Array:
     """Camera-frame triangles (N, 3, 3) cut at z = ``near_m``; what lies nearer is dropped."""
     inside = triangles[:, :, 2] >= near_m
+    if inside.all():
+        return triangles
     count = inside.sum(axis=1)
     whole = triangles[count == 3]
     pieces = [whole]
@@ -67,9 +69,12 @@ def coverage(
     # Image y points down, so what is counter-clockwise in the world turns negative here.
     front = area < 0
     x, y = x[front], y[front]
-    top = np.maximum(np.ceil(y.min(axis=1, initial=np.inf)), 0).astype(np.int64)
-    bottom = np.minimum(np.floor(y.max(axis=1, initial=-np.inf)), height - 1).astype(np.int64)
-    rows = np.maximum(bottom - top + 1, 0)
+    top = np.maximum(np.ceil(y.min(axis=1, initial=np.inf)), 0)
+    bottom = np.minimum(np.floor(y.max(axis=1, initial=-np.inf)), height - 1)
+    # Most triangles of a small thing lie between two rows of pixels.
+    met = bottom >= top
+    x, y, top = x[met], y[met], top[met].astype(np.int64)
+    rows = bottom[met].astype(np.int64) - top + 1
     owner = np.repeat(np.arange(len(rows)), rows)
     row = np.arange(len(owner)) - np.repeat(np.cumsum(rows) - rows, rows) + top[owner]
     left, right = _span(x[owner], y[owner], row.astype(np.float64))

@@ -109,9 +109,10 @@ def fill_ceilings(
     """Write the depth of ceiling pixels, which the plugin leaves out, from their planes."""
     k, pose = np.asarray(camera.K), np.asarray(camera.world_from_camera)
     for ceiling in ceilings:
-        rows, columns = np.nonzero(instance == ceiling.id)
-        if len(rows) == 0:
+        shown = instance == ceiling.id
+        if not shown.any():  # most ceilings of a home, and much cheaper than to list no pixels
             continue
+        rows, columns = np.nonzero(shown)
         underside = min(piece.center_m[2] - piece.size_m[2] / 2 for piece in ceiling.pieces)
         # World-vertical part of the ray that moves one metre along the camera's axis.
         rise = (

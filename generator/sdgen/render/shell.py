@@ -119,14 +119,16 @@ def _shade(normal: Array) -> float:
 
 def face_obj(face: Face, mtl: str) -> str:
     """The face group as a Wavefront OBJ of triangles."""
-    lines = [f"mtllib {mtl}", "usemtl m"]
-    lines += [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in face.vertices_m.tolist()]
-    lines += [f"vt {u:.5f} {v:.5f}" for u, v in face.uvs.tolist()]
-    lines += [f"vn {x:.4f} {y:.4f} {z:.4f}" for x, y, z in face.normals.tolist()]
-    for base in range(1, len(face.vertices_m) + 1, 4):
-        for triangle in ((base, base + 1, base + 2), (base, base + 2, base + 3)):
-            lines.append("f " + " ".join(f"{k}/{k}/{k}" for k in triangle))
-    return "\n".join(lines) + "\n"
+    count = len(face.vertices_m)
+    # One format for all rows of a kind: a home has some 150 faces, each of dozens of rows.
+    text = f"mtllib {mtl}\nusemtl m\n"
+    text += ("v %.5f %.5f %.5f\n" * count) % tuple(face.vertices_m.ravel().tolist())
+    text += ("vt %.5f %.5f\n" * count) % tuple(face.uvs.ravel().tolist())
+    text += ("vn %.4f %.4f %.4f\n" * count) % tuple(face.normals.ravel().tolist())
+    corners = np.arange(1, count + 1, 4)[:, None] + (0, 1, 2, 0, 2, 3)
+    numbers = np.repeat(corners.ravel(), 3).tolist()
+    text += ("f %d/%d/%d %d/%d/%d %d/%d/%d\n" * (count // 2)) % tuple(numbers)
+    return text
 
 
 class ShellFolder:

@@ -107,3 +107,15 @@ def test_what_cannot_be_drawn_or_made_is_said_before_anything_is_written(tools, 
     with pytest.raises(InputError, match="stove_on"):
         build({**tools, "catalog": broken}, tmp_path / "b", hazards_max=1)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_build_reads_no_model_that_no_scene_needs(tools, tmp_path, monkeypatch):
+    """Reading all of them took three seconds at the end of every build."""
+
+    def read(library, asset_id):
+        raise AssertionError(asset_id)
+
+    monkeypatch.setattr("sdgen.library.Library.mesh", read)
+    assert build(tools, tmp_path / "set", n=0, hazards_max=0).complete
+    told = json.loads((tmp_path / "set" / "dataset.json").read_text())
+    assert {"OPEN", "BROKEN", "SPILLED"} <= set(told["vocabularies"]["states"])

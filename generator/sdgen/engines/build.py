@@ -8,6 +8,7 @@ from pathlib import Path
 
 from sdgen.catalog.load import check_against_library
 from sdgen.catalog.records import Catalog
+from sdgen.dataset.vocabularies import vocabularies
 from sdgen.dataset.writer import DatasetWriter
 from sdgen.engines.early_stop import EarlyStop
 from sdgen.engines.fit import misfits
@@ -87,7 +88,9 @@ def build(
         if tally.unseen and options.views > options.hazards_max and choice is not None:
             shown = ", ".join(tally.unseen[:10])
             on_event(Note(f"{len(tally.unseen)} scenes do not show every anomaly: {shown}"))
-        writer.finish(failed={item.scene_id: item.causes for item in tally.failed})
+        # The library's records as they are: their outlines would cost reading all models.
+        words = vocabularies(catalog, library.assets)
+        writer.finish(failed={item.scene_id: item.causes for item in tally.failed}, words=words)
     renderer = choice.renderer_string if choice is not None else "none"
     return tally.report(out, time.monotonic() - start, peak_mb, renderer)
 

@@ -27,6 +27,11 @@ if TYPE_CHECKING:
     "the one that drew them.",
 )
 @click.option(
+    "--physics",
+    is_flag=True,
+    help="Also load each scene into Bullet anew: nothing cuts into anything, floats or moves.",
+)
+@click.option(
     "--catalog",
     "catalogs",
     type=click.Path(exists=True, path_type=Path),
@@ -37,7 +42,7 @@ if TYPE_CHECKING:
     "--assets",
     type=click.Path(exists=True, path_type=Path),
     multiple=True,
-    help="Extra asset folder the build used (for --rebuild); repeatable.",
+    help="Extra asset folder the build used (for --rebuild and --physics); repeatable.",
 )
 @click.option(
     "--workers", type=click.IntRange(min=1), metavar="N", help="Processes [default: cores]."
@@ -46,6 +51,7 @@ if TYPE_CHECKING:
 def validate(
     dataset: Path,
     rebuild: int,
+    physics: bool,
     catalogs: tuple[Path, ...],
     assets: tuple[Path, ...],
     workers: int | None,
@@ -60,6 +66,7 @@ def validate(
     \b
     Example: sdgen validate output/sdgen-n12-s7
     Example: sdgen validate output/sdgen-n12-s7 --rebuild 3
+    Example: sdgen validate output/sdgen-n12-s7 --physics
     """
     from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
@@ -73,6 +80,13 @@ def validate(
         catalog = load_catalog(catalogs, extensions=extensions)
     with bar("checking") as on_scene:
         problems = check(dataset, catalog, on_scene, workers or usable_cores())
+    if physics and not problems:
+        from sdgen.library import load_library
+        from sdgen.validate.physics import check_physics
+
+        cores = workers or usable_cores()
+        with bar("letting stand") as on_scene:
+            problems = check_physics(Dataset(dataset), load_library(assets), cores, on_scene)
     if rebuild and not problems:
         from sdgen.library import load_library
         from sdgen.validate.rebuild import rebuild as make_again
@@ -92,7 +106,8 @@ def validate(
         click.echo(f"{dataset}: {len(problems)} {noun}{rest}{skipped}", err=True)
         click.get_current_context().exit(1)
     scenes = len(Dataset(dataset).entries)
-    again = f", {made} made again" if rebuild else ""
+    again = ", let stand" if physics else ""
+    again += f", {made} made again" if rebuild else ""
     click.echo(f"{dataset}: {scenes} scenes checked{again}, no problem found")
     if note:
         click.echo(note, err=True)

@@ -71,6 +71,14 @@ def settle(world: World, max_steps: int = MAX_STEPS) -> Settled:
     )
 
 
+def moved_by(world: World, steps: int) -> dict[int, tuple[float, float]]:
+    """How far each loose thing of a world moves (m) and tips (rad) in so many steps, all awake."""
+    start = {key: world.client.pose(one.body) for key, one in world.loose.items()}
+    world.client.step(steps)
+    end = {key: world.client.pose(one.body) for key, one in world.loose.items()}
+    return {key: (_apart(start[key], end[key]), _up_angle(start[key], end[key])) for key in start}
+
+
 def settle_scene(
     library: Library,
     scene: Scene,

@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from sdgen.dataset.text import compact, plain
 
-Check = Literal["file", "hash", "count", "scene", "graph", "label", "view", "rebuild"]
+Check = Literal["file", "hash", "count", "scene", "graph", "label", "view", "physics", "rebuild"]
 
 #: Differences shown of one file; more only repeat what is wrong.
 SHOWN = 5

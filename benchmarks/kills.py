@@ -1,13 +1,16 @@
-"""Is a build that is killed again and again the same as one that is left alone?
+"""Is a build that is stopped again and again the same as one that is left alone?
 
-Run: ``python benchmarks/kills.py [--n 40] [--kills 5] [--workers 2] [-- more build options]``.
-Builds a data set, then the same one with all of the build's processes killed (SIGKILL) at random
-moments, resumed by the same command each time, and compares every byte. Exit 1 when they differ.
+Run: ``python benchmarks/kills.py [--n 40] [--kills 8] [--workers 2] [-- more build options]``.
+Builds a data set, then the same one stopped at random moments, in turn by SIGKILL to all of its
+processes, SIGKILL to the parent alone, SIGTERM and SIGINT, resumed by the same command each time.
+Compares every byte, and looks for what stays behind: processes, temporary folders, tracebacks.
+Exit 1 when anything differs or stays.
 """
 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import hashlib
 import os
 import signal
@@ -16,6 +19,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -32,48 +36,116 @@ def digests(folder: Path) -> dict[str, str]:
     }
 
 
-def start(out: Path, options: Sequence[str]) -> subprocess.Popen[bytes]:
-    """A build in a process group of its own."""
+@dataclass(frozen=True)
+class Way:
+    """A way to stop a build: the signal, to whom, and the exit code it must lead to."""
+
+    number: int
+    to_all: bool
+    code: int
+    line: str = ""
+
+
+WAYS = (
+    Way(signal.SIGKILL, True, -signal.SIGKILL),
+    Way(signal.SIGTERM, False, 143, "terminated: resume with the same command"),
+    Way(signal.SIGKILL, False, -signal.SIGKILL),
+    Way(signal.SIGINT, True, 130, "interrupted: resume with the same command"),
+)
+#: Seconds in which workers must be gone after the build.
+GONE_S = 1.0
+
+
+@dataclass(frozen=True)
+class Found:
+    """Files that differ, how many stops hit a running build, and what stayed behind."""
+
+    differing: list[str]
+    hits: int
+    stayed: list[str]
+
+
+def start(out: Path, options: Sequence[str], scratch: Path) -> subprocess.Popen[bytes]:
+    """A build in a process group of its own, with its own place for temporary files."""
     command = [sys.executable, "-c", MAIN, "build", *options, "--out", str(out)]
     return subprocess.Popen(
-        command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True
+        command,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+        env={**os.environ, "TMPDIR": str(scratch)},
+        # As in a terminal, whatever the caller ignores.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler) and None,
     )
 
 
-def finish(out: Path, options: Sequence[str]) -> float:
+def finish(out: Path, options: Sequence[str], scratch: Path) -> float:
     """Build to the end; seconds. RuntimeError with the build's words when it fails."""
     begin = time.monotonic()
-    build = start(out, options)
+    build = start(out, options, scratch)
     said = build.communicate()[1].decode(errors="replace")
     if build.returncode != 0:
         raise RuntimeError(f"build ended with {build.returncode}: {said[-2000:]}")
     return time.monotonic() - begin
 
 
-def kill_after(out: Path, options: Sequence[str], seconds: float) -> bool:
-    """Start a build and kill it with its workers; False when it had ended by itself."""
-    build = start(out, options)
+def stop_after(
+    out: Path, options: Sequence[str], scratch: Path, seconds: float, way: Way
+) -> list[str] | None:
+    """Start a build and stop it; what is wrong then. None when it had ended by itself."""
+    build = start(out, options, scratch)
     try:
         build.communicate(timeout=seconds)
+        return None
     except subprocess.TimeoutExpired:
-        os.killpg(build.pid, signal.SIGKILL)
-        build.communicate()
-        return True
-    return False
+        (os.killpg if way.to_all else os.kill)(build.pid, way.number)
+        said = build.communicate()[1].decode(errors="replace")
+    wrong = []
+    if build.returncode != way.code:
+        wrong.append(f"exit code {build.returncode}, not {way.code}")
+    if "Traceback" in said or "Error" in said or not said.rstrip().endswith(way.line):
+        wrong.append(f"said: {said[-1000:]}")
+    deadline = time.monotonic() + GONE_S
+    while (left := living(scratch)) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    wrong += [f"process {number} lives on" for number in left]
+    if way.number != signal.SIGKILL:
+        wrong += [f"{path} stays" for path in scratch.iterdir()]
+    return wrong
 
 
-def compare(folder: Path, options: Sequence[str], kills: int, seed: int) -> tuple[list[str], int]:
-    """Files that differ between a build left alone and one killed, and the kills that hit."""
-    whole, killed = folder / "whole", folder / "killed"
-    seconds = finish(whole, options)
+def living(scratch: Path) -> list[int]:
+    """Processes that have this folder, or one in it, for their temporary files."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*/environ"):
+        with contextlib.suppress(OSError):
+            if f"TMPDIR={scratch}".encode() in path.read_bytes():
+                found.append(int(path.parent.name))
+    return found
+
+
+def compare(folder: Path, options: Sequence[str], kills: int, seed: int) -> Found:
+    """A build left alone against one that is stopped ``kills`` times."""
+    whole, stopped, scratch = folder / "whole", folder / "stopped", folder / "tmp"
+    scratch.mkdir()
+    seconds = finish(whole, options, scratch)
+    stayed = [f"{path} stays after a whole build" for path in scratch.iterdir()]
     rng = np.random.default_rng(seed)
     # A resumed build has less to do: moments are drawn over a share of the time of a whole one.
     moments = rng.uniform(0.1, 1.0, kills) * seconds / max(1.0, kills / 2)
-    # Starting up takes seconds; the later moments should lie within the work.
-    hits = sum([kill_after(killed, options, float(s) + 2.0) for s in moments])
-    finish(killed, options)
-    one, two = digests(whole), digests(killed)
-    return sorted(name for name in {*one, *two} if one.get(name) != two.get(name)), hits
+    hits = 0
+    for number, moment in enumerate(moments):
+        # Starting up takes a second or two; most moments should lie within the work.
+        way = WAYS[number % len(WAYS)]
+        wrong = stop_after(stopped, options, scratch, float(moment) + 2.0, way)
+        hits += wrong is not None
+        name = signal.Signals(way.number).name
+        stayed += [f"{name} after {moment + 2.0:.1f} s: {text}" for text in wrong or ()]
+    finish(stopped, options, scratch)
+    stayed += [f"{path} stays at the end" for path in scratch.iterdir()]
+    one, two = digests(whole), digests(stopped)
+    differing = sorted(name for name in {*one, *two} if one.get(name) != two.get(name))
+    return Found(differing, hits, stayed)
 
 
 def main() -> int:
@@ -81,15 +153,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--n", type=int, default=40)
     parser.add_argument("--seed", type=int, default=7)
-    parser.add_argument("--kills", type=int, default=5)
+    parser.add_argument("--kills", type=int, default=8)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("more", nargs="*", help="more options of sdgen build")
     args = parser.parse_args()
     options = [f"--n={args.n}", f"--seed={args.seed}", f"--workers={args.workers}", *args.more]
     with tempfile.TemporaryDirectory() as folder:
-        differing, hits = compare(Path(folder), options, args.kills, args.seed)
-    print(f"{hits} kills, {len(differing)} files differ", *differing[:20])
-    return 1 if differing else 0
+        found = compare(Path(folder), options, args.kills, args.seed)
+    print(f"{found.hits} stops hit, {len(found.differing)} files differ", *found.differing[:20])
+    print(f"{len(found.stayed)} things stayed behind", *found.stayed, sep="\n  ")
+    return 1 if found.differing or found.stayed else 0
 
 
 if __name__ == "__main__":

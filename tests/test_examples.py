@@ -54,6 +54,39 @@ def test_crops_shows_every_visible_anomaly(homes: Path, tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.slow
+def test_an_array_of_tasks_makes_the_bytes_of_one_build(tmp_path: Path) -> None:
+    """As SLURM would run it: a task a number, then the merge."""
+    options = "--views 1 --sensors none"
+    env = {
+        **os.environ,
+        "N": "2",
+        "PIECE": "1",
+        "OUT": str(tmp_path / "homes"),
+        "SDGEN": f"{sys.executable} -m sdgen",
+        "OPTIONS": options,
+        "SLURM_CPUS_PER_TASK": "1",
+    }
+    script = str(EXAMPLES / "slurm_array.sh")
+    for task in range(3):  # the last has nothing to do
+        task_env = {**env, "SLURM_ARRAY_TASK_ID": str(task)}
+        done = subprocess.run([script], env=task_env, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+    done = subprocess.run([script, "merge"], env=env, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "2 of 2 scenes" in done.stdout
+    whole = tmp_path / "whole"
+    assert run(["build", "--n", "2", "--seed", "7", *options.split(), "--out", str(whole)]) == 0
+    assert contents(tmp_path / "homes") == contents(whole)
+    names = {path.name for path in tmp_path.iterdir()}
+    assert names == {"homes", "homes.piece-000000", "homes.piece-000001", "whole"}
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    files = (path for path in folder.rglob("*") if path.is_file())
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
 def test_the_extra_catalogue_adds_one_hazard() -> None:
     shipped = {hazard.id for hazard in load_catalog().hazards}
     extended = {hazard.id for hazard in load_catalog([EXAMPLES / "extra_catalog"]).hazards}

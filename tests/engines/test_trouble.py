@@ -1,6 +1,6 @@
 """The command line under trouble: kills, two builds at once, a full disk."""
 
-import importlib.util
+import json
 import os
 import signal
 import subprocess
@@ -9,6 +9,8 @@ import time
 from pathlib import Path
 
 import pytest
+
+from tests.by_path import module_at
 
 MAIN = "from sdgen.cli.main import main; main()"
 SMALL = ["--n", "3", "--seed", "7", "--views", "1", "--sensors", "none", "--workers", "2"]
@@ -24,19 +26,17 @@ def run(out: Path, options: list[str]) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command(out, options), capture_output=True, text=True, timeout=600)
 
 
-def kills():
-    path = Path(__file__).parents[2] / "benchmarks" / "kills.py"
-    spec = importlib.util.spec_from_file_location("kills", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def test_killed_five_times_at_random_moments_it_ends_in_the_same_bytes(tmp_path):
-    options = ["--n=6", "--seed=7", "--views=1", "--sensors=none", "--workers=2"]
-    differing, hits = kills().compare(tmp_path, options, kills=5, seed=1)
-    assert hits >= 2
-    assert differing == []
+@pytest.mark.skipif(not os.path.exists("/proc/self/environ"), reason="Linux only")
+def test_stopped_in_every_way_it_leaves_nothing_behind_and_ends_in_the_same_bytes(tmp_path):
+    """Tiny pictures by the CPU's renderer: dataset.json remembers it over all stops."""
+    options = ["--n=4", "--seed=7", "--views=1", "--size=32x32", "--sensors=instance"]
+    options += ["--renderer=cpu", "--workers=2"]
+    found = module_at("benchmarks/kills.py").compare(tmp_path, options, kills=4, seed=1)
+    assert found.hits >= 3
+    assert found.stayed == []
+    assert found.differing == []
+    info = json.loads((tmp_path / "stopped" / "dataset.json").read_text())
+    assert info["renderers"] == ["TinyRenderer"]
 
 
 def test_killed_in_the_middle_it_goes_on_where_it_was(tmp_path):

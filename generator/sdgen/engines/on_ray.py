@@ -6,6 +6,7 @@ import contextlib
 import logging
 import os
 import signal
+import socket
 import tempfile
 import threading
 import time
@@ -30,6 +31,8 @@ from sdgen.scratch import Scratch, clear_dead
 LOOK_S = 5.0
 #: Unix sockets have at most 107 characters; Ray's take 68 below its folder.
 SOCKET_ROOM = 107 - 68
+#: Seconds in which a cluster must take a connection.
+REACH_S = 10.0
 #: Seconds for killed actors to be gone before their scratch folders are taken away.
 GONE_S = 0.5
 
@@ -166,6 +169,7 @@ def _session(address: str | None, workers: int | None) -> Iterator[Any]:
     with ExitStack() as stack:
         try:
             if address is not None:
+                _reachable(address)
                 ray.init(address=address, **common)
             else:
                 folder = stack.enter_context(_short_scratch())
@@ -183,6 +187,13 @@ def _session(address: str | None, workers: int | None) -> Iterator[Any]:
             yield ray
         finally:
             ray.shutdown()
+
+
+def _reachable(address: str) -> None:
+    """OSError when nobody listens at ``HOST:PORT``; Ray itself would try for many minutes."""
+    host, _, port = address.rpartition(":")
+    if host and port.isdecimal() and "/" not in address:
+        socket.create_connection((host, int(port)), timeout=REACH_S).close()
 
 
 @contextmanager

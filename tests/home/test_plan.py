@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.catalog.load import load_catalog
 from sdgen.home import plan as planning
-from sdgen.home.plan import DARK, DOOR_WALL_M, FRONT_DOOR_WALL_M, LARGEST_M, Plan, plan_random
+from sdgen.home.plan import DOOR_WALL_M, FRONT_DOOR_WALL_M, LARGEST_M, Plan, plan_random
 from sdgen.home.plan_openings import openings_random
 from sdgen.home.walls import Owners, shared_walls
 from sdgen.seeding import lane
@@ -45,7 +45,7 @@ def test_a_plan_holds_the_mix(name, seed):
             low, high = TYPES[room.type].area_m2
             assert 0.8 * low <= shapes[k].area <= 1.2 * high
             assert max(w.length_m for w in plan.between(0, k)) >= DOOR_WALL_M
-        if room.type not in DARK:
+        if room.spec.daylight:
             assert max(w.length_m for w in plan.outer(k)) >= 1.9
     assert max(w.length_m for w in plan.outer(0)) >= FRONT_DOOR_WALL_M
     x0, y0, x1, y1 = unary_union(shapes).bounds
@@ -108,3 +108,42 @@ def test_shared_walls_of_a_known_grid():
     assert between[0].length_m == 2.0
     around = sum(w.length_m for w in walls if -1 in (w.first, w.second))
     assert around == pytest.approx(2 * (3 + 2))
+
+
+def test_windows_and_doors_are_as_the_room_types_ask():
+    """What rooms.yaml says of a kitchen decides, not its name."""
+    changed = {
+        "kitchen": {"windows": "small", "sill_m": 1.2, "joined": (("bedroom", 1.0),)},
+        "bedroom": {"windows": "none", "daylight": False},
+    }
+    types = [t.model_copy(update=changed.get(t.name, {})) for t in CATALOG.room_types]
+    sills, joined, shared = [], 0, 0
+    for seed in range(30):
+        plan = plan_random(MIXES["living_hub_5"], types, lane(seed, 0, "plan"))
+        openings = plan and openings_random(plan, lane(seed, 0, "openings"))
+        if not openings:
+            continue
+        names = [room.type for room in plan.rooms]
+        kitchen, bedroom = names.index("kitchen"), names.index("bedroom")
+        for opening in openings:
+            walls = {
+                k: any(_on(wall, opening.center_m) for wall in plan.outer(k))
+                for k in (kitchen, bedroom)
+            }
+            if opening.kind == "window":
+                assert not walls[bedroom]
+                sills += [(opening.small, opening.sill_m)] if walls[kitchen] else []
+        between = plan.between(kitchen, bedroom)
+        shared += any(wall.length_m >= DOOR_WALL_M for wall in between)
+        joined += any(
+            o.kind == "door" and any(_on(w, o.center_m) for w in between) for o in openings
+        )
+    assert sills
+    assert set(sills) == {(True, 1.2)}
+    assert 0 < joined <= shared
+
+
+def _on(wall, point):
+    near, along = (point[1], point[0]) if wall.along == "x" else (point[0], point[1])
+    at = wall.point(wall.low_m)[1 if wall.along == "x" else 0]
+    return abs(near - at) < 1e-3 and wall.low_m <= along <= wall.high_m

@@ -26,6 +26,7 @@ from sdgen.vocabulary import OpeningKind
 
 Group = Literal["safety", "sanitation", "child_safety"]
 Label = Literal["unsafe", "unsanitary", "unsafe for children"]
+WindowKind = Literal["large", "small", "none"]
 CategoryKind = Literal["small", "furniture", "opening", "structure", "hazard_only"]
 
 
@@ -199,14 +200,24 @@ class FurnitureRule(Record):
 
 
 class RoomType(Record):
-    """A room type: size and furniture in generated homes, clutter counts by receptacle.
+    """A room type: size, windows and furniture in generated homes, clutter counts by receptacle.
 
-    ``area_m2`` is the range of its area, ``narrowest_m`` the least width of its main part.
+    ``area_m2`` is the range of its area, ``narrowest_m`` the least width of its main part. A room
+    that needs ``daylight`` gets an outer wall that a window fits in; ``windows`` says which kind
+    it has where there is such a wall, ``sill_m`` how high. As a hub, a room with ``corridor_m`` is
+    a corridor that wide, as long as the rooms along it. ``joined`` are room types that it has a
+    door to besides that to the hub, and how often (where they share a wall).
     """
 
     name: str
     area_m2: tuple[float, float] = (8.0, 16.0)
     narrowest_m: float = 2.0
+    daylight: bool = True
+    windows: WindowKind = "large"
+    sill_m: float = 0.9
+    corridor_m: tuple[float, float] | None = None
+    # Pairs, for their order decides which is drawn first.
+    joined: tuple[tuple[str, float], ...] = ()
     furniture: tuple[FurnitureRule, ...] = ()
     clutter: tuple[ClutterPrior, ...] = ()
     floor_clutter_min: int = 0

@@ -17,6 +17,7 @@ from sdgen.catalog.records import (
     HouseholdTemplate,
     ReachRow,
     RoomType,
+    WindowKind,
 )
 from sdgen.catalog.words import (
     PAIR,
@@ -133,6 +134,13 @@ class RoomTypeYaml(Record):
 
     area_m2: Annotated[tuple[float, float], span(1.0, 200.0)] = (8.0, 16.0)
     narrowest_m: Annotated[float, between(0.9, 10.0)] = 2.0
+    daylight: bool = True
+    windows: WindowKind = "large"
+    # A large window is 1.2 m high, under a ceiling of 2.4 m or more.
+    sill_m: Annotated[float, between(0.0, 1.6)] = 0.9
+    # Wide enough for a door to open into, narrower than what would be a room.
+    corridor_m: Annotated[tuple[float, float], span(1.0, 4.0), PAIR] | None = None
+    joined: dict[RoomName, Annotated[float, between(0.0, 1.0)]] = Field(default_factory=dict)
     furniture: tuple[FurnitureRule, ...] = ()
     clutter: dict[CategoryName, Counts]
     floor_clutter: Counts
@@ -158,6 +166,7 @@ class RoomTypeYaml(Record):
             self,
             RoomType,
             name=name,
+            joined=tuple(self.joined.items()),
             clutter=tuple(
                 ClutterPrior(receptacle=receptacle, count_min=least, count_max=most)
                 for receptacle, (least, most) in self.clutter.items()

@@ -28,7 +28,7 @@ TRIES = 200
 DOOR_WALL_M = 1.5
 FRONT_DOOR_WALL_M = 1.7
 WINDOW_WALL_M = 1.95
-HALL_WIDTH_M = (1.8, 2.1)
+#: Corridors: shorter than this they would hold no two doors, longer is a hotel.
 HALL_LENGTH_M = (2.6, 9.0)
 #: Width to depth of a room, and of a hub that is no hall.
 RATIO = (0.65, 1.5)
@@ -39,8 +39,6 @@ LARGEST_M = 18.0
 #: A hub grows into a corner beside a room this often, if the corner is wide enough.
 ALCOVE_CHANCE = 0.5
 ALCOVE_M = 1.6
-#: Rooms without an outer wall are dark; only these may be.
-DARK = ("hall", "bathroom", "laundry")
 
 
 class Rect(NamedTuple):
@@ -63,8 +61,13 @@ class PlannedRoom:
     """A room of a plan: what it is for, and its rectangles in metres (middle lines of walls)."""
 
     name: str
-    type: str
+    spec: RoomType
     rectangles_m: tuple[tuple[float, float, float, float], ...]
+
+    @property
+    def type(self) -> str:
+        """The name of its room type."""
+        return self.spec.name
 
 
 @dataclass(frozen=True)
@@ -103,8 +106,9 @@ def _try(specs: Sequence[RoomType], rng: Rng) -> list[list[Rect]] | None:
     order = [1 + k for k in rng.permutation(len(specs) - 1).tolist()]
     sides = _deal(order, rng)
     widths = {k: _width(specs[k], areas[k], rng) for k in order}
-    if specs[0].name == "hall":
-        width = _cells(float(rng.uniform(*HALL_WIDTH_M)))
+    corridor = specs[0].corridor_m
+    if corridor is not None:
+        width = _cells(float(rng.uniform(*corridor)))
         longest = max(sum(widths[k] for k in side) for side in sides[:2])
         length = min(max(longest, _cells(HALL_LENGTH_M[0])), _cells(HALL_LENGTH_M[1]))
     else:
@@ -128,7 +132,7 @@ def _try(specs: Sequence[RoomType], rng: Rng) -> list[list[Rect]] | None:
                 return None
             top = Rect(a, width, b, width + depth)
             rects[k] = [(top, Rect(a, -depth, b, 0), Rect(length, a, length + depth, b))[number]]
-    if specs[0].name != "hall":
+    if corridor is None:
         _alcove(rects, rng)
     return rects
 
@@ -234,7 +238,7 @@ def _to_plan(rects: list[list[Rect]], specs: Sequence[RoomType]) -> Plan:
             low = owners.corner(r.x0 - x0, r.y0 - y0)
             high = owners.corner(r.x1 - x0, r.y1 - y0)
             shown.append((*low, *high))
-        rooms.append(PlannedRoom(name, spec.name, tuple(shown)))
+        rooms.append(PlannedRoom(name, spec, tuple(shown)))
     return Plan(tuple(rooms), shared_walls(owners))
 
 
@@ -249,7 +253,7 @@ def _fits(plan: Plan, specs: Sequence[RoomType]) -> bool:
         if index and not any(w.length_m >= DOOR_WALL_M for w in plan.between(0, index)):
             return False
         lit = any(w.length_m >= WINDOW_WALL_M for w in plan.outer(index))
-        if spec.name not in DARK and not lit:
+        if spec.daylight and not lit:
             return False
     points = np.array([r for room in plan.rooms for r in room.rectangles_m])
     size = points[:, 2:].max(axis=0) - points[:, :2].min(axis=0)

@@ -18,13 +18,12 @@ WINDOW_MARGIN_M = 0.8
 SMALL_WINDOW_MARGIN_M = 0.5
 #: Doors whose middles are nearer than this would open into each other.
 DOORS_APART_M = 1.25
+#: Shares chosen by eye, not measured: doors mostly near corners, larger rooms often with two
+#: windows.
 NEAR_CORNER_CHANCE = 0.7
 SECOND_WINDOW_CHANCE = 0.5
 SECOND_WINDOW_AREA_M2 = 11.0
 TRIES = 12
-#: Pairs of rooms that often have a door between them besides those to the hub.
-ALSO_JOINED = (("kitchen", "living_room"), ("kitchen", "dining_room"))
-ALSO_JOINED_CHANCE = 0.5
 
 
 def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | None:
@@ -40,22 +39,23 @@ def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | None:
             return None
         # The leaf opens away from the hub, which comes first in the list of rooms.
         doors.append(door.model_copy(update={"hinge_flip": True}))
-    for a, b in _also_joined(plan):
-        wanted = rng.random() < ALSO_JOINED_CHANCE
+    for a, b, chance in _also_joined(plan):
+        wanted = rng.random() < chance
         door = _door(plan.between(a, b), "door", doors, DOOR_WALL_M, rng)
         if wanted and door is not None:
             doors.append(door)
     return (*doors, *_windows(plan, doors, rng))
 
 
-def _also_joined(plan: Plan) -> list[tuple[int, int]]:
-    types = [room.type for room in plan.rooms]
+def _also_joined(plan: Plan) -> list[tuple[int, int, float]]:
+    """Pairs of rooms, none the hub, that may have a door between them, and how often."""
+    rooms = list(enumerate(plan.rooms))[1:]
     return [
-        (a, b)
-        for first, second in ALSO_JOINED
-        for a in range(1, len(types))
-        for b in range(1, len(types))
-        if types[a] == first and types[b] == second
+        (a, b, chance)
+        for a, room in rooms
+        for other, chance in room.spec.joined
+        for b, beside in rooms
+        if beside.type == other
     ]
 
 
@@ -82,9 +82,9 @@ def _door(
 def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[OpeningSpec]:
     out: list[OpeningSpec] = []
     for index, room in enumerate(plan.rooms):
-        if room.type == "hall":
+        if room.spec.windows == "none":
             continue
-        small = room.type in ("bathroom", "laundry")
+        small = room.spec.windows == "small"
         area = sum((c - a) * (d - b) for a, b, c, d in room.rectangles_m)
         second = rng.random() < SECOND_WINDOW_CHANCE and area > SECOND_WINDOW_AREA_M2
         margin = SMALL_WINDOW_MARGIN_M if small else WINDOW_MARGIN_M
@@ -94,12 +94,11 @@ def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[Opening
             wall = walls[k]
             spare = wall.length_m - 2 * margin
             t = wall.low_m + margin + spare * float(rng.uniform(0.25, 0.75))
-            sill = 1.5 if small else (1.1 if room.type == "kitchen" else 0.9)
             window = OpeningSpec(
                 kind="window",
                 center_m=_rounded(wall.point(t)),
                 along=wall.along,
-                sill_m=sill,
+                sill_m=room.spec.sill_m,
                 small=small,
             )
             near = [math.dist(window.center_m, other.center_m) for other in (*doors, *out)]

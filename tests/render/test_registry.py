@@ -3,7 +3,9 @@
 import os
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
+from pathlib import Path
 from typing import ClassVar
 
 import numpy as np
@@ -18,6 +20,7 @@ from sdgen.render.frames import render_frames
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.registry import RENDERERS, choose_renderer, open_renderer, renderer_type
 from sdgen.scene import Camera, Scene
+from sdgen.scratch import clear_dead
 
 from tests.fakes import box_room, camera_at, thing
 
@@ -83,6 +86,23 @@ def test_choosing_a_name_imports_no_simulator() -> None:
     code = "import sys, sdgen.render\nprint({'pybullet', 'numpy'} & set(sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout == "set()\n"
+
+
+@pytest.mark.parametrize("end", ["renderer.close()", "os._exit(9)"])
+def test_no_folder_stays_after_a_renderer(
+    end: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Closed, it takes its folder away; killed, the next owner of one does."""
+    code = (
+        f"import os\nfrom sdgen.render import open_renderer\nrenderer = open_renderer('cpu')\n{end}"
+    )
+    subprocess.run(
+        [sys.executable, "-c", code], check=False, env={**os.environ, "TMPDIR": str(tmp_path)}
+    )
+    assert len(list(tmp_path.iterdir())) == (1 if "_exit" in end else 0)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    clear_dead()
+    assert list(tmp_path.iterdir()) == []
 
 
 class FlatRenderer(Renderer):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import tempfile
+from contextlib import ExitStack
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,7 @@ from sdgen.render.opengl import depth_from_buffer, projection_matrix, scaled, vi
 from sdgen.render.protocol import Picture
 from sdgen.render.shell import LIGHT_M, ShellFolder, structure_faces
 from sdgen.scene import Camera, ObjectInstance, Scene, Structure
+from sdgen.scratch import Scratch
 
 # The EGL window of the plugin; a larger picture would be scaled up from it without a word.
 _TILE = (2560, 2048)
@@ -50,8 +51,8 @@ class BulletGraphics:
     def __init__(self, device: int, face_levels: bool) -> None:
         self._device = device
         self._face_levels = face_levels
-        self._folder = tempfile.TemporaryDirectory(prefix="sdgen-shell-")
-        self._shell = ShellFolder(Path(self._folder.name))
+        self._held = ExitStack()
+        self._shell = ShellFolder(self._held.enter_context(Scratch()))
         self.client: int = pb.connect(pb.DIRECT)
         #: Visual shape of an OBJ file in a colour, and the middle of its mesh.
         self._shapes: dict[tuple[Path, Rgba], tuple[int, Array]] = {}
@@ -65,7 +66,7 @@ class BulletGraphics:
         if self.client >= 0:
             pb.disconnect(physicsClientId=self.client)
             self.client = -1
-            self._folder.cleanup()
+            self._held.close()
 
     def load(self, library: Library, scene: Scene) -> None:
         """Put the scene, moved by :func:`drawing_shift`, into the emptied world."""

@@ -4,7 +4,7 @@ import itertools
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from sdgen.catalog.predicate_yaml import read_predicate
 from sdgen.catalog.terms import TERMS
@@ -187,7 +187,8 @@ def verdicts(name, points, x, y):
 
 
 @pytest.mark.parametrize("name", SWEEPS)
-@settings(max_examples=6, deadline=None)
+# Sixty points a try are dear to shrink, and the numbers of a failure say enough.
+@settings(max_examples=6, deadline=None, phases=[Phase.explicit, Phase.generate])
 @given(SHIFT, SHIFT, st.floats(0.0, 1.0))
 def test_true_then_undecided_then_false(name, x, y, phase):
     points = [0.0, *((k + phase) / 60 for k in range(60)), 1.0]

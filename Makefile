@@ -13,7 +13,7 @@ DEMO_OUT ?= output/demo
 DEMO_OPTIONS ?= --n 12 --seed 7 --views 6 --size 480x360
 PYTEST_OPTIONS ?=
 #: One process a core; more than eight would want more memory than most machines have.
-PYTEST := $(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadgroup --durations 10
+PYTEST := $(BIN)/python -m pytest -n logical --maxprocesses 8 --dist loadgroup --durations 10
 
 .PHONY: help demo test test-library lint docs assets clean env dev-env
 .DEFAULT_GOAL := help

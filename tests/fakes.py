@@ -88,7 +88,7 @@ def write_library(folder: Path) -> Path:
             {
                 "id": name,
                 "category": name[:-3],
-                "licence": "CC0",
+                "licence": "CC0-1.0",
                 "source": "test",
                 "extents_m": [float(v) for v in high_all - low_all],
                 "mass_kg": model.get("mass", 0.5),

@@ -39,3 +39,14 @@ def test_many_rays_in_batches_equal_few(library: Library) -> None:
     assert set(first.object_id.tolist()) >= {2, 4, 10, 11}
     assert np.array_equal(first.object_id[15000:], again.object_id)
     assert np.array_equal(first.distance_m[15000:], again.distance_m)
+
+
+def test_what_rays_come_near_later_is_there_then(library: Library) -> None:
+    scene = box_room([thing(10, "cube_01", (-1.5, 0, 0)), thing(11, "cube_02", (1.5, 0, 0))])
+    left, right = np.array([[-1.5, 0, 1.0]]), np.array([[1.5, 0, 1.0]])
+    with RayWorld(library, scene) as world:
+        assert world.cast(left, left - [0, 0, 1]).object_id.tolist() == [10]
+        assert world.cast(right, right - [0, 0, 1]).object_id.tolist() == [11]
+        assert world.cast(left - [0, 0, 0.9], right - [0, 0, 0.9]).object_id.tolist() == [10]
+        inwards = world.cast(left + [0.5, 0, -0.9], right - [0, 0, 0.9])
+        assert inwards.object_id.tolist() == [11]

@@ -6,6 +6,7 @@ import io
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -48,6 +49,11 @@ class MeshData:
     normals: Floats
     uvs: Floats
     faces: Ints
+
+    @cached_property
+    def bounds_m(self) -> Floats:
+        """Lowest and highest corner of the part's box, (2, 3)."""
+        return np.array([self.vertices.min(axis=0), self.vertices.max(axis=0)])
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from sdgen.cameras import Sight, choose_views, unseen
 from sdgen.catalog.load import catalog_sha256
 from sdgen.catalog.records import Catalog
+from sdgen.facts import Facts
 from sdgen.hazards.certify import Survey, facts_of, survey
 from sdgen.hazards.labels import anomaly_records, lookalike_records
 from sdgen.hazards.twin import physics_of_twin, undone
@@ -62,10 +63,12 @@ def finish(
         cameras=cameras,
     )
     # Whether or not it is written: what a scene holds does not depend on --twins.
-    twin = benign_twin(bundle, catalog, library.infos)
-    if isinstance(twin, Rejection):
-        return twin
-    return replace(bundle, twin=twin) if options.twins else bundle
+    undone_soundly = check_undone(bundle, catalog, library.infos)
+    if isinstance(undone_soundly, Rejection):
+        return undone_soundly
+    if not options.twins:
+        return bundle
+    return replace(bundle, twin=_twin(bundle, catalog, library.infos, *undone_soundly))
 
 
 def certificate(catalog: Catalog, assets_sha256: str, surveyed: Survey) -> Certificate:
@@ -100,6 +103,15 @@ def benign_twin(
     bundle: SceneBundle, catalog: Catalog, infos: Mapping[str, AssetInfo]
 ) -> SceneBundle | Rejection:
     """The scene with its anomalies undone; rejected when some hazard still holds, or may."""
+    found = check_undone(bundle, catalog, infos)
+    return found if isinstance(found, Rejection) else _twin(bundle, catalog, infos, *found)
+
+
+def check_undone(
+    bundle: SceneBundle, catalog: Catalog, infos: Mapping[str, AssetInfo]
+) -> tuple[Facts, Survey] | Rejection:
+    """Facts and survey of the scene with its anomalies undone; rejected when some hazard still
+    holds, or may."""
     scene = undone(bundle.scene, bundle.anomalies.anomalies, catalog, infos)
     facts = facts_of(scene, infos, catalog)
     surveyed = survey(facts, catalog)
@@ -109,6 +121,16 @@ def benign_twin(
         return reject(
             "twin", check, category=category, other=left.hazard, objects=(left.object_id,)
         )
+    return facts, surveyed
+
+
+def _twin(
+    bundle: SceneBundle,
+    catalog: Catalog,
+    infos: Mapping[str, AssetInfo],
+    facts: Facts,
+    surveyed: Survey,
+) -> SceneBundle:
     records = bundle.anomalies
     benign = {
         "anomalies": (),
@@ -116,10 +138,10 @@ def benign_twin(
     }
     return replace(
         bundle,
-        scene=scene,
-        graph=build_graph(scene, infos, catalog, facts),
+        scene=facts.scene,
+        graph=build_graph(facts.scene, infos, catalog, facts),
         anomalies=records.model_copy(update=benign),
-        physics=physics_of_twin(scene, bundle.physics),
+        physics=physics_of_twin(facts.scene, bundle.physics),
     )
 
 

@@ -86,7 +86,7 @@ def _one(item: SceneItem, library: Library, client: Client) -> list[Problem]:
 def check_scene_physics(item: SceneItem, library: Library, client: Client) -> Iterator[Problem]:
     """One scene: unpenetrated (all pairs), supported (all that is not fixed), and still."""
     scene, where = item.scene, item.where("scene.json")
-    named: dict[int, str] = {structure.id: structure.category for structure in scene.home.structures}
+    named: dict[int, str] = {s.id: s.category for s in scene.home.structures}
     shell = set(named)
     named |= {thing.id: thing.category for thing in scene.objects}
 

@@ -84,3 +84,58 @@ def test_what_a_recipe_leaves_open(text: str, recipe: PlaceRecipe | SetRecipe, w
 def test_a_contradiction_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:
     (found,) = problems(write(tmp_path, hazards__wobbly_vase=HAZARD.replace(old, new, 1)))
     assert problem in found
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        (
+            "remedy:",
+            "lookalikes:\n"
+            "  - {place: puddle, state: SPILLED, relation: ON, target: floor}\n"
+            "remedy:",
+            ":15: lookalikes[0]: puddle ON floor satisfies the hazard 'spill'",
+        ),
+        (
+            "  category: vase\n  relation: ON",
+            "  any: [{category: vase}, {not: {category: vase}}]",
+            ":9: predicate: is true of every ",
+        ),
+        ("  category: vase\n  relation: ON", "  height: {min_m: 0}", "is true of every "),
+        (
+            "  - {place: vase, relation: ON, target: coffee_table}",
+            "  - {place: vase, relation: ON, target: coffee_table}\n"
+            "  - {place: mug, relation: ON, target: coffee_table}",
+            "mug ON coffee_table can never satisfy the predicate",
+        ),
+    ],
+)
+def test_what_could_never_be_built_is_told(
+    tmp_path: Path, old: str, new: str, problem: str
+) -> None:
+    assert old in HAZARD
+    found = problems(write(tmp_path, hazards__wobbly_vase=HAZARD.replace(old, new, 1)))
+    assert any(problem in line for line in found), found
+
+
+def test_one_object_cannot_be_two_hazards(tmp_path: Path) -> None:
+    medicine = HAZARD.replace("category: vase", "category: pill_box").replace(
+        "{place: vase, relation: ON, target: coffee_table}",
+        "{place: pill_box, relation: ON, target: nightstand, max_height_m: 1.2}",
+    )
+    (found,) = problems(write(tmp_path, hazards__wobbly_vase=medicine))
+    assert "anomalies[0]: pill_box ON nightstand satisfies the hazard 'poison_medication'" in found
+
+
+def test_a_misspelt_folder_and_replacing_nothing_are_told(tmp_path: Path) -> None:
+    write(tmp_path, hazard__wobbly_vase=HAZARD)
+    (found,) = problems(tmp_path)
+    assert found == f"{tmp_path}/hazard: no folder of a catalogue (did you mean 'hazards'?)"
+    write(
+        tmp_path / "b",
+        room="attic: {}",
+        hazards__stove_of=HAZARD.replace("wobbly_vase", "stove_of") + "replaces: true\n",
+    )
+    found = "\n".join(problems(tmp_path / "b"))
+    assert "room.yaml: no file of a catalogue (did you mean 'rooms.yaml'?)" in found
+    assert "replaces: there is no hazard 'stove_of' to replace (did you mean 'stove_on'?)" in found

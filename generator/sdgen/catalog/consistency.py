@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from sdgen.catalog.entry import Entry
-from sdgen.catalog.records import Hazard, PlaceRecipe, Recipe
+from sdgen.catalog.records import Category, Hazard, PlaceRecipe, Recipe
 from sdgen.catalog.terms.term import Case
 
 
@@ -19,6 +21,40 @@ def check_recipes(entry: Entry, hazard: Hazard) -> None:
             if not hazard.predicate.possible(case).be_false:
                 message = f"{name} satisfies the predicate: it would be an anomaly"
                 entry.problem(message, "lookalikes", index)
+
+
+def check_among(
+    entries: Mapping[str, Entry], hazards: Sequence[Hazard], categories: Sequence[Category]
+) -> None:
+    """Note predicates that normal homes satisfy, and recipes that surely make another hazard.
+
+    Only what follows from recipes alone; a build's first tries find the rest.
+    """
+    normal = [c.name for c in categories if c.lives or c.kind == "furniture"]
+    for hazard in hazards:
+        entry = entries[hazard.id]
+        always = [name for name in normal if not hazard.predicate.possible(Case(name)).be_false]
+        if always:
+            names = ", ".join(always[:3]) + (" ..." if len(always) > 3 else "")
+            text = f"is true of every {names} wherever it is, and normal homes hold such"
+            entry.problem(text, "predicate")
+        for key, recipes in (("anomalies", hazard.anomalies), ("lookalikes", hazard.lookalikes)):
+            for index, recipe in enumerate(recipes):
+                for name, case in cases(recipe):
+                    for other in hazards:
+                        # What a pack claims of shipped recipes is no mistake in their files.
+                        blamed = hazard.pack != "core" or other.pack == "core"
+                        if other.id == hazard.id or not blamed:
+                            continue
+                        if not other.predicate.possible(case).be_false:
+                            entry.problem(_twice(key, name, other.id), key, index)
+
+
+def _twice(key: str, name: str, other: str) -> str:
+    """What to say of a recipe whose object satisfies another hazard, too."""
+    if key == "lookalikes":
+        return f"{name} satisfies the hazard {other!r}: it would be an anomaly"
+    return f"{name} satisfies the hazard {other!r}, too, and no object may be both: narrow one"
 
 
 def cases(recipe: Recipe) -> list[tuple[str, Case]]:

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from sdgen.catalog.consistency import check_among
 from sdgen.catalog.entry import Entry
 from sdgen.catalog.enumeration import catalog_sha256, check_against_library, enumerate_anomalies
 from sdgen.catalog.folder import Folder, extension_names, open_extra, open_folder
@@ -107,6 +108,8 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         homes=tuple(home.record() for home in homes if home is not None),
         mixes=named("plans", MixYaml),
     )
+    if not any(source.problems for folder in folders for _, source in folder.all()):
+        check_among(found["hazards"], catalog.hazards, catalog.categories)
     for folder in folders:
         for _, source in folder.all():
             problems.extend(source.problems)

@@ -7,7 +7,7 @@ from typing import Literal
 from sdgen.catalog.predicate import Evidence, FactSource, Verdict, rounded
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.limits import limits_in_words, read_limits, within
-from sdgen.catalog.terms.term import EITHER, NEVER, Can, Case, Scope, Term
+from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Term
 
 #: Settling moves things by millimetres; nobody would call three centimetres of height a mistake.
 MARGIN_M = 0.03
@@ -58,4 +58,13 @@ class HeightTerm(Term):
         high = 0.0 if floor else case.max_height_m
         under = high is not None and self.min_m is not None and high < self.min_m
         over = low is not None and self.max_m is not None and low > self.max_m
-        return NEVER if under or over else EITHER
+        if under or over:
+            return NEVER
+        # Nothing lies below the floor.
+        above = self.min_m is None or self.min_m <= 0 or _clear(low, self.min_m + self.margin_m)
+        below = self.max_m is None or (high is not None and high <= self.max_m - self.margin_m)
+        return ALWAYS if above and below else EITHER
+
+
+def _clear(low: float | None, limit: float) -> bool:
+    return low is not None and low >= limit

@@ -48,5 +48,5 @@ def test_what_rays_come_near_later_is_there_then(library: Library) -> None:
         assert world.cast(left, left - [0, 0, 1]).object_id.tolist() == [10]
         assert world.cast(right, right - [0, 0, 1]).object_id.tolist() == [11]
         assert world.cast(left - [0, 0, 0.9], right - [0, 0, 0.9]).object_id.tolist() == [10]
-        inwards = world.cast(left + [0.5, 0, -0.9], right - [0, 0, 0.9])
+        inwards = world.cast(left - [-0.5, 0, 0.9], right - [0, 0, 0.9])
         assert inwards.object_id.tolist() == [11]

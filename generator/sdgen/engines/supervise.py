@@ -33,13 +33,14 @@ class Limits:
     """When a worker is given up: seconds a job, megabytes it holds after a job or within one.
 
     ``retries`` of a job whose worker crashed or hung: one by default, since a crash that comes
-    from the job comes again.
+    from the job comes again. ``start_s``: within these one of the workers at least must be ready.
     """
 
     timeout_s: float = 900.0
     memory_mb: float = float("inf")
     bloat_mb: float = float("inf")
     retries: int = 1
+    start_s: float = 900.0
 
 
 @dataclass
@@ -169,7 +170,7 @@ class Supervised:
 
     def _nobody_left(self) -> None:
         silent = time.monotonic() - self._heard
-        if silent > self._limits.timeout_s and not any(place.ready for place in self._places):
+        if silent > self._limits.start_s and not any(place.ready for place in self._places):
             raise SdgenError(f"no worker has started in {silent:.0f} s")
 
     def _start_failed(self, message: Died) -> None:

@@ -99,7 +99,7 @@ def test_a_contradiction_is_told(tmp_path: Path, old: str, new: str, problem: st
         (
             "  category: vase\n  relation: ON",
             "  any: [{category: vase}, {not: {category: vase}}]",
-            ":9: predicate: is true of every ",
+            ":8: predicate: is true of every ",
         ),
         ("  category: vase\n  relation: ON", "  height: {min_m: 0}", "is true of every "),
         (
@@ -119,12 +119,11 @@ def test_what_could_never_be_built_is_told(
 
 
 def test_one_object_cannot_be_two_hazards(tmp_path: Path) -> None:
-    medicine = HAZARD.replace("category: vase", "category: pill_box").replace(
-        "{place: vase, relation: ON, target: coffee_table}",
-        "{place: pill_box, relation: ON, target: nightstand, max_height_m: 1.2}",
+    puddle = HAZARD.replace("category: vase", "category: puddle").replace(
+        "{place: vase,", "{place: puddle, state: SPILLED,"
     )
-    (found,) = problems(write(tmp_path, hazards__wobbly_vase=medicine))
-    assert "anomalies[0]: pill_box ON nightstand satisfies the hazard 'poison_medication'" in found
+    (found,) = problems(write(tmp_path, hazards__wobbly_vase=puddle))
+    assert "anomalies[0]: puddle ON coffee_table satisfies the hazard 'spill', too" in found
 
 
 def test_a_misspelt_folder_and_replacing_nothing_are_told(tmp_path: Path) -> None:

@@ -79,6 +79,39 @@ def test_validate_asks_the_models_too(tmp_path: Path, capsys: pytest.CaptureFixt
     assert "no model of vase can be UPSIDE_DOWN" in capsys.readouterr().err
 
 
+#: A hazard of one's own, sound as far as reading goes: but medicine there is poison_medication.
+BY_THE_BED = (
+    HAZARD.replace("category: vase\n  relation: ON", "category: [medicine_bottle, vase]")
+    .replace("predicate:\n", "predicate:\n  relation: ON\n  target: TARGET\n")
+    .replace(
+        "place: vase, relation: ON, target: coffee_table",
+        "place: THING, relation: ON, target: TARGET",
+    )
+)
+
+
+@pytest.mark.parametrize(
+    ("thing", "target", "told"),
+    [
+        ("medicine_bottle", "nightstand", "'wobbly_vase' overlaps 'poison_medication': "),
+        ("vase", "wall_clock", "'wobbly_vase' fits nowhere: "),
+    ],
+    ids=["another hazard too", "no place"],
+)
+def test_validate_tries_what_it_has_read(
+    thing: str, target: str, told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What a build would find out in its first minutes is said when a catalogue is checked."""
+    folder = write(
+        tmp_path,
+        hazards__wobbly_vase=BY_THE_BED.replace("THING", thing).replace("TARGET", target),
+    )
+    assert run(["catalog", "validate", str(folder)]) == 1
+    output = capsys.readouterr()
+    assert "good" not in output.out
+    assert [told in line for line in output.err.splitlines()] == [True]
+
+
 def test_every_subcommand_has_help_with_an_example() -> None:
     for name in ("list", "show", "enumerate", "validate"):
         assert f"Example: sdgen catalog {name}" in " ".join(call(name, "--help").output.split())

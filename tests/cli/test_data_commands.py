@@ -31,7 +31,7 @@ def test_validate_exits_1_and_locates(tmp_path: Path, capsys: Captured) -> None:
     assert run(["validate", str(path)]) == 1
     told = capsys.readouterr()
     assert "scenes/000001/household.json: changed since it was written" in told.out
-    assert "scenes/000001/household.json: template: Field required" in told.out
+    assert "scenes/000001/household.json: missing key 'template': expected text" in told.out
     assert "problems" in told.err
 
 

@@ -19,6 +19,6 @@ def test_everything_that_decides_bytes_is_named() -> None:
 
 def test_a_build_records_them(tmp_path: Path) -> None:
     with toy.open_writer(tmp_path / "out", toy.small(n=1), versions=None) as writer:
-        writer.finish(renderers=("painted",))
+        writer.finish()
     info = json.loads((tmp_path / "out" / "dataset.json").read_text(encoding="utf-8"))
     assert info["versions"] == package_versions()

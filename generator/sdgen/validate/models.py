@@ -13,7 +13,6 @@ from sdgen.catalog.records import Category
 from sdgen.geometry import Array, apply
 from sdgen.library import Library
 from sdgen.library.alone import MODEL_ID, alone_on_floor
-from sdgen.library.plausible import LICENCES
 from sdgen.library.records import Asset
 from sdgen.library.shape import corners_of, hull_volume, outside_share, see_through, surface_points
 from sdgen.library.states import object_from_part
@@ -120,12 +119,6 @@ def texture(model: Model, client: Client) -> Iterator[str]:
             yield f"part {part!r} has no texture coordinates"
 
 
-def licence(model: Model, client: Client) -> Iterator[str]:
-    """A licence under which data sets may be passed on."""
-    if model.asset.licence not in LICENCES:
-        yield f"licence {model.asset.licence!r} is none of {', '.join(LICENCES)}"
-
-
 def collision(model: Model, client: Client) -> Iterator[str]:
     """Collision pieces that fill the visual mesh and no more."""
     item = alone_on_floor(model.library, model.asset.id).object(MODEL_ID)
@@ -229,7 +222,6 @@ CHECKS: dict[str, Callable[[Model, Client], Iterator[str]]] = {
     "faces": faces,
     "closed": closed,
     "texture": texture,
-    "licence": licence,
     "collision": collision,
     "rest": rest,
     "joints": joints,

@@ -26,9 +26,10 @@ def test_what_is_written_is_sorted_and_comes_back(causes):
 
 @given(COUNTED)
 def test_a_rejected_scene_crosses_processes_whole(causes):
-    error = SceneRejected("000003", causes)
+    error = SceneRejected("000003", causes, home_attempts=2)
     back = pickle.loads(pickle.dumps(error))
     assert (back.scene_id, back.causes, str(back)) == ("000003", causes, str(error))
+    assert back.home_attempts == 2
     assert list(back.causes) == [cause for cause, _ in most_frequent(causes)]
 
 

@@ -45,17 +45,19 @@ class AssetError(InputError):
 class SceneRejected(SdgenError):
     """A scene's stated attempt budget is spent.
 
-    ``causes`` counts its rejections, most frequent first.
+    ``causes`` counts its rejections, most frequent first; ``home_attempts`` the homes really
+    tried, 0 when nobody can tell (its worker died).
     """
 
-    def __init__(self, scene_id: str, causes: Causes) -> None:
+    def __init__(self, scene_id: str, causes: Causes, home_attempts: int = 0) -> None:
         self.scene_id = scene_id
+        self.home_attempts = home_attempts
         self.causes: Causes = dict(most_frequent(causes))
         top = causes_in_words(self.causes, 4)
         super().__init__(f"scene {scene_id}: could not be made ({top or 'no reason recorded'})")
 
-    def __reduce__(self) -> tuple[type[SceneRejected], tuple[str, Causes]]:
-        return (SceneRejected, (self.scene_id, self.causes))
+    def __reduce__(self) -> tuple[type[SceneRejected], tuple[str, Causes, int]]:
+        return (SceneRejected, (self.scene_id, self.causes, self.home_attempts))
 
 
 class WorkerFault(SdgenError):

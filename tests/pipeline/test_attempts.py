@@ -3,8 +3,11 @@
 from collections import Counter
 from dataclasses import replace
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
+from sdgen.engines.protocol import Outcome
+from sdgen.engines.tally import Tally
 from sdgen.errors import SceneRejected
 from sdgen.hazards.placing import Injected
 from sdgen.home.layout import Intent
@@ -126,12 +129,17 @@ def test_only_the_same_overlap_in_nearly_all_tries_ends_them():
 
 
 @pytest.mark.parametrize(
-    ("cause", "tries"), [(OVERLAP, OVERLAP_HOMES * OVERLAP_TRIES), (NO_REST, 5 * 20)]
+    ("cause", "homes", "tries"),
+    [(OVERLAP, OVERLAP_HOMES, OVERLAP_HOMES * OVERLAP_TRIES), (NO_REST, 5, 5 * 20)],
 )
-def test_overlapping_hazards_are_not_tried_a_hundred_times(cause, tries, monkeypatch):
+def test_overlapping_hazards_are_not_tried_a_hundred_times(cause, homes, tries, monkeypatch):
     rejected = reject(*cause[:2], hazard=cause.hazard, category=cause.category, other=cause.other)
     monkeypatch.setattr(scene_module, "furnish_for", lambda *_: None)
     monkeypatch.setattr(scene_module, "try_scene", lambda *_: rejected)
     with pytest.raises(SceneRejected) as caught:
         make_scene(0, toy.catalog(), None, BuildOptions(), client=object())
     assert caught.value.causes == Counter({cause: tries})
+    # The report's share of accepted homes counts those that were tried, not those allowed.
+    tally = Tally(1)
+    tally.take_failed(Outcome(0, error=caught.value))
+    assert tally.report(Path(), 0.0, 0.0, "none").home_attempts == homes

@@ -255,7 +255,8 @@ def _missing_file(path: Path) -> None:
 
 
 def _extra_file(path: Path) -> None:
-    (path / LAST / "notes.txt").write_text("x")
+    (path / LAST / "views/77").mkdir()
+    (path / LAST / "views/77/rgb.png").write_bytes(b"x")
 
 
 def _missing_scene(path: Path) -> None:
@@ -327,7 +328,7 @@ def _empty_readme(path: Path) -> None:
         (_broken_png, "hash", "rgb.png: changed"),
         (_broken_png, "view", "rgb.png: not a readable picture"),
         (_missing_file, "file", "graph.json: missing"),
-        (_extra_file, "file", "notes.txt: the manifest does not list it"),
+        (_extra_file, "file", "views/77/rgb.png: the manifest does not list it"),
         (_missing_scene, "file", "scenes/000003: missing"),
         (_extra_scene, "file", "scenes/000009: the manifest does not list it"),
         (_link, "file", "graph.json: not a plain file"),
@@ -348,6 +349,12 @@ def test_damage_to_the_whole_is_found(
     damage(copy)
     found = validate(copy)
     assert any(p.check == check and words in p.text for p in found), [str(p) for p in found]
+
+
+def test_files_of_one_s_own_are_no_problem(copy: Path) -> None:
+    for name in ("notes.txt", ".DS_Store", "views/00/mine.png", "../.DS_Store", "../../notes.txt"):
+        (copy / LAST / name).write_text("mine")
+    assert validate(copy) == []
 
 
 def test_another_catalogue_evaluates_its_own_predicates(sound: Path) -> None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from sdgen.dataset.records import DatasetInfo, ManifestEntry
+from sdgen.dataset.records import SCENE_ID, DatasetInfo, ManifestEntry
 from sdgen.dataset.scene_folder import BUILD_FOLDER
 from sdgen.dataset.text import read_lines, read_record
 from sdgen.errors import InputError
@@ -67,7 +67,8 @@ def unlisted(path: Path, info: DatasetInfo, entries: Sequence[ManifestEntry]) ->
 
 def _folders(path: Path) -> set[str]:
     folder = path / "scenes"
-    return {found.name for found in folder.iterdir()} if folder.is_dir() else set()
+    names = {found.name for found in folder.iterdir()} if folder.is_dir() else set()
+    return {name for name in names if re.match(SCENE_ID, name)}
 
 
 def read_manifest(path: Path) -> tuple[ManifestEntry, ...]:

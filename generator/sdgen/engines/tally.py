@@ -11,7 +11,6 @@ from sdgen.engines.protocol import Outcome
 from sdgen.engines.report import BuildReport, SceneDone, SceneFailed
 from sdgen.engines.worker import SceneResult
 from sdgen.errors import SceneRejected
-from sdgen.pipeline.scene import HOME_ATTEMPTS
 from sdgen.rejection import Cause
 
 
@@ -64,7 +63,7 @@ class Tally:
         error = outcome.error
         if isinstance(error, SceneRejected):
             causes = dict(error.causes)
-            self.homes += HOME_ATTEMPTS
+            self.homes += error.home_attempts
         else:
             causes = {Cause("worker", "error"): 1}
         self.rejections.update(causes)

@@ -74,7 +74,7 @@ def make_scene(
                 break
         if max(left_for.values(), default=0) >= OVERLAP_HOMES:
             break
-    raise SceneRejected(f"{index:06d}", rejections)
+    raise SceneRejected(f"{index:06d}", rejections, home_attempt + 1)
 
 
 def overlap_of(tries: Causes) -> Cause | None:

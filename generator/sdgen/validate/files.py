@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import islice
 
@@ -10,8 +11,8 @@ from sdgen.dataset import Dataset
 from sdgen.dataset.disk import file_sha256
 from sdgen.dataset.opening import unlisted
 from sdgen.dataset.reader import SceneItem
-from sdgen.dataset.records import CONTENT_FILES, VISIBILITY_FILE, ManifestEntry, count
-from sdgen.dataset.scene_folder import content_sha256, view_files, view_folder
+from sdgen.dataset.records import CONTENT_FILES, SCENE_ID, VISIBILITY_FILE, ManifestEntry, count
+from sdgen.dataset.scene_folder import content_sha256, is_ours, view_files, view_folder
 from sdgen.dataset.writer import TOP_FILES
 from sdgen.errors import InputError, did_you_mean
 from sdgen.hazards.splits import split_of_home
@@ -50,7 +51,8 @@ def _top(data: Dataset) -> Iterator[Problem]:
     known = {entry.id for entry in data.entries}
     folder = data.path / SCENES
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():
-        if path.name not in known:
+        # A user's own files (notes, what a file manager leaves) are none of ours to judge.
+        if path.name not in known and re.match(SCENE_ID, path.name):
             yield Problem("file", f"{SCENES}/{path.name}: the manifest does not list it")
     try:
         digest = catalog_sha256(data.catalog)
@@ -104,7 +106,8 @@ def _twin(twin: ManifestEntry, scene: ManifestEntry, where: str) -> Iterator[Pro
 
 
 def check_files(data: Dataset, item: SceneItem) -> Iterator[Problem]:
-    """One scene's files: exactly the promised ones, byte for byte those of the manifest."""
+    """One scene's files: those promised, byte for byte those of the manifest, and no other that
+    bears a name of ours: a reader would take it for data. Others are a user's own."""
     entry = item.entry
     if item.folder.is_symlink() or not item.folder.is_dir():
         yield Problem("file", f"{SCENES}/{entry.id}: missing")
@@ -113,7 +116,7 @@ def check_files(data: Dataset, item: SceneItem) -> Iterator[Problem]:
     found = {
         p.relative_to(item.folder).as_posix() for p in item.folder.rglob("*") if not p.is_dir()
     }
-    for name in sorted(found - set(entry.files)):
+    for name in sorted(filter(is_ours, found - set(entry.files))):
         yield Problem("file", f"{item.where(name)}: the manifest does not list it")
     for name in sorted(promised - set(entry.files)):
         yield Problem("file", f"{item.where(name)}: promised by the options, not in the manifest")

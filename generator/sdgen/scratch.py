@@ -1,4 +1,4 @@
-"""Scratch folders: one a build, in the system's folder for temporary files, gone when it ends.
+"""Scratch folders: gone when their owner ends, by default in the system's temporary files.
 
 Its owner holds a lock in it for as long as it lives, so a folder whose lock is free belongs to
 nobody any more, however its owner ended; the next build takes such folders away. (A process
@@ -20,12 +20,18 @@ _LOCK = "lock"
 
 
 class Scratch:
-    """A folder that is there inside ``with`` and gone after it, whatever happened."""
+    """A folder that is there inside ``with`` and gone after it, whatever happened.
+
+    It lies in ``within``; None is the system's folder for temporary files.
+    """
+
+    def __init__(self, within: Path | None = None) -> None:
+        self._within = within
 
     def __enter__(self) -> Path:
-        clear_dead()
+        clear_dead(self._within)
         while True:
-            folder = Path(tempfile.mkdtemp(prefix=PREFIX))
+            folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=self._within))
             try:
                 lock = FileLock.take(folder / _LOCK)
             except FileNotFoundError:
@@ -45,9 +51,9 @@ class Scratch:
         self._lock.release()
 
 
-def clear_dead() -> None:
-    """Take away this user's scratch folders whose owners are gone."""
-    for folder in Path(tempfile.gettempdir()).glob(f"{PREFIX}*"):
+def clear_dead(within: Path | None = None) -> None:
+    """Take away this user's scratch folders in ``within`` whose owners are gone."""
+    for folder in (within or Path(tempfile.gettempdir())).glob(f"{PREFIX}*"):
         try:
             mine = not hasattr(os, "getuid") or folder.lstat().st_uid == os.getuid()
             if not mine or folder.is_symlink() or not folder.is_dir():

@@ -1,36 +1,64 @@
-"""Unpacks models for PyBullet: one OBJ and MTL a part, textures shared by content.
+"""The user's cache of models: where it is, and files that appear in it whole or not at all.
 
-PyBullet reads no GLB, and textures must come through the MTL. The cache is keyed by content, so
-it never goes stale, and folders appear whole, so workers may share it.
+Everything in it is named by the content it was made from, so it never goes stale and any number of
+processes may share it. What is written lies in a scratch folder inside the cache until it is
+whole; of a writer that was killed the next one clears that away.
 """
 
 from __future__ import annotations
 
-import contextlib
+import errno
 import hashlib
-import io
 import os
-import shutil
-import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
-from PIL import Image
-
 from sdgen.errors import AssetError
-from sdgen.library.meshes import MeshData
+from sdgen.scratch import Scratch
 
 _VERSION = b"2"
-MAX_SIDE = 8192
+#: The user may choose another folder by this variable; child processes inherit it.
+VARIABLE = "SDGEN_CACHE"
 
 
 def cache_root() -> Path:
     """``$SDGEN_CACHE``, else ``sdgen`` in the user's cache folder."""
-    chosen = os.environ.get("SDGEN_CACHE")
+    chosen = os.environ.get(VARIABLE)
     if chosen:
         return Path(chosen)
     base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
     return Path(base) / "sdgen"
+
+
+@contextmanager
+def usable_cache() -> Iterator[str | None]:
+    """A cache that can be written, for this process and those it starts.
+
+    Yields None, or a line that says that the user's cannot be and a scratch folder, gone at the
+    end, stands in for it. A full disk is not one of these cases: the scratch folder would be
+    full too. Raises AssetError for it.
+    """
+    try:
+        with _scratch():
+            pass
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise AssetError([_hint(error)]) from None
+        why = f"{cache_root()}: the model cache cannot be written ({error.strerror})"
+    else:
+        yield None
+        return
+    before = os.environ.get(VARIABLE)
+    with Scratch() as folder:
+        os.environ[VARIABLE] = str(folder)
+        try:
+            yield f"{why}: a temporary one is used; set {VARIABLE} to a folder that can be"
+        finally:
+            if before is None:
+                del os.environ[VARIABLE]
+            else:
+                os.environ[VARIABLE] = before
 
 
 def digest(*chunks: bytes) -> str:
@@ -41,94 +69,31 @@ def digest(*chunks: bytes) -> str:
     return total.hexdigest()[:20]
 
 
-def cached_texture(source: Path) -> Path:
-    """The texture's copy in the cache, named by content so that equal files are loaded once."""
-    data = _texture_bytes(source)
-    suffix = ".png" if data.startswith(b"\x89PNG") else ".jpg"
-    target = cache_root() / "textures" / f"{digest(data)}{suffix}"
-    if not target.exists():
-        check_texture(source)
-        _write_file(target, data)
-    return target
+def write(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Put files into a folder of the cache, each at once, in the order given.
 
-
-def check_texture(source: Path) -> None:
-    """Raise AssetError unless this is a whole PNG or JPEG of a sensible size.
-
-    The renderer would show a broken one as plain white, without a word.
+    Another process may be writing the same: then both write the same bytes. Raises AssetError
+    where the cache cannot be written.
     """
     try:
-        with Image.open(io.BytesIO(_texture_bytes(source)), formats=("PNG", "JPEG")) as image:
-            if max(image.size) > MAX_SIDE:
-                text = f"texture of {image.size} pixels, at most {MAX_SIDE} a side"
-                raise AssetError([f"{source}: {text}"])
-            image.load()
-    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError):
-        raise AssetError([f"{source}: texture is no whole PNG or JPEG"]) from None
-
-
-def _texture_bytes(source: Path) -> bytes:
-    try:
-        data = source.read_bytes()
-    except OSError as error:
-        raise AssetError([f"{source}: texture cannot be read: {error.strerror}"]) from None
-    if not data.startswith((b"\x89PNG", b"\xff\xd8")):
-        raise AssetError([f"{source}: texture is neither PNG nor JPEG"])
-    return data
-
-
-def _write_file(target: Path, data: bytes) -> None:
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=target.parent)
-        with os.fdopen(handle, "wb") as out:
-            out.write(data)
-        os.replace(temporary, target)
+        with _scratch() as place:
+            folder.mkdir(parents=True, exist_ok=True)
+            for name, data in files.items():
+                (place / name).write_bytes(data)
+                os.replace(place / name, folder / name)
     except OSError as error:
         raise AssetError([_hint(error)]) from None
+
+
+def _scratch() -> Scratch:
+    """A scratch folder on the cache's own disk."""
+    place = cache_root() / "making"
+    place.mkdir(parents=True, exist_ok=True)
+    return Scratch(place)
 
 
 def _hint(error: OSError) -> str:
     return (
         f"{cache_root()}: the model cache cannot be written: {error.strerror}; "
-        "set SDGEN_CACHE to a folder that can"
+        f"set {VARIABLE} to a folder that can"
     )
-
-
-def obj_text(mesh: MeshData, mtl: str) -> str:
-    """A Wavefront OBJ of the mesh with normals and texture coordinates."""
-    lines = [f"mtllib {mtl}", "usemtl m"]
-    lines += [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in mesh.vertices]
-    lines += [f"vt {u:.5f} {v:.5f}" for u, v in mesh.uvs]
-    lines += [f"vn {x:.3f} {y:.3f} {z:.3f}" for x, y, z in mesh.normals]
-    lines += [f"f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}" for a, b, c in mesh.faces + 1]
-    return "\n".join(lines) + "\n"
-
-
-def mtl_text(texture: str) -> str:
-    """A material that shows the texture as it is."""
-    return f"newmtl m\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nmap_Kd {texture}\n"
-
-
-def unpack(
-    key: str, meshes: Mapping[str, MeshData], textures: Mapping[str, Path]
-) -> dict[str, Path]:
-    """OBJ files of a model's parts, written on first use; ``textures`` maps part to PNG."""
-    folder = cache_root() / "models" / key
-    if not folder.is_dir():
-        try:
-            folder.parent.mkdir(parents=True, exist_ok=True)
-            temporary = Path(tempfile.mkdtemp(dir=folder.parent))
-            for part, mesh in meshes.items():
-                texture = "../../textures/" + textures[part].name
-                (temporary / f"{part}.mtl").write_text(mtl_text(texture), encoding="utf-8")
-                text = obj_text(mesh, f"{part}.mtl")
-                (temporary / f"{part}.obj").write_text(text, encoding="utf-8")
-            # Another worker may have been faster: its folder holds the same bytes.
-            with contextlib.suppress(OSError):
-                os.rename(temporary, folder)
-            if temporary.is_dir():
-                shutil.rmtree(temporary, ignore_errors=True)
-        except OSError as error:
-            raise AssetError([_hint(error)]) from None
-    return {part: folder / f"{part}.obj" for part in meshes}

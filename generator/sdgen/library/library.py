@@ -3,29 +3,28 @@
 from __future__ import annotations
 
 import hashlib
+from collections import OrderedDict
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from sdgen.errors import AssetError
-from sdgen.library.cache import cached_texture, check_texture, digest, unpack
-from sdgen.library.manifest import read_manifest
-from sdgen.library.meshes import (
-    Hull,
-    MeshData,
-    check_extents,
-    outline,
-    read_glb,
-    read_hulls,
-    within_meshes,
-)
+from sdgen.library.cache import digest
+from sdgen.library.kept import kept_manifest
+from sdgen.library.meshes import Hull, MeshData, check_extents, read_glb, read_hulls
+from sdgen.library.prepared import Model, Prepared
 from sdgen.library.records import Asset, AssetInfo, Surface
+from sdgen.library.unpack import cached_texture, check_texture, unpack
 from sdgen.resources import data_path
+
+#: Models held at a time. A scene has 60 to 90, and one that is mapped anew costs 0.2 ms; each
+#: holds a file open, of which macOS gives a process 256.
+_HELD = 128
 
 
 class Library:
-    """Assets and surfaces of one or more folders. Meshes are read once and kept."""
+    """Assets and surfaces of one or more folders; models are mapped when asked for."""
 
     def __init__(self, folders: Sequence[Path], sha256: str | None = None) -> None:
         """Read the manifests of ``folders``; ``sha256`` is their digest where it is known."""
@@ -35,14 +34,14 @@ class Library:
         surfaces: dict[str, Surface] = {}
         hasher = hashlib.sha256()
         for folder in folders:
-            found, found_surfaces = read_manifest(folder)
-            hasher.update((folder / "manifest.yaml").read_bytes())
-            for asset in found:
+            manifest = kept_manifest(folder)
+            hasher.update(manifest.raw)
+            for asset in manifest.assets:
                 if asset.id in assets:
                     raise AssetError([f"{folder}: {asset.id}: an asset folder before has this id"])
                 assets[asset.id] = asset
                 self._folder_of[asset.id] = folder
-            for surface in found_surfaces:
+            for surface in manifest.surfaces:
                 if surface.id in surfaces:
                     raise AssetError([f"{folder}: {surface.id}: a folder before has this surface"])
                 surfaces[surface.id] = surface
@@ -54,8 +53,8 @@ class Library:
             before = self._by_category.get(asset.category, ())
             self._by_category[asset.category] = (*before, asset)
         self._infos = _Infos(self)
-        self._meshes: dict[str, dict[str, MeshData]] = {}
-        self._hulls: dict[str, tuple[Hull, ...]] = {}
+        self._prepared = Prepared()
+        self._held: OrderedDict[str, Model] = OrderedDict()
         self._objs: dict[str, dict[str, Path]] = {}
         self._manifest_hash = hasher
         self._sha256 = sha256
@@ -104,21 +103,26 @@ class Library:
 
     def mesh(self, asset_id: str) -> Mapping[str, MeshData]:
         """Triangles of every part. Raises AssetError for a missing or broken file."""
-        if asset_id not in self._meshes:
-            asset = self.assets[asset_id]
-            self._meshes[asset_id] = read_glb(self._folder_of[asset_id] / asset.mesh, asset)
-        return self._meshes[asset_id]
+        return self.model(asset_id).meshes
 
     def hulls(self, asset_id: str) -> tuple[Hull, ...]:
         """Convex collision pieces, none beyond what is drawn.
 
         Raises AssetError for a missing or broken file.
         """
-        if asset_id not in self._hulls:
-            asset = self.assets[asset_id]
-            pieces = read_hulls(self._folder_of[asset_id] / asset.hulls, asset)
-            self._hulls[asset_id] = within_meshes(pieces, self.mesh(asset_id), asset)
-        return self._hulls[asset_id]
+        return self.model(asset_id).hulls
+
+    def model(self, asset_id: str) -> Model:
+        """Arrays of a model. Raises AssetError for a missing or broken file."""
+        if asset_id in self._held:
+            self._held.move_to_end(asset_id)
+        else:
+            self._held[asset_id] = self._prepared.model(
+                self._folder_of[asset_id], self.assets[asset_id]
+            )
+            if len(self._held) > _HELD:
+                self._held.popitem(last=False)
+        return self._held[asset_id]
 
     def objs(self, asset_id: str) -> Mapping[str, Path]:
         """OBJ file of every part, unpacked into the cache on first use."""
@@ -192,9 +196,8 @@ class _Infos(Mapping[str, AssetInfo]):
 
     def __getitem__(self, asset_id: str) -> AssetInfo:
         if asset_id not in self._made:
-            asset = self._library.assets[asset_id]
-            drawn = [self._library.mesh(asset_id)[part] for part in asset.variants["default"]]
-            self._made[asset_id] = asset.info(outline(drawn))
+            outline_m = self._library.model(asset_id).outline_m
+            self._made[asset_id] = self._library.assets[asset_id].info(outline_m)
         return self._made[asset_id]
 
     def __iter__(self) -> Iterator[str]:

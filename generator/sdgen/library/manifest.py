@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import os
 import stat
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
 from sdgen.errors import AssetError, InputError, did_you_mean
-from sdgen.files import kind_of
+from sdgen.files import kind_of, read_plain
 from sdgen.library.plausible import inconsistencies
 from sdgen.library.records import Asset, Surface
 from sdgen.scene import Record
 from sdgen.strict import read, shown
-from sdgen.yaml_source import Path_, Source, read_yaml
+from sdgen.yaml_source import Path_, Source, parse_yaml
 
 R = TypeVar("R", bound=Record)
 
@@ -22,15 +25,37 @@ MAX_VALUES = 5_000_000
 _KEYS = ("assets", "surfaces", "licence")
 
 
-def read_manifest(folder: Path) -> tuple[list[Asset], list[Surface]]:
-    """Records of ``folder/manifest.yaml``; every file they name is there.
+@dataclass(frozen=True)
+class Manifest:
+    """A manifest's bytes and the records in it."""
+
+    raw: bytes
+    assets: tuple[Asset, ...]
+    surfaces: tuple[Surface, ...]
+
+    def files(self) -> Iterator[str]:
+        """Every file that some record names."""
+        for asset in self.assets:
+            yield from _files_of(asset)
+        for surface in self.surfaces:
+            yield surface.texture
+
+
+def manifest_bytes(folder: Path) -> bytes:
+    """The manifest of a folder. Raises AssetError when there is none, or none that is a file."""
+    path = folder / "manifest.yaml"
+    try:
+        return read_plain(path, str(path), MAX_BYTES)
+    except InputError as error:
+        raise AssetError(error.problems) from None
+
+
+def read_manifest(folder: Path, raw: bytes) -> Manifest:
+    """Records of ``folder/manifest.yaml``, whose bytes are given; every file they name is there.
 
     Raises AssetError with all problems, each ``file:line: model: key path: problem``.
     """
-    try:
-        source = read_yaml(folder / "manifest.yaml", None, MAX_BYTES, MAX_VALUES)
-    except InputError as error:
-        raise AssetError(error.problems) from None
+    source = parse_yaml(raw, str(folder / "manifest.yaml"), MAX_BYTES, MAX_VALUES)
     data = source.value
     if isinstance(data, dict):
         for key in data:
@@ -43,13 +68,26 @@ def read_manifest(folder: Path) -> tuple[list[Asset], list[Surface]]:
     for asset, path in assets:
         for below, text in inconsistencies(asset):
             source.problem((*path, *below), text)
-        textures = [part.texture for part in asset.parts if part.texture]
-        _check_files(source, path, folder, [asset.mesh, asset.hulls, asset.texture, *textures])
+        _check_files(source, path, folder, _files_of(asset))
     for surface, path in surfaces:
         _check_files(source, path, folder, [surface.texture])
     if source.found:
         raise AssetError(source.problems)
-    return [asset for asset, _ in assets], [surface for surface, _ in surfaces]
+    return Manifest(raw, tuple(a for a, _ in assets), tuple(s for s, _ in surfaces))
+
+
+def files_there(folder: Path, manifest: Manifest) -> bool:
+    """True when every file that a record names is still there, and a file."""
+    try:
+        # As text: paths of 5,000 files would take as long as all the rest.
+        return all(stat.S_ISREG(os.stat(f"{folder}/{name}").st_mode) for name in manifest.files())
+    except (OSError, ValueError):
+        return False
+
+
+def _files_of(asset: Asset) -> list[str]:
+    textures = [part.texture for part in asset.parts if part.texture]
+    return [asset.mesh, asset.hulls, asset.texture, *textures]
 
 
 def _records(source: Source, key: str, model: type[R]) -> list[tuple[R, Path_]]:

@@ -64,14 +64,22 @@ class Hull:
     vertices_m: Floats
 
 
-def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
-    """Meshes of all parts by name. Raises AssetError for a missing or broken file."""
-    import trimesh
-
+def read_bytes(path: Path) -> bytes:
+    """The bytes of a mesh or hull file. Raises AssetError for what is missing or no file."""
     try:
-        raw = read_plain(path, str(path), MAX_BYTES)
+        return read_plain(path, str(path), MAX_BYTES)
     except InputError as error:
         raise AssetError(error.problems) from None
+
+
+def read_glb(path: Path, asset: Asset, raw: bytes | None = None) -> dict[str, MeshData]:
+    """Meshes of all parts by name; ``raw`` are the file's bytes where they are known.
+
+    Raises AssetError for a missing or broken file.
+    """
+    import trimesh
+
+    raw = read_bytes(path) if raw is None else raw
     try:
         # Without normals trimesh asks scipy for them, and prints tracebacks where there is none.
         bare = lacks_normals(glb_document(raw))
@@ -118,16 +126,18 @@ def read_glb(path: Path, asset: Asset) -> dict[str, MeshData]:
     return {part.name: found[part.name] for part in asset.parts}
 
 
-def read_hulls(path: Path, asset: Asset) -> tuple[Hull, ...]:
-    """Convex pieces of a model. Raises AssetError for a missing or broken file."""
+def read_hulls(path: Path, asset: Asset, raw: bytes | None = None) -> tuple[Hull, ...]:
+    """Convex pieces of a model; ``raw`` are the file's bytes where they are known.
+
+    Raises AssetError for a missing or broken file.
+    """
+    raw = read_bytes(path) if raw is None else raw
     try:
-        data = json.loads(read_plain(path, str(path), MAX_BYTES).decode("utf-8"))
+        data = json.loads(raw.decode("utf-8"))
         hulls = tuple(
             Hull(str(piece["part"]), np.asarray(piece["vertices_m"], dtype=np.float64))
             for piece in data["pieces"]
         )
-    except InputError as error:
-        raise AssetError(error.problems) from None
     except (ValueError, KeyError, TypeError, RecursionError) as error:
         reason = f"{type(error).__name__}: {error}"
         raise AssetError([f"{path}: hulls of {asset.id} cannot be read: {reason}"]) from None

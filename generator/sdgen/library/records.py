@@ -154,8 +154,9 @@ class Asset(AssetInfo):
 
     def info(self, outline_m: tuple[Vec3, ...]) -> AssetInfo:
         """The record without file names, with the outline of its mesh."""
-        data = self.model_dump(exclude={"mesh", "hulls", "texture", "outline_m"})
-        return AssetInfo.model_validate({**data, "outline_m": outline_m})
+        # Its values are checked already, and records are frozen: both may share them.
+        data = {name: getattr(self, name) for name in AssetInfo.model_fields}
+        return AssetInfo.model_construct(**{**data, "outline_m": outline_m})
 
 
 class Surface(Record):

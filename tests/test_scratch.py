@@ -64,8 +64,8 @@ def test_a_folder_taken_for_dead_while_it_was_born_is_replaced(
     make = tempfile.mkdtemp
     born = []
 
-    def stolen_once(prefix: str) -> str:
-        path = make(prefix=prefix)
+    def stolen_once(prefix: str, dir: Path | None) -> str:
+        path = make(prefix=prefix, dir=dir)
         born.append(path)
         if len(born) == 1:
             os.rmdir(path)

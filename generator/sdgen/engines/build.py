@@ -21,6 +21,7 @@ from sdgen.engines.worker import SceneResult, WorkerSetup
 from sdgen.errors import InputError, SdgenError, WorkerFault
 from sdgen.hazards.draw import check_range
 from sdgen.library import Library
+from sdgen.library.cache import usable_cache
 from sdgen.options import BuildOptions
 from sdgen.render import Choice, choose_renderer
 
@@ -53,10 +54,13 @@ def build(
     first, end = index_range if index_range is not None else (0, options.n)
     wanted = {f"{index:06d}": index for index in range(first, end)}
     choice = _renderer(options, on_event)
-    with DatasetWriter.open(
-        out, options, catalog, library.infos, library.sha256, overwrite=overwrite
-    ) as writer:
-        for line in writer.notes:
+    with (
+        usable_cache() as warning,
+        DatasetWriter.open(
+            out, options, catalog, library.infos, library.sha256, overwrite=overwrite
+        ) as writer,
+    ):
+        for line in (*writer.notes, *([warning] if warning else [])):
             on_event(Note(line))
         tally = Tally(len(wanted))
         stop = EarlyStop((hazard.id for hazard in catalog.hazards), wanted.values())

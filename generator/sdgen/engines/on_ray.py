@@ -24,6 +24,7 @@ from sdgen.engines.remote import PROBE, Order, RemoteWorker, receive
 from sdgen.engines.serve import answer, set_up
 from sdgen.engines.worker import WorkerSetup
 from sdgen.errors import SdgenError
+from sdgen.library.cache import usable_cache
 from sdgen.resources import data_path
 from sdgen.scratch import Scratch, clear_dead
 
@@ -44,6 +45,7 @@ class Actor:
         self._stack = ExitStack()
         # For all that is made here, by whatever library.
         tempfile.tempdir = str(self._stack.enter_context(Scratch()))
+        self._stack.enter_context(usable_cache())
 
     def start(self, order: Order) -> Ready | Broken:
         """Set up."""

@@ -20,6 +20,7 @@ from sdgen.scratch import Scratch
 _VERSION = b"2"
 #: The user may choose another folder by this variable; child processes inherit it.
 VARIABLE = "SDGEN_CACHE"
+FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 def cache_root() -> Path:
@@ -35,25 +36,27 @@ def cache_root() -> Path:
 def usable_cache() -> Iterator[str | None]:
     """A cache that can be written, for this process and those it starts.
 
-    Yields None, or a line that says that the user's cannot be and a scratch folder, gone at the
-    end, stands in for it. A full disk is not one of these cases: the scratch folder would be
-    full too. Raises AssetError for it.
+    Yields None, or a line that says that the user's cannot be written and that a scratch folder,
+    gone at the end, stands in for it. Where the disk is full it would be full, too: then writing
+    says so.
     """
+    root = cache_root()
     try:
+        # Of a writer that was killed, this takes away what it left.
         with _scratch():
             pass
     except OSError as error:
-        if error.errno in (errno.ENOSPC, errno.EDQUOT):
-            raise AssetError([_hint(error)]) from None
-        why = f"{cache_root()}: the model cache cannot be written ({error.strerror})"
+        why = None if error.errno in FULL else f"{root}: {error.strerror}"
     else:
+        why = None
+    if why is None:
         yield None
         return
     before = os.environ.get(VARIABLE)
     with Scratch() as folder:
         os.environ[VARIABLE] = str(folder)
         try:
-            yield f"{why}: a temporary one is used; set {VARIABLE} to a folder that can be"
+            yield f"{why}: models are unpacked to a temporary folder, anew in every build"
         finally:
             if before is None:
                 del os.environ[VARIABLE]
@@ -93,7 +96,5 @@ def _scratch() -> Scratch:
 
 
 def _hint(error: OSError) -> str:
-    return (
-        f"{cache_root()}: the model cache cannot be written: {error.strerror}; "
-        f"set {VARIABLE} to a folder that can"
-    )
+    way = "make room" if error.errno in FULL else f"set {VARIABLE} to a folder that can"
+    return f"{cache_root()}: the model cache cannot be written: {error.strerror}; {way}"

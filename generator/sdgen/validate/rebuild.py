@@ -16,6 +16,7 @@ from sdgen.dataset.versions import OF_PICTURES, package_versions
 from sdgen.engines.worker import SceneWorker, WorkerSetup
 from sdgen.errors import RendererError, SceneRejected
 from sdgen.library import Library
+from sdgen.library.cache import usable_cache
 from sdgen.render import RENDERERS, Choice, choose_renderer
 from sdgen.scratch import Scratch
 from sdgen.validate.problems import Problem
@@ -49,7 +50,7 @@ def rebuild(
     if not picked:
         return Rebuilt(problems, "")
     choice, note = _renderer(info) if info.options.sensors else (None, "")
-    with Scratch() as place:
+    with usable_cache(), Scratch() as place:
         setup = WorkerSetup(
             catalog=data.catalog,
             library_folders=library.folders,

@@ -21,8 +21,8 @@ QUATERNION_STEP = 1e-6
 
 def vec3(values: Iterable[float]) -> Vec3:
     """Three floats as a tuple."""
-    x, y, z = (float(v) for v in values)
-    return (x, y, z)
+    x, y, z = values
+    return (float(x), float(y), float(z))
 
 
 def round_position(position_m: Iterable[float]) -> Vec3:
@@ -60,7 +60,7 @@ def quat_from_axis_angle(axis: Sequence[float], angle_rad: float) -> Quat:
 
 def rotation_matrix(quat_xyzw: Sequence[float]) -> Array:
     """3x3 rotation of a quaternion (normalised first)."""
-    x, y, z, w = (float(v) for v in quat_xyzw)
+    x, y, z, w = quat_xyzw
     size = math.sqrt(x * x + y * y + z * z + w * w)
     x, y, z, w = x / size, y / size, z / size, w / size
     return np.array(
@@ -92,9 +92,10 @@ def quat_from_matrix(rotation: Array) -> Quat:
 
 def matrix(position_m: Sequence[float], quat_xyzw: Sequence[float]) -> Array:
     """``parent_from_child`` 4x4 of a pose."""
-    out = np.eye(4)
+    out = np.zeros((4, 4))
     out[:3, :3] = rotation_matrix(quat_xyzw)
     out[:3, 3] = position_m
+    out[3, 3] = 1.0
     return out
 
 
@@ -108,8 +109,9 @@ def inverse(transform: Array) -> Array:
 
 def apply(transform: Array, points: Sequence[Sequence[float]] | Array) -> Array:
     """Transform (N, 3) points by a 4x4."""
-    p = np.atleast_2d(np.asarray(points, dtype=float))
-    return np.asarray(p @ transform[:3, :3].T + transform[:3, 3], dtype=np.float64)
+    p = np.asarray(points, dtype=np.float64).reshape(-1, 3)
+    moved: Array = p @ transform[:3, :3].T + transform[:3, 3]
+    return moved
 
 
 def joint_matrix(

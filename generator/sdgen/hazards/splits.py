@@ -6,6 +6,7 @@ val and test show things and situations never seen in training.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 from sdgen.catalog.records import UniqueAnomaly
@@ -32,12 +33,17 @@ def split_of_home(home_id: str) -> Split:
 
 def withheld_asset(asset_id: str, library: Library) -> bool:
     """True for an asset that train never shows: at most a third of a category."""
-    peers = [peer.id for peer in library.by_category(library.assets[asset_id].category)]
+    return asset_id in _withheld(library.by_category(library.assets[asset_id].category))
+
+
+def _withheld(peers: Sequence[Asset]) -> list[str]:
+    """Ids of a category's models that train never shows."""
     if len(peers) < FEWEST_MODELS:
-        return False
-    drawn = [p for p in peers if unit_hash("asset", p) > 1.0 - WITHHELD_ASSETS]
-    drawn.sort(key=lambda p: (-unit_hash("asset", p), p))
-    return asset_id in drawn[: len(peers) // 3]
+        return []
+    values = {peer.id: unit_hash("asset", peer.id) for peer in peers}
+    drawn = [p for p, value in values.items() if value > 1.0 - WITHHELD_ASSETS]
+    drawn.sort(key=lambda p: (-values[p], p))
+    return drawn[: len(peers) // 3]
 
 
 def withheld_anomaly(anomaly: UniqueAnomaly) -> bool:
@@ -51,14 +57,11 @@ class SplitModels:
     """The models a split may show: ``models(category)``."""
 
     def __init__(self, library: Library, split: Split) -> None:
-        self._models = {
-            category: tuple(
-                asset
-                for asset in library.by_category(category)
-                if split != "train" or not withheld_asset(asset.id, library)
-            )
-            for category in library.categories
-        }
+        self._models: dict[str, tuple[Asset, ...]] = {}
+        for category in library.categories:
+            models = library.by_category(category)
+            barred = _withheld(models) if split == "train" else []
+            self._models[category] = tuple(m for m in models if m.id not in barred)
 
     def __call__(self, category: str) -> tuple[Asset, ...]:
         """Models of a category, sorted by id; empty when there is none."""

@@ -48,7 +48,8 @@ class _RoomTry:
     nothing behind.
 
     ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
-    No furniture stands on ``doors``; leaves swing over ``swings``, where no rug lies either.
+    No furniture stands before ``sights``, the (low, high) of each opening and the floor at it, nor
+    on ``doors``; leaves swing over ``swings``, where no rug lies either.
     """
 
     room: Room
@@ -58,6 +59,7 @@ class _RoomTry:
     outline: Polygon
     sides: tuple[Side, ...]
     openings: tuple[Opening, ...]
+    sights: tuple[tuple[float, float, Polygon], ...]
     doors: BaseGeometry
     swings: BaseGeometry
     inside: Polygon
@@ -151,6 +153,7 @@ def _empty(home: Home, room: Room, layout: Layout, models: Models, rng: Rng) -> 
         outline=outline,
         sides=sides_of(room.polygon_m),
         openings=mine,
+        sights=tuple(map(_sight, mine)),
         doors=union(doors),
         swings=union(swings),
         inside=inside,
@@ -238,7 +241,7 @@ def _placed(
     on_floor = z < OVERHEAD_M and not flat and rule.where != "on"
     if not tried.inside.contains(shape) or z + asset.extents_m[2] > tried.room.height_m:
         return None
-    if _covers_opening(asset, pose, tried):
+    if _covers_opening(shape, z, z + asset.extents_m[2], tried):
         return None
     front = _front(asset, pose, rule.front_m)
     if flat and shape.intersects(tried.swings):
@@ -299,18 +302,19 @@ def _front_free(front: Polygon | None, tried: _RoomTry) -> bool:
     )
 
 
-def _covers_opening(asset: AssetInfo, pose: PlacedAt, tried: _RoomTry) -> bool:
+def _sight(opening: Opening) -> tuple[float, float, Polygon]:
+    """Heights from which to which an opening must not be covered, and the floor before it."""
+    sill = opening.center_m[2]
+    before = opening_rectangle(opening, 0.32 if opening.kind == "window" else 0.52)
+    prepare(before)
+    return sill + 0.02, sill + opening.height_m, before
+
+
+def _covers_opening(shape: Polygon, low: float, high: float, tried: _RoomTry) -> bool:
     """True when a piece against a wall stands before a window or a door in it."""
-    x, y, z, yaw = pose
-    low, high = z, z + asset.extents_m[2]
-    shape = footprint(asset, x, y, yaw)
-    for opening in tried.openings:
-        sill = opening.center_m[2]
-        if high <= sill + 0.02 or low >= sill + opening.height_m:
-            continue
-        if shape.intersects(opening_rectangle(opening, 0.32 if opening.kind == "window" else 0.52)):
-            return True
-    return False
+    return any(
+        high > sill and low < top and before.intersects(shape) for sill, top, before in tried.sights
+    )
 
 
 def _row(rule: FurnitureRule, tried: _RoomTry) -> _RoomTry | None:

@@ -180,13 +180,13 @@ def has_room(item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Int
     """True unless a piece clashes with another; flat things (rugs) lie under others, but not
     under the open leaf of a door."""
     flat = asset.extents_m[2] <= FLAT_M
-    under = [
+    under = {
         i
         for i, other in layout.items.items()
         if (flat and other.category not in OPENINGS) or layout.info(i).extents_m[2] <= FLAT_M
-    ]
-    under += [intent.target_id] if intent else []
-    return layout.clashes(layout.blocks_of(item), ignore=tuple(under), gap_m=0.0) is None
+    }
+    under |= {intent.target_id} if intent else set()
+    return layout.clashes(layout.blocks_of(item), ignore=under, gap_m=0.0) is None
 
 
 def _nearest(layout: Layout, ids: list[int], x: float, y: float) -> int | None:

@@ -7,7 +7,7 @@ value: a spot that does not fit is None.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -54,6 +54,25 @@ class Block:
 
 
 @dataclass(frozen=True)
+class _Table:
+    """Blocks in the order they were put, and (N, 6): their bounds seen from above and heights."""
+
+    blocks: tuple[Block, ...]
+    boxes: Array
+
+    @staticmethod
+    def of(blocks: Sequence[Block]) -> _Table:
+        bounds = shapely.bounds(np.array([one.shape for one in blocks], dtype=object))
+        heights = np.array([(one.low_m, one.high_m) for one in blocks])
+        return _Table(tuple(blocks), np.hstack([bounds.reshape(-1, 4), heights.reshape(-1, 2)]))
+
+    def more(self, blocks: Sequence[Block]) -> _Table:
+        """The table with these blocks at its end."""
+        added = _Table.of(blocks)
+        return _Table(self.blocks + added.blocks, np.concatenate([self.boxes, added.boxes]))
+
+
+@dataclass(frozen=True)
 class Intent:
     """What a placement is meant to be: checked again after settling."""
 
@@ -70,7 +89,7 @@ class Layout:
         self.items: dict[int, ObjectInstance] = {}
         self.intents: dict[int, Intent] = {}
         self._blocks: dict[int, list[Block]] = {}
-        self._table: tuple[list[Block], Array] | None = None
+        self._table: _Table | None = None
 
     def info(self, object_id: int) -> AssetInfo:
         """Asset record of a placed object."""
@@ -78,9 +97,12 @@ class Layout:
 
     def put(self, item: ObjectInstance, intent: Intent | None = None) -> None:
         """Add an object, or replace the one of the same id."""
+        blocks = self.blocks_of(item)
+        if self._table is not None:
+            new = item.id not in self.items
+            self._table = self._table.more(blocks) if new else None
         self.items[item.id] = item
-        self._blocks[item.id] = self.blocks_of(item)
-        self._table = None
+        self._blocks[item.id] = blocks
         if intent is not None:
             self.intents[item.id] = intent
 
@@ -96,7 +118,7 @@ class Layout:
         from the same source."""
         out = Layout(self.library, ids or self.ids)
         out.items, out.intents = dict(self.items), dict(self.intents)
-        out._blocks = dict(self._blocks)
+        out._blocks, out._table = dict(self._blocks), self._table
         return out
 
     def blocks_of(self, item: ObjectInstance) -> list[Block]:
@@ -108,47 +130,42 @@ class Layout:
         info = self.library.info(item.asset)
         world = item.pose.matrix()
         drawn = info.variants[item.variant]
-        out = []
         # Openings sit in walls: only an open leaf takes space in a room.
         if item.fixed and not info.containers and item.category not in OPENINGS:
-            for hull in self.library.hulls(item.asset):
-                if hull.part in drawn:
-                    moved = world @ object_from_part(info, hull.part, item.joints)
-                    out.append(_block(item.id, apply(moved, hull.vertices_m)))
-            if out:
-                return out
+            moves = {part: world @ object_from_part(info, part, item.joints) for part in drawn}
+            hulls = [hull for hull in self.library.hulls(item.asset) if hull.part in moves]
+            if hulls:
+                return _blocks(item.id, [apply(moves[h.part], h.vertices_m) for h in hulls])
+        corners = []
         if item.category not in OPENINGS:
             x, y, z = info.extents_m
-            corners = apply(world, box_corners((-x / 2, -y / 2, 0), (x / 2, y / 2, z)))
-            out.append(_block(item.id, corners))
+            box = box_corners((-x / 2, -y / 2, 0), (x / 2, y / 2, z))
+            corners.append(apply(world, box))
         for name in drawn:
             joint = info.part(name).joint
             if joint is None or abs(item.joints.get(joint, 0.0)) < 0.05:
                 continue
             vertices = self.library.mesh(item.asset)[name].vertices
-            corners = box_corners(vertices.min(axis=0).tolist(), vertices.max(axis=0).tolist())
+            box = box_corners(vertices.min(axis=0).tolist(), vertices.max(axis=0).tolist())
             moved = world @ object_from_part(info, name, item.joints)
-            out.append(_block(item.id, apply(moved, corners)))
-        return out
+            corners.append(apply(moved, box))
+        return _blocks(item.id, corners)
 
     def clashes(
-        self, blocks: list[Block], ignore: tuple[int, ...] = (), gap_m: float = GAP_M
+        self, blocks: list[Block], ignore: Collection[int] = (), gap_m: float = GAP_M
     ) -> int | None:
         """Id of an object whose space these blocks would enter; None when they fit."""
         if self._table is None:
-            found = [other for others in self._blocks.values() for other in others]
-            boxes = shapely.bounds([other.shape for other in found]) if found else np.empty((0, 4))
-            heights = np.array([(o.low_m, o.high_m) for o in found]).reshape(-1, 2)
-            self._table = found, np.column_stack([boxes, heights])
-        others, table = self._table
-        a, b, c, d, lows, highs = table.T
+            self._table = _Table.of([one for found in self._blocks.values() for one in found])
+        others = self._table.blocks
+        a, b, c, d, lows, highs = self._table.boxes.T
         for block in blocks:
             x0, y0, x1, y1 = block.shape.bounds
             near = (x1 + gap_m > a) & (c > x0 - gap_m) & (y1 + gap_m > b) & (d > y0 - gap_m)
             near &= (block.low_m < highs - 1e-4) & (lows < block.high_m - 1e-4)
             shape: BaseGeometry | None = None
-            for index in np.flatnonzero(near):
-                other = others[index]
+            for index in near.nonzero()[0].tolist():
+                other: Block = others[index]
                 if other.owner == block.owner or other.owner in ignore:
                     continue
                 if shape is None:
@@ -319,8 +336,17 @@ def _surface(
     return shapely.polygons(points[:, :2]), float(points[:, 2].mean())
 
 
-def _block(owner: int, corners: Array) -> Block:
-    shape = shapely.convex_hull(shapely.multipoints(corners[:, :2]))
-    if shape.area < 1e-6:
-        shape = Point(corners[:, :2].mean(axis=0)).buffer(0.005)
-    return Block(owner, shape, float(corners[:, 2].min()), float(corners[:, 2].max()))
+def _blocks(owner: int, pieces: Sequence[Array]) -> list[Block]:
+    """The space of convex pieces, given as corners in the world (N, 3)."""
+    if not pieces:
+        return []
+    piece_of = np.repeat(np.arange(len(pieces)), [len(corners) for corners in pieces])
+    points = shapely.points(np.concatenate(pieces)[:, :2])
+    shapes = shapely.convex_hull(shapely.multipoints(points, indices=piece_of))
+    out = []
+    for corners, shape, area in zip(pieces, shapes, shapely.area(shapes).tolist(), strict=True):
+        if area < 1e-6:
+            shape = Point(corners[:, :2].mean(axis=0)).buffer(0.005)
+        heights = corners[:, 2]
+        out.append(Block(owner, shape, float(heights.min()), float(heights.max())))
+    return out

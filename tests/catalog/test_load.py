@@ -164,6 +164,11 @@ def test_all_problems_come_at_once_in_order(tmp_path: Path) -> None:
         ("[0.1, 0.1, 0.1]", "[0.1, 0.1, 0.3]", "size_m: the smallest is larger than the largest"),
         ("[0.1, 0.1, 0.1]", "[0.1, 0.1, a]", "size_m[0][2]: expected a number, got text 'a'"),
         ("[0.1, 0.1, 0.1]", "[0.1, 0.1, -1]", "size_m[0][2]: -1 is not between 0 and 50"),
+        (
+            "mass_kg: [0.1, 1]",
+            "switched_on: 0.5\n  mass_kg: [0.1, 1]",
+            "switched_on: only what has the property HAS_SWITCH is ever on",
+        ),
         ("mass_kg: [0.1, 1]", "mass_kg: [2, 1]", "mass_kg: the first number (2) is above"),
         ("mass_kg: [0.1, 1]", "mass_kg: [0, 1]", "mass_kg: masses must be above 0"),
         ("mass_kg: [0.1, 1]", "mass_kg: 1", "mass_kg: expected a list of 2 numbers, got the"),

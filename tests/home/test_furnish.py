@@ -8,7 +8,7 @@ from sdgen.facts import Body
 from sdgen.freespace import opening_rectangle
 from sdgen.geometry import quat_from_yaw
 from sdgen.hazards.splits import SplitModels
-from sdgen.home.furnish import put_piece
+from sdgen.home.furnish import put_piece, stand_in
 from sdgen.home.layout import IN_WALL_M, Layout, within_room
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
@@ -48,6 +48,33 @@ def test_base_homes_hold_no_furniture_that_cuts_or_blocks_a_doorway(home):
             flat = body.high[2] <= FLAT_M or body.low[2] >= OVERHEAD_M
             if item.category not in OPENINGS and not flat:
                 assert not any(body.footprint.intersects(d) for d in doorways), item.category
+
+
+@pytest.mark.parametrize("name", ["floor_lamp", "tv"])
+def test_the_catalogue_says_how_often_furniture_is_switched_on(name):
+    asset = next(a for a in LIBRARY.assets.values() if a.category == name)
+    piece = ObjectInstance(
+        id=1,
+        category=name,
+        asset=asset.id,
+        pose=Pose(position_m=(0.0, 0.0, 0.0), quat_xyzw=(0.0, 0.0, 0.0, 1.0)),
+        room_id=1,
+        fixed=True,
+    )
+
+    def share_on(switched_on: float) -> float:
+        categories = tuple(
+            c.model_copy(update={"switched_on": switched_on}) if c.name == name else c
+            for c in CATALOG.categories
+        )
+        catalog = CATALOG.model_copy(update={"categories": categories})
+        rng = lane(1, 2, "stand")
+        return sum("ON" in stand_in(piece, asset, catalog, rng).states for _ in range(300)) / 300
+
+    assert share_on(0.0) == 0.0
+    assert share_on(1.0) == 1.0
+    # Three standard deviations of 300 draws.
+    assert share_on(0.35) == pytest.approx(0.35, abs=0.083)
 
 
 @pytest.fixture

@@ -123,7 +123,7 @@ class Abode(Record):
 
 
 class Category(Record):
-    """An object category."""
+    """An object category. ``switched_on``: the share of its furniture that stands switched on."""
 
     name: str
     superclass: str
@@ -134,6 +134,7 @@ class Category(Record):
     properties: tuple[str, ...] = ()
     lives: tuple[Abode, ...] = ()
     kind: CategoryKind = "small"
+    switched_on: float = 0.0
 
 
 class ClutterPrior(Record):

@@ -105,6 +105,7 @@ class CategoryYaml(Record):
     mass_kg: Annotated[tuple[float, float], span(0.0, 1000.0), PAIR]
     properties: Annotated[tuple[str, ...], names_of("property", 0, PROPERTIES)] = ()
     lives: tuple[AbodeYaml, ...] = ()
+    switched_on: Annotated[float, between(0.0, 1.0)] = 0.0
     replaces: bool = False
 
     @model_validator(mode="after")
@@ -113,6 +114,8 @@ class CategoryYaml(Record):
             refuse(problem(("size_m",), "the smallest is larger than the largest"))
         if self.mass_kg[0] <= 0:
             refuse(problem(("mass_kg",), "masses must be above 0"))
+        if self.switched_on and "HAS_SWITCH" not in self.properties:
+            refuse(problem(("switched_on",), "only what has the property HAS_SWITCH is ever on"))
         return self
 
     def record(self, name: str) -> Category:

@@ -15,7 +15,7 @@ from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
-from sdgen.catalog.records import Catalog, FurnitureRule, RoomType
+from sdgen.catalog.records import Catalog, FurnitureRule
 from sdgen.freespace import ROBOT_RADIUS_M, opening_rectangle, polygons, union
 from sdgen.geometry import quat_from_yaw, round_position, round_quat
 from sdgen.home import anchors
@@ -54,6 +54,7 @@ class _RoomTry:
 
     room: Room
     layout: Layout
+    catalog: Catalog
     models: Models
     rng: Rng
     outline: Polygon
@@ -95,9 +96,8 @@ def furnish_by_rules(
     home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng
 ) -> Layout | Rejection:
     """The layout with the furniture of every room by its type's rules."""
-    types = {t.name: t for t in catalog.room_types}
     for room in home.rooms:
-        arranged = _arrange_room(home, room, types[room.type], layout, models, rng)
+        arranged = _arrange_room(home, room, layout, catalog, models, rng)
         if isinstance(arranged, Rejection):
             return arranged
         layout = arranged
@@ -105,21 +105,22 @@ def furnish_by_rules(
 
 
 def _arrange_room(
-    home: Home, room: Room, room_type: RoomType, layout: Layout, models: Models, rng: Rng
+    home: Home, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
 ) -> Layout | Rejection:
     """The layout with this room's furniture, after ROOM_TRIES tries at most."""
     for _ in range(ROOM_TRIES - 1):
-        arranged = _try_room(home, room, room_type, layout, models, rng)
+        arranged = _try_room(home, room, layout, catalog, models, rng)
         if isinstance(arranged, Layout):
             return arranged
-    return _try_room(home, room, room_type, layout, models, rng)
+    return _try_room(home, room, layout, catalog, models, rng)
 
 
 def _try_room(
-    home: Home, room: Room, room_type: RoomType, layout: Layout, models: Models, rng: Rng
+    home: Home, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
 ) -> Layout | Rejection:
-    furnished = _empty(home, room, layout, models, rng)
-    for rule in room_type.furniture:
+    furnished = _empty(home, room, layout, catalog, models, rng)
+    rules = next(t.furniture for t in catalog.room_types if t.name == room.type)
+    for rule in rules:
         count = int(rng.integers(rule.count[0], rule.count[1] + 1))
         more = _follow(rule, count, furnished)
         if rule.needed and more is None:
@@ -130,7 +131,9 @@ def _try_room(
     return furnished.layout
 
 
-def _empty(home: Home, room: Room, layout: Layout, models: Models, rng: Rng) -> _RoomTry:
+def _empty(
+    home: Home, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
+) -> _RoomTry:
     mine = tuple(o for o in home.openings if room.id in o.room_ids)
     doors: list[BaseGeometry] = []
     swings: list[BaseGeometry] = []
@@ -148,6 +151,7 @@ def _empty(home: Home, room: Room, layout: Layout, models: Models, rng: Rng) -> 
     return _RoomTry(
         room=room,
         layout=layout,
+        catalog=catalog,
         models=models,
         rng=rng,
         outline=outline,
@@ -269,6 +273,7 @@ def _placed(
             fixed=True,
         ),
         asset,
+        tried.catalog,
         tried.rng,
     )
     intent = Intent("ON", target) if rule.where == "on" and target is not None else None

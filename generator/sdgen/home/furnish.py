@@ -8,7 +8,7 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from sdgen.actions import at_rest, in_state, settled_states
-from sdgen.catalog.records import FurnitureItem, HomeSpec, RoomSpec
+from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec, RoomSpec
 from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_quat
 from sdgen.home.context import Models
 from sdgen.home.layout import Intent, Layout, within_room
@@ -22,8 +22,6 @@ from sdgen.vocabulary import FLAT_M, OPENINGS
 OPTIONAL_SHARE = 0.75
 #: Joint values of an interior door: most stand open, as in homes.
 DOOR_OPEN_SHARE = 0.8
-SWITCHED_ON_SHARE = 0.35
-SWITCHED = ("floor_lamp", "desk_lamp", "tv")
 
 
 def fill_openings(
@@ -82,11 +80,11 @@ def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
 
 
 def furnish_as_drawn(
-    spec: HomeSpec, home: Home, layout: Layout, models: Models, rng: Rng
+    spec: HomeSpec, home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng
 ) -> Layout | Rejection:
     """The layout with the furniture of every room where the base home has it."""
     for source, room in zip(spec.rooms, home.rooms, strict=True):
-        furnished = _furnish_room(source, room, layout, models, rng)
+        furnished = _furnish_room(source, room, layout, catalog, models, rng)
         if isinstance(furnished, Rejection):
             return furnished
         layout = furnished
@@ -94,7 +92,7 @@ def furnish_as_drawn(
 
 
 def _furnish_room(
-    source: RoomSpec, room: Room, layout: Layout, models: Models, rng: Rng
+    source: RoomSpec, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
 ) -> Layout | Rejection:
     placed: dict[str, list[int]] = {}
     for piece in source.furniture:
@@ -105,7 +103,7 @@ def _furnish_room(
         order = rng.permutation(len(candidates)) if candidates else np.array([], dtype=int)
         done = False
         for k in order.tolist():
-            done = _try_piece(piece, candidates[k], room, layout, placed, rng)
+            done = _try_piece(piece, candidates[k], room, layout, catalog, placed, rng)
             if done:
                 break
         if not done and not piece.optional:
@@ -124,6 +122,7 @@ def _try_piece(
     asset: AssetInfo,
     room: Room,
     layout: Layout,
+    catalog: Catalog,
     placed: dict[str, list[int]],
     rng: Rng,
 ) -> bool:
@@ -151,17 +150,18 @@ def _try_piece(
         room_id=room.id,
         fixed=True,
     )
-    item = stand_in(item, asset, rng)
+    item = stand_in(item, asset, catalog, rng)
     if not put_piece(item, asset, layout, intent):
         return False
     placed.setdefault(piece.category, []).append(item.id)
     return True
 
 
-def stand_in(item: ObjectInstance, asset: AssetInfo, rng: Rng) -> ObjectInstance:
-    """A piece as it stands in homes: at rest, lamps and screens sometimes on."""
+def stand_in(item: ObjectInstance, asset: AssetInfo, catalog: Catalog, rng: Rng) -> ObjectInstance:
+    """A piece as it stands in homes: at rest, what its category says switched on now and then."""
     item = at_rest(item, asset)
-    if item.category in SWITCHED and rng.random() < SWITCHED_ON_SHARE:
+    share = catalog.category(item.category).switched_on
+    if share and rng.random() < share:
         item = in_state(item, asset, "ON", rng) or item
     return item
 

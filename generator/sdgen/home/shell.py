@@ -22,7 +22,8 @@ from sdgen.vocabulary import HALF_WALL_M
 
 FLOOR_THICKNESS_M = 0.1
 CEILING_THICKNESS_M = 0.05
-#: Outer frame sizes of the library's openings (width, height); walls are cut to exactly these.
+#: Outer frame sizes of the library's openings (width, height); walls are cut to exactly these. Not
+#: in YAML: another size needs doors and windows modelled to it, which is assets' business.
 FRAME_M = {"door": (0.90, 2.10), "front_door": (1.00, 2.10), "window": (1.20, 1.20)}
 SMALL_WINDOW_M = (0.60, 0.60)
 

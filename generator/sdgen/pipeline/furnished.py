@@ -113,7 +113,7 @@ def furnished_home(
     if spec.kind == "procedural":
         layout = furnish_by_rules(home, layout, catalog, models, rng)
     else:
-        layout = furnish_as_drawn(spec, home, layout, models, rng)
+        layout = furnish_as_drawn(spec, home, layout, catalog, models, rng)
     if isinstance(layout, Rejection):
         return layout
     home = _sorted(home)

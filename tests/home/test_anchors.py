@@ -1,4 +1,4 @@
-"""Poses proposed for furniture: inside the room, backs to the wall, in line with what they go by."""
+"""Poses proposed for furniture: inside the room, backs to walls, in line with what they go by."""
 
 from __future__ import annotations
 

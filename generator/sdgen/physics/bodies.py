@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
@@ -15,8 +16,8 @@ from sdgen.library.states import object_from_part
 from sdgen.physics.client import Client, convex_obj
 from sdgen.scene import Box, ObjectInstance, Scene
 
-#: Collision geometry kept a library; drawn joint values are many, so it begins anew when full.
-_KEPT = 4000
+#: Collision geometry kept a library, 10 kB each; drawn joint values are many.
+_KEPT = 1000
 
 
 @dataclass(frozen=True)
@@ -33,7 +34,7 @@ class Collision:
 
 
 _Key = tuple[str, str, tuple[tuple[str, float], ...]]
-_known: WeakKeyDictionary[Library, dict[_Key, Collision]] = WeakKeyDictionary()
+_known: WeakKeyDictionary[Library, OrderedDict[_Key, Collision]] = WeakKeyDictionary()
 
 
 def collision_of(library: Library, item: ObjectInstance) -> Collision:
@@ -41,15 +42,16 @@ def collision_of(library: Library, item: ObjectInstance) -> Collision:
 
     Raises AssetError when no drawn part has a piece.
     """
-    kept = _known.setdefault(library, {})
+    kept = _known.setdefault(library, OrderedDict())
     key = (item.asset, item.variant, tuple(sorted(item.joints.items())))
     if key not in kept:
         if len(kept) >= _KEPT:
-            kept.clear()
+            kept.popitem(last=False)
         pieces = object_pieces(library, item)
         com = centre_of_mass(pieces)
         obj = convex_obj([piece - com for piece in pieces])
         kept[key] = Collision(obj, com, np.concatenate(pieces))
+    kept.move_to_end(key)
     return kept[key]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import tempfile
+from collections import OrderedDict
 from collections.abc import Sequence
 from pathlib import Path
 from types import TracebackType
@@ -19,6 +20,11 @@ GRAVITY_M_S2 = 9.81
 STEP_S = 1.0 / 240.0
 #: Bullet keeps this skin around every convex hull; taken off the pieces, or things float on it.
 MARGIN_M = 0.001
+#: Files whose parsed triangles Bullet may keep: 80 kB each, and a long build's workers come past
+#: all of a library. A scene has some 250 and one costs 0.6 ms, so it seldom parses one twice.
+PARSED = 1000
+#: Files of convex pieces kept; drawn joint values are many.
+WRITTEN = 1000
 RAY_BATCH = int(pb.MAX_RAY_INTERSECTION_BATCH_SIZE) - 1
 
 
@@ -53,7 +59,8 @@ class Client:
     def __init__(self) -> None:
         self._id: int = pb.connect(pb.DIRECT)
         self._folder = tempfile.TemporaryDirectory(prefix="sdgen-shapes-")
-        self._files: dict[str, Path] = {}
+        self._written: OrderedDict[str, None] = OrderedDict()
+        self._parsed: set[str] = set()
         self.reset()
 
     def __enter__(self) -> Client:
@@ -78,6 +85,11 @@ class Client:
         """Empty the world. Parameters are set anew, since Bullet forgets them."""
         self._shapes: dict[str, int] = {}
         pb.resetSimulation(physicsClientId=self._id)
+        if len(self._parsed) > PARSED:
+            # Switched off, Bullet lets go of all it parsed.
+            for on in (0, 1):
+                pb.setPhysicsEngineParameter(enableFileCaching=on, physicsClientId=self._id)
+            self._parsed.clear()
         pb.setGravity(0.0, 0.0, -GRAVITY_M_S2, physicsClientId=self._id)
         pb.setPhysicsEngineParameter(
             fixedTimeStep=STEP_S,
@@ -94,18 +106,22 @@ class Client:
 
     def convex(self, obj: str) -> int:
         """Collision shape of convex pieces, given as :func:`convex_obj` writes them."""
-        if obj not in self._shapes:
-            self._shapes[obj] = pb.createCollisionShape(
-                pb.GEOM_MESH, fileName=str(self._file(obj)), physicsClientId=self._id
+        # By content: Bullet keeps what it parsed by the file's name.
+        raw = obj.encode("ascii")
+        name = hashlib.sha256(raw).hexdigest()[:20]
+        if name not in self._shapes:
+            path = self._parse(self._file(name, raw))
+            self._shapes[name] = pb.createCollisionShape(
+                pb.GEOM_MESH, fileName=path, physicsClientId=self._id
             )
-        return int(self._shapes[obj])
+        return int(self._shapes[name])
 
     def trimesh(self, path: Path) -> int:
         """Collision shape of an OBJ file's triangles as they are (static bodies only)."""
         # From a file: given as lists, PyBullet never lets go of the numbers (15 MB a scene).
         shape = pb.createCollisionShape(
             pb.GEOM_MESH,
-            fileName=str(path),
+            fileName=self._parse(path),
             flags=pb.GEOM_FORCE_CONCAVE_TRIMESH,
             physicsClientId=self._id,
         )
@@ -211,14 +227,22 @@ class Client:
             fraction[chunk] = columns[2]
         return RayHits(body, fraction)
 
-    def _file(self, text: str) -> Path:
-        """A file with this text. Its name is the content: Bullet keeps parsed files by name."""
-        if text not in self._files:
-            name = hashlib.sha256(text.encode("ascii")).hexdigest()[:20]
-            path = Path(self._folder.name) / f"{name}.obj"
-            path.write_text(text, encoding="ascii")
-            self._files[text] = path
-        return self._files[text]
+    def _file(self, name: str, raw: bytes) -> Path:
+        """The file of this name and content, among those used last."""
+        path = Path(self._folder.name) / f"{name}.obj"
+        if name not in self._written:
+            path.write_bytes(raw)
+        self._written[name] = None
+        self._written.move_to_end(name)
+        if len(self._written) > WRITTEN:
+            oldest, _ = self._written.popitem(last=False)
+            (path.parent / f"{oldest}.obj").unlink()
+        return path
+
+    def _parse(self, path: Path) -> str:
+        """The name of a file that Bullet is about to parse, unless it did before."""
+        self._parsed.add(str(path))
+        return str(path)
 
 
 def convex_obj(pieces: Sequence[Array]) -> str:

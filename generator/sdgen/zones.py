@@ -18,7 +18,7 @@ from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
-from sdgen.facts import Body
+from sdgen.facts import Body, bodies_of
 from sdgen.freespace import Grid, free_shape, opening_rectangle, polygons
 from sdgen.geometry import Vec2, apply
 from sdgen.library.records import AssetInfo
@@ -53,14 +53,13 @@ def floor_obstacles(
     objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
 ) -> list[BaseGeometry]:
     """Footprints of what stands in a walker's way; doors and windows sit in walls and do not."""
-    out: list[BaseGeometry] = []
-    for item in objects:
-        if item.category in OPENINGS:
-            continue
-        body = Body(item, infos[item.asset])
-        if body.low[2] < OVERHEAD_M and body.high[2] > FLAT_M:
-            out.append(body.footprint)
-    return out
+    return [body.footprint for body in _standing(objects, infos)]
+
+
+def _standing(objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]) -> list[Body]:
+    """What a walker cannot step over or pass under; no doors and windows."""
+    bodies = bodies_of([item for item in objects if item.category not in OPENINGS], infos)
+    return [body for body in bodies if body.low[2] < OVERHEAD_M and body.high[2] > FLAT_M]
 
 
 def swing_sectors(
@@ -92,17 +91,14 @@ def swing_blocked(
     """Ids of things that stand where a door of the home must swing, sorted."""
     swept = unary_union(swing_sectors(objects, infos))
     shapely.prepare(swept)
-    out = []
-    for item in objects:
-        if item.category in OPENINGS:
-            continue
-        body = Body(item, infos[item.asset])
-        low = body.low[2] < OVERHEAD_M and body.high[2] > FLAT_M
-        if not low or not swept.intersects(body.footprint):
-            continue
-        if swept.intersection(body.footprint).area > SWING_TOUCH_M2:
-            out.append(item.id)
-    return tuple(sorted(out))
+    return tuple(
+        sorted(
+            body.item.id
+            for body in _standing(objects, infos)
+            if swept.intersects(body.footprint)
+            and swept.intersection(body.footprint).area > SWING_TOUCH_M2
+        )
+    )
 
 
 def derive_zones(
@@ -139,6 +135,8 @@ def derive_zones(
         out += _zones("child_reach", _filled(shape), room, 0.0, CHILD_REACH_M, None)
     for item in furniture:
         traits = properties.get(item.category, ())
+        if "HEAT_SOURCE" not in traits and "WATER_SOURCE" not in traits:
+            continue
         body = Body(item, infos[item.asset])
         room = rooms[item.room_id]
         top = round(float(body.high[2]), 3)

@@ -9,8 +9,9 @@ evaluates the published poses again agrees. The terms are in ``sdgen.catalog.ter
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Protocol
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import NamedTuple, Protocol
 
 from sdgen.kleene import YES, Kleene
 from sdgen.scene import EvidenceValue
@@ -23,8 +24,7 @@ def rounded(measured: float) -> float:
     return round(measured, 4) + 0.0
 
 
-@dataclass(frozen=True)
-class Related:
+class Related(NamedTuple):
     """A candidate of a relation: whether it holds, whether surely, and what was measured.
 
     ``states`` and ``undecided``, when given, are those of the part of the target that the object
@@ -36,7 +36,7 @@ class Related:
     target_category: str
     holds: bool
     sure: bool
-    evidence: Mapping[str, float] = field(default_factory=dict)
+    evidence: Mapping[str, float] = MappingProxyType({})
     states: tuple[str, ...] | None = None
     undecided: tuple[str, ...] = ()
 
@@ -105,8 +105,7 @@ class FactSource(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class Verdict:
+class Verdict(NamedTuple):
     """``value`` as measured; ``sure`` when it clears every margin that matters.
 
     ``evidence`` holds the measured terms that made it true; it is empty when it is false.
@@ -114,7 +113,7 @@ class Verdict:
 
     value: bool
     sure: bool
-    evidence: Evidence = field(default_factory=dict)
+    evidence: Mapping[str, EvidenceValue] = MappingProxyType({})
 
 
 def all_verdicts(verdicts: Iterable[Verdict]) -> Verdict:
@@ -133,7 +132,7 @@ def all_verdicts(verdicts: Iterable[Verdict]) -> Verdict:
 def any_verdict(verdicts: Iterable[Verdict]) -> Verdict:
     """Strong Kleene disjunction; ends at the first that is surely true, and has its evidence."""
     value, sure = False, True
-    evidence: Evidence = {}
+    evidence: Mapping[str, EvidenceValue] = {}
     for verdict in verdicts:
         if verdict.value and verdict.sure:
             return verdict

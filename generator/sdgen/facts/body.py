@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -30,12 +30,32 @@ class Body:
     @cached_property
     def footprint(self) -> BaseGeometry:
         """The convex outline seen from above."""
-        return shapely.convex_hull(shapely.multipoints(self.corners[:, :2]))
+        return footprints([self])[0]
 
     def covered_by(self, shape: BaseGeometry) -> float:
         """Share (0-1) of the footprint that lies in a shape."""
         shared = shape.intersection(self.footprint).area
         return float(shared / max(self.footprint.area, 1e-9))
+
+
+def bodies_of(items: Iterable[ObjectInstance], infos: Mapping[str, AssetInfo]) -> list[Body]:
+    """Bodies of many objects, their footprints drawn in one call."""
+    bodies = [Body(item, infos[item.asset]) for item in items]
+    for body, shape in zip(bodies, footprints(bodies), strict=True):
+        body.footprint = shape
+    return bodies
+
+
+def footprints(bodies: Sequence[Body]) -> list[BaseGeometry]:
+    """The convex outlines of bodies seen from above."""
+    if not bodies:
+        return []
+    body_of = np.repeat(np.arange(len(bodies)), [len(body.corners) for body in bodies])
+    points = shapely.points(np.concatenate([body.corners for body in bodies])[:, :2])
+    shapes: list[BaseGeometry] = shapely.convex_hull(
+        shapely.multipoints(points, indices=body_of)
+    ).tolist()
+    return shapes
 
 
 def center_of(world_from_object: Array, info: AssetInfo) -> Array:

@@ -30,11 +30,17 @@ def close(facts: Facts, object_id: int) -> Iterable[Related]:
     body = facts.bodies[object_id]
     ids, lows, highs = facts.boxes
     apart = gaps(body.low, body.high, lows, highs)
-    for index in np.flatnonzero(apart < CLOSE_M.above):
+    mine = facts.room_ids(object_id)
+    together: dict[tuple[int, ...], Kleene] = {}
+    for index in np.flatnonzero(apart < CLOSE_M.above).tolist():
         other = ids[index]
-        if other != object_id:
-            together = same_room(facts.room_ids(object_id), facts.room_ids(other))
-            holds = all_of((together, CLOSE_M.less(float(apart[index]))))
+        if other == object_id:
+            continue
+        rooms = facts.room_ids(other)
+        if rooms not in together:
+            together[rooms] = same_room(mine, rooms)
+        if together[rooms] != NO:
+            holds = all_of((together[rooms], CLOSE_M.less(float(apart[index]))))
             yield from _related(facts, other, holds)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,14 +34,16 @@ def candidates(
         Candidate(unique, recipe)
         for recipe in recipes
         for category in recipe.categories
-        for unique in _unique(hazard, recipe, category)
-        if (unique.target or category) in present
         if isinstance(recipe, SetRecipe) or context.models(category)
+        for unique in _unique(hazard, recipe, category, present)
     ]
 
 
-def _unique(hazard: str, recipe: Recipe, category: str) -> list[UniqueAnomaly]:
-    """The unique anomalies that a recipe makes of one category: one a target, if it has any."""
+def _unique(
+    hazard: str, recipe: Recipe, category: str, present: Collection[str]
+) -> list[UniqueAnomaly]:
+    """The unique anomalies that a recipe makes of one category with what is ``present``: one a
+    target, if it has any."""
     relation = None if isinstance(recipe, SetRecipe) else recipe.relation
     targets = (None,) if isinstance(recipe, SetRecipe) else recipe.targets
     return [
@@ -49,6 +51,7 @@ def _unique(hazard: str, recipe: Recipe, category: str) -> list[UniqueAnomaly]:
             hazard=hazard, category=category, state=recipe.state, relation=relation, target=target
         )
         for target in targets
+        if (target or category) in present
     ]
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from sdgen.catalog.predicate import Verdict
 from sdgen.catalog.records import Catalog
+from sdgen.catalog.terms import AllTerm, CategoryTerm, Term
 from sdgen.facts import Facts
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Scene
@@ -35,16 +36,31 @@ def facts_of(scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog) -> 
 
 
 def survey(facts: Facts, catalog: Catalog) -> Survey:
-    """Evaluate every hazard's predicate for every object."""
+    """Evaluate every hazard's predicate for every object.
+
+    An object's category alone settles most pairs: a predicate whose terms all must hold, one of
+    them on the category, is surely false of others.
+    """
     found = []
-    pairs = 0
+    limits = [(hazard, _categories(hazard.predicate)) for hazard in catalog.hazards]
     for item in sorted(facts.scene.objects, key=lambda o: o.id):
-        for hazard in catalog.hazards:
+        for hazard, concerned in limits:
+            if concerned is not None and item.category not in concerned:
+                continue
             verdict = hazard.predicate.evaluate(item.id, facts)
-            pairs += 1
             if verdict.value or not verdict.sure:
                 found.append(Positive(item.id, hazard.id, verdict))
-    return Survey(tuple(found), pairs)
+    return Survey(tuple(found), len(facts.scene.objects) * len(catalog.hazards))
+
+
+def _categories(predicate: Term) -> frozenset[str] | None:
+    """The only categories a predicate can be other than surely false of; None for any."""
+    if isinstance(predicate, CategoryTerm):
+        return frozenset(predicate.any_of)
+    if isinstance(predicate, AllTerm):
+        found = [names for term in predicate.terms if (names := _categories(term)) is not None]
+        return frozenset.intersection(*found) if found else None
+    return None
 
 
 def certify(scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog) -> tuple[Positive, ...]:

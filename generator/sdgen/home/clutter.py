@@ -27,6 +27,12 @@ def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
     priors give fewer than LEAST_THINGS gets one more on every receptacle, and again.
     """
     types = {t.name: t for t in context.catalog.room_types}
+    small = [
+        (category, abode)
+        for category in context.catalog.categories
+        if category.kind == "small" and context.models(category.name)
+        for abode in category.lives
+    ]
     receptacles: list[tuple[int, Room, list[Choice]]] = []
     for room in context.home.rooms:
         room_type = types.get(room.type)
@@ -38,12 +44,12 @@ def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
             if not item.fixed or item.room_id != room.id or prior is None:
                 continue
             wanted = int(rng.integers(prior.count_min, prior.count_max + 1))
-            choices = _choices(context, item.category, room)
+            choices = _choices(small, item.category, room)
             receptacles.append((item.id, room, choices))
             for _ in range(wanted):
                 _place(layout, item.id, room, choices, context, rng)
         wanted = int(rng.integers(room_type.floor_clutter_min, room_type.floor_clutter_max + 1))
-        choices = _choices(context, "floor", room)
+        choices = _choices(small, "floor", room)
         for _ in range(wanted):
             _place_on_floor(layout, room, choices, context, rng)
     for _ in range(EXTRA_ROUNDS):
@@ -61,12 +67,10 @@ def _things(layout: Layout) -> int:
 Choice = tuple[Category, Abode]
 
 
-def _choices(context: HomeContext, target: str, room: Room) -> list[Choice]:
+def _choices(small: Sequence[Choice], target: str, room: Room) -> list[Choice]:
     return [
         (category, abode)
-        for category in context.catalog.categories
-        if category.kind == "small" and context.models(category.name)
-        for abode in category.lives
+        for category, abode in small
         if target in abode.targets and (not abode.rooms or room.type in abode.rooms)
     ]
 

@@ -97,8 +97,11 @@ def best_near_pose(
     numbers = part_numbers(library, item, target.parts)
     rough = estimate_pixels(cast, poses, points, item.id, numbers, _ROUGH_GRID)
     enough = _FLOOR_ENOUGH_PIXELS if on_floor else max(_ENOUGH_PIXELS, 0.5 * float(rough.max()))
-    worth = np.minimum(rough, enough) * fade * clear(cast, eyes)
-    worth *= [_framing(pose, whole, item) for pose in poses]
+    worth = np.minimum(rough, enough) * fade
+    shows = np.flatnonzero(worth > 0)
+    worth[shows] *= clear(cast, eyes[shows])
+    for k in np.flatnonzero(worth > 0).tolist():
+        worth[k] *= _framing(poses[k], whole, item)
     for k in np.argsort(-worth, kind="stable")[:_FINALISTS].tolist():
         if worth[k] <= 0:
             break

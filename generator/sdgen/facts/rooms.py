@@ -7,7 +7,7 @@ the very middle. Doors and windows fill an opening and belong to the room that i
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 import shapely
@@ -31,16 +31,15 @@ class Rooms:
         self._outlines = np.array([Polygon(room.polygon_m) for room in home.rooms])
         self._openings = {o.object_id: o for o in home.openings}
 
-    def of(self, object_id: int, center: Collection[float] | Array) -> tuple[int, ...]:
+    def of(self, object_id: int, center: Sequence[float] | Array) -> tuple[int, ...]:
         """Ids of the rooms a thing may be in, nearest first: one where that is decided, none
         where it is surely outdoors (and 0 among them where it may be)."""
         opening = self._openings.get(object_id)
         if opening is not None:
             return opening.room_ids[:1]
-        x, y = list(center)[:2]
-        far = shapely.distance(self._outlines, Point(x, y))
-        order = np.argsort(far, kind="stable")
-        nearest = float(far[order[0]])
+        far = shapely.distance(self._outlines, shapely.points(center[0], center[1])).tolist()
+        order = sorted(range(len(far)), key=far.__getitem__)
+        nearest = far[order[0]]
         outdoors = OUTDOORS_M.at_least(nearest)
         if outdoors == YES:
             return ()

@@ -214,7 +214,8 @@ class Layout:
         if point is None:
             return None
         print_ = footprint(asset, point[0], point[1], yaw)
-        if print_.intersection(surface).area < 0.97 * print_.area:
+        inside = surface.contains(print_)
+        if not inside and print_.intersection(surface).area < 0.97 * print_.area:
             return None
         block = Block(-1, print_, z + 0.001, z + asset.extents_m[2] + DROP_M)
         if self.clashes([block], ignore=(target.id,)) is not None:

@@ -119,3 +119,14 @@ def test_a_build_reads_no_model_that_no_scene_needs(tools, tmp_path, monkeypatch
     assert build(tools, tmp_path / "set", n=0, hazards_max=0).complete
     told = json.loads((tmp_path / "set" / "dataset.json").read_text())
     assert {"OPEN", "BROKEN", "SPILLED"} <= set(told["vocabularies"]["states"])
+
+
+def test_a_cache_that_cannot_be_written_is_noted_and_ends_no_build(tools, tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("SDGEN_CACHE", str(tmp_path / "file" / "cache"))
+    events = []
+    assert build(tools, tmp_path / "set", events, n=0, hazards_max=0).complete
+    told = [event.text for event in events if isinstance(event, Note)]
+    (line,) = (text for text in told if "cache" in text)
+    assert line.startswith(str(tmp_path / "file" / "cache"))
+    assert "models are unpacked to a temporary folder" in line

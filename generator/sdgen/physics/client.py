@@ -20,9 +20,9 @@ GRAVITY_M_S2 = 9.81
 STEP_S = 1.0 / 240.0
 #: Bullet keeps this skin around every convex hull; taken off the pieces, or things float on it.
 MARGIN_M = 0.001
-#: Files whose parsed triangles Bullet may keep: 80 kB each, and a long build's workers come past
-#: all of a library. A scene has some 250 and one costs 0.6 ms, so it seldom parses one twice.
-PARSED = 1000
+#: Files whose parsed triangles Bullet may keep: some 80 kB each, and 0.6 ms to parse one again.
+#: The first 12 scenes of a worker come past 2,000, the shipped library has 3,300 parts.
+PARSED = 4000
 #: Files of convex pieces kept; drawn joint values are many.
 WRITTEN = 1000
 RAY_BATCH = int(pb.MAX_RAY_INTERSECTION_BATCH_SIZE) - 1

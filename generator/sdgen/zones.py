@@ -18,7 +18,7 @@ from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
-from sdgen.facts import Body, bodies_of
+from sdgen.facts import Body, drawn
 from sdgen.freespace import Grid, free_shape, opening_rectangle, polygons
 from sdgen.geometry import Vec2, apply
 from sdgen.library.records import AssetInfo
@@ -56,10 +56,10 @@ def floor_obstacles(
     return [body.footprint for body in _standing(objects, infos)]
 
 
-def _standing(objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]) -> list[Body]:
+def _standing(objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]) -> Sequence[Body]:
     """What a walker cannot step over or pass under; no doors and windows."""
-    bodies = bodies_of([item for item in objects if item.category not in OPENINGS], infos)
-    return [body for body in bodies if body.low[2] < OVERHEAD_M and body.high[2] > FLAT_M]
+    bodies = (Body(item, infos[item.asset]) for item in objects if item.category not in OPENINGS)
+    return drawn([b for b in bodies if b.low[2] < OVERHEAD_M and b.high[2] > FLAT_M])
 
 
 def swing_sectors(

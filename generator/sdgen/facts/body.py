@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
@@ -38,9 +38,8 @@ class Body:
         return float(shared / max(self.footprint.area, 1e-9))
 
 
-def bodies_of(items: Iterable[ObjectInstance], infos: Mapping[str, AssetInfo]) -> list[Body]:
-    """Bodies of many objects, their footprints drawn in one call."""
-    bodies = [Body(item, infos[item.asset]) for item in items]
+def drawn(bodies: Sequence[Body]) -> Sequence[Body]:
+    """The same bodies, their footprints drawn in one call."""
     for body, shape in zip(bodies, footprints(bodies), strict=True):
         body.footprint = shape
     return bodies

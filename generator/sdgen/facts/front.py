@@ -10,7 +10,7 @@ import numpy as np
 
 from sdgen.catalog.predicate import Bearing, Related, ZoneShare
 from sdgen.facts import spatial
-from sdgen.facts.body import bodies_of, gaps, rows
+from sdgen.facts.body import Body, drawn, gaps, rows
 from sdgen.facts.containers import Containers
 from sdgen.facts.relations import FINDERS
 from sdgen.facts.rooms import Rooms, types_of
@@ -46,7 +46,8 @@ class Facts:
     ) -> None:
         self.scene = scene
         self.properties = properties or {}
-        self.bodies = {body.item.id: body for body in bodies_of(scene.objects, infos)}
+        bodies = drawn([Body(item, infos[item.asset]) for item in scene.objects])
+        self.bodies = {body.item.id: body for body in bodies}
         self.rooms = Rooms(scene.home)
         self.supports = Supports(self.bodies, scene.home)
         self.containers = Containers(self.bodies)

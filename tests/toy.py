@@ -267,13 +267,13 @@ def bundle(
     made = scene(index)
     facts = facts_of(made, infos(), catalog())
     result = survey(facts, catalog())
-    assert all(p.verdict.sure and p.verdict.value for p in result.found), result.found
+    assert all(p.verdict.sure and p.verdict.value for p in result.positives), result.positives
     shelf = catalog().hazard("sharp_object").predicate.measure(512, facts)
     return SceneBundle(
         scene=made,
         graph=build_graph(made, infos(), catalog(), facts),
         anomalies=Anomalies(
-            anomalies=anomaly_records(result.found, facts, catalog(), who),
+            anomalies=anomaly_records(result.positives, facts, catalog(), who),
             lookalikes=(Lookalike(object_id=512, near_miss_of="sharp_object", evidence=shelf),),
             certificate=certificate(catalog(), ASSETS_SHA256, result),
         ),

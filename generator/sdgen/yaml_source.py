@@ -48,13 +48,13 @@ def show_path(path: Path_) -> str:
 class Source:
     """One parsed file: its ``value`` (dict, list, str, int, float, bool or None).
 
-    ``lines`` gives the 1-based line of every key path.
+    ``lines`` gives the 1-based line of every key path, ``noted`` the problems so far with theirs.
     """
 
     file: str
     value: Any = None
     lines: dict[Path_, int] = field(default_factory=dict)
-    found: list[tuple[int, str]] = field(default_factory=list)
+    noted: list[tuple[int, str]] = field(default_factory=list)
     more: int = 0
     #: Entries that people know by a name rather than by their place in a list.
     named: dict[Path_, str] = field(default_factory=dict)
@@ -62,7 +62,7 @@ class Source:
     @property
     def problems(self) -> list[str]:
         """What is wrong, by line, each ``file:line: key path: problem``; at most ``SHOWN``."""
-        ordered = sorted(self.found, key=lambda item: item[0])
+        ordered = sorted(self.noted, key=lambda item: item[0])
         told = [
             f"{self.file}:{line}: {text}" if line else f"{self.file}: {text}"
             for line, text in ordered
@@ -77,13 +77,13 @@ class Source:
 
     def problem(self, path: Path_, message: str, line: int | None = None) -> None:
         """Note a problem at a key path (on its line, unless another is given)."""
-        if len(self.found) >= SHOWN:
+        if len(self.noted) >= SHOWN:
             self.more += 1
             return
         lead = next((path[:k] for k in range(len(path) + 1) if path[:k] in self.named), ())
         where = [self.named.get(lead, ""), show_path(path[len(lead) :]), message]
         text = ": ".join(part for part in where if part)
-        self.found.append((self.line(path) if line is None else line, text))
+        self.noted.append((self.line(path) if line is None else line, text))
 
 
 class _Stop(Exception):

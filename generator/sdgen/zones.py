@@ -111,7 +111,7 @@ def derive_zones(
 
     ``properties`` maps category to catalogue properties: HEAT_SOURCE and WATER_SOURCE make zones.
     """
-    out: list[Zone] = []
+    zones: list[Zone] = []
     rooms = {room.id: room for room in home.rooms}
     free = free_shape(home, floor_obstacles(furniture, infos))
     for opening in home.openings:
@@ -122,17 +122,17 @@ def derive_zones(
             shape = opening_rectangle(opening, HALF_WALL_M + DOORWAY_DEPTH_M).intersection(
                 Polygon(room.polygon_m).buffer(HALF_WALL_M, join_style="mitre")
             )
-            out += _zones("doorway", shape, room, 0.0, FLOOR_ZONE_TOP_M, opening.object_id)
+            zones += _zones("doorway", shape, room, 0.0, FLOOR_ZONE_TOP_M, opening.object_id)
         first = rooms[opening.room_ids[0]]
         swing = opening_rectangle(opening, HALF_WALL_M + opening.width_m).intersection(
             Polygon(first.polygon_m)
         )
-        out += _zones("swing", swing, first, 0.0, 2.0, opening.object_id)
+        zones += _zones("swing", swing, first, 0.0, 2.0, opening.object_id)
     for room in home.rooms:
-        out += _walkways(home, room, free)
+        zones += _walkways(home, room, free)
         reach = free.intersection(Polygon(room.polygon_m)).buffer(CHILD_ARM_M + 0.25)
         shape = reach.intersection(Polygon(room.polygon_m))
-        out += _zones("child_reach", _filled(shape), room, 0.0, CHILD_REACH_M, None)
+        zones += _zones("child_reach", _filled(shape), room, 0.0, CHILD_REACH_M, None)
     for item in furniture:
         traits = properties.get(item.category, ())
         if "HEAT_SOURCE" not in traits and "WATER_SOURCE" not in traits:
@@ -141,10 +141,10 @@ def derive_zones(
         room = rooms[item.room_id]
         top = round(float(body.high[2]), 3)
         if "HEAT_SOURCE" in traits:
-            out += _zones("heat", body.footprint, room, top - 0.1, top + HEAT_ABOVE_M, item.id)
+            zones += _zones("heat", body.footprint, room, top - 0.1, top + HEAT_ABOVE_M, item.id)
         if "WATER_SOURCE" in traits:
-            out += _zones("water", body.footprint, room, 0.0, top + 0.3, item.id)
-    return tuple(sorted(out, key=lambda z: z.name))
+            zones += _zones("water", body.footprint, room, 0.0, top + 0.3, item.id)
+    return tuple(sorted(zones, key=lambda z: z.name))
 
 
 def doorway_point(opening: Opening, room: Room, inside_m: float = 0.45) -> Vec2:

@@ -12,8 +12,8 @@ import pytest
 from sdgen.dataset import Dataset
 from sdgen.errors import InputError, SdgenError
 from sdgen.gallery import write_gallery
+from sdgen.gallery.drawing import draw_home
 from sdgen.gallery.pictures import depth_colours, mask_colours
-from sdgen.gallery.plan import plan
 from sdgen.validate import validate
 
 from tests import toy
@@ -197,9 +197,9 @@ def test_depth_colours_go_from_light_to_dark() -> None:
     assert shades[1] > shades[2] > shades[3] > shades[4] > 0
 
 
-def test_the_plan_keeps_everything_inside_its_frame() -> None:
+def test_the_drawing_keeps_everything_inside_its_frame() -> None:
     made = toy.bundle(3)
-    found = plan(made.scene, toy.infos(), (), {600}, {512})
+    found = draw_home(made.scene, toy.infos(), (), {600}, {512})
     kinds = [shape.kind for shape in found.shapes]
     assert kinds[-2:] == ["anomaly", "lookalike"] or kinds[-2:] == ["lookalike", "anomaly"]
     assert kinds.count("room") == 2

@@ -38,16 +38,16 @@ def merge(pieces: Sequence[Path], out: Path, on_scene: OnScene | None = None) ->
     cannot be used.
     """
     _apart(pieces, out)
-    found: list[Dataset] = []
+    data_sets: list[Dataset] = []
     problems: list[str] = []
     for piece in pieces:
         with _located(piece, problems):
-            found.append(Dataset(piece))
+            data_sets.append(Dataset(piece))
     if problems:
         raise InputError(problems)
-    scenes, assets = _joined(found)
-    largest = max(found, key=lambda data: data.info.n).info
-    with DatasetWriter.take(out, largest.build(), found[0].catalog, assets) as writer:
+    scenes, assets = _joined(data_sets)
+    largest = max(data_sets, key=lambda data: data.info.n).info
+    with DatasetWriter.take(out, largest.build(), data_sets[0].catalog, assets) as writer:
         done = sum(name in writer.done for name in scenes)
         for name, (data, entry) in scenes.items():
             if name not in writer.done:
@@ -55,13 +55,13 @@ def merge(pieces: Sequence[Path], out: Path, on_scene: OnScene | None = None) ->
                 done += 1
             if on_scene is not None:
                 on_scene(done, len(scenes))
-        for data in found:
+        for data in data_sets:
             writer.include(data.info, data.infos)
         info = writer.finish(words=largest.vocabularies)
-    made = {entry.index for _, entry in scenes.values()} | {
+    indices = {entry.index for _, entry in scenes.values()} | {
         int(key) for key in info.failed if key.isdecimal()
     }
-    return Merged(info, tuple(_gaps(made, info.n)))
+    return Merged(info, tuple(_gaps(indices, info.n)))
 
 
 def _apart(pieces: Sequence[Path], out: Path) -> None:
@@ -88,16 +88,16 @@ def _located(piece: Path, problems: list[str]) -> Iterator[None]:
 
 
 def _joined(
-    found: Sequence[Dataset],
+    data_sets: Sequence[Dataset],
 ) -> tuple[dict[str, tuple[Dataset, ManifestEntry]], dict[str, AssetInfo]]:
     """Every scene with the piece it comes from, and all assets. InputError for what differs."""
-    first = found[0]
+    first = data_sets[0]
     scenes: dict[str, tuple[Dataset, ManifestEntry]] = {}
     assets: dict[str, tuple[Dataset, AssetInfo]] = {}
     problems: list[str] = []
     if catalog_sha256(first.catalog) != first.info.catalogue_sha256:
         problems.append(f"{first.path}: catalogue.json is not the one it was built with")
-    for data in found:
+    for data in data_sets:
         others = differences(data.info.build(), first.info.build(), f"{first.path} has")
         if data.info.vocabularies != first.info.vocabularies:
             others.append("other vocabularies")

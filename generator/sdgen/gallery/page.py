@@ -17,8 +17,8 @@ from sdgen.dataset.output_file import refuse_data_set, refuse_links, write_outpu
 from sdgen.dataset.records import count
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import SdgenError
+from sdgen.gallery.drawing import draw_home
 from sdgen.gallery.pictures import depth_colours, mask_colours, small_png, thumbnail
-from sdgen.gallery.plan import plan
 from sdgen.scene import Anomaly, EvidenceValue, Lookalike
 
 INDEX = "index.html"
@@ -115,7 +115,7 @@ def _write(
                 before=items[k - 1].id if k else None,
                 after=items[k + 1].id if k + 1 < len(items) else None,
                 views=[_view(data, item, folder, view) for view in range(item.entry.views)],
-                plan=plan(
+                drawing=draw_home(
                     item.scene,
                     data.infos,
                     item.cameras,

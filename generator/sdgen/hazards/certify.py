@@ -26,7 +26,7 @@ class Positive:
 class Survey:
     """All pairs of a scene: those that hold or are in doubt, and how many were looked at."""
 
-    found: tuple[Positive, ...]
+    positives: tuple[Positive, ...]
     pairs: int
 
 
@@ -41,7 +41,7 @@ def survey(facts: Facts, catalog: Catalog) -> Survey:
     An object's category alone settles most pairs: a predicate whose terms all must hold, one of
     them on the category, is surely false of others.
     """
-    found = []
+    positives = []
     limits = [(hazard, _categories(hazard.predicate)) for hazard in catalog.hazards]
     for item in sorted(facts.scene.objects, key=lambda o: o.id):
         for hazard, concerned in limits:
@@ -49,8 +49,8 @@ def survey(facts: Facts, catalog: Catalog) -> Survey:
                 continue
             verdict = hazard.predicate.evaluate(item.id, facts)
             if verdict.value or not verdict.sure:
-                found.append(Positive(item.id, hazard.id, verdict))
-    return Survey(tuple(found), len(facts.scene.objects) * len(catalog.hazards))
+                positives.append(Positive(item.id, hazard.id, verdict))
+    return Survey(tuple(positives), len(facts.scene.objects) * len(catalog.hazards))
 
 
 def _categories(predicate: Term) -> frozenset[str] | None:
@@ -65,4 +65,4 @@ def _categories(predicate: Term) -> frozenset[str] | None:
 
 def certify(scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog) -> tuple[Positive, ...]:
     """Pairs that hold or are in doubt, from records alone (what ``validate`` runs again)."""
-    return survey(facts_of(scene, infos, catalog), catalog).found
+    return survey(facts_of(scene, infos, catalog), catalog).positives

@@ -24,21 +24,21 @@ def evidence_parts(facts: Facts, hazard: Hazard, object_id: int) -> tuple[str, .
 
 
 def anomaly_records(
-    found: Sequence[Positive],
+    positives: Sequence[Positive],
     facts: Facts,
     catalog: Catalog,
     household: Household,
 ) -> tuple[Anomaly, ...]:
     """Anomalies sorted by object id; ids ``a00`` … follow that order and say nothing else."""
-    out = []
-    ordered = sorted(found, key=lambda p: (p.object_id, p.hazard))
+    records = []
+    ordered = sorted(positives, key=lambda p: (p.object_id, p.hazard))
     for number, positive in enumerate(ordered):
         hazard = catalog.hazard(positive.hazard)
         item = facts.bodies[positive.object_id].item
         relation, target = _relation(hazard, facts, item.id)
         evidence = dict(positive.verdict.evidence)
         report, notify, reason = decide(hazard, evidence, household, catalog.reach)
-        out.append(
+        records.append(
             Anomaly(
                 id=f"a{number:02d}",
                 hazard=hazard.id,
@@ -60,7 +60,7 @@ def anomaly_records(
                 remedy=remedy(hazard, facts, item.id),
             )
         )
-    return tuple(out)
+    return tuple(records)
 
 
 def _relation(hazard: Hazard, facts: Facts, object_id: int) -> tuple[str | None, int | None]:

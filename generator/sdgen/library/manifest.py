@@ -61,7 +61,7 @@ def read_manifest(folder: Path, raw: bytes) -> Manifest:
         for key in data:
             if key not in _KEYS:
                 source.problem((key,), f"unknown key{did_you_mean(key, _KEYS)}")
-    elif not source.found:
+    elif not source.noted:
         source.problem((), "expected a mapping with the key 'assets'")
     assets = _records(source, "assets", Asset)
     surfaces = _records(source, "surfaces", Surface)
@@ -71,7 +71,7 @@ def read_manifest(folder: Path, raw: bytes) -> Manifest:
         _check_files(source, path, folder, _files_of(asset))
     for surface, path in surfaces:
         _check_files(source, path, folder, [surface.texture])
-    if source.found:
+    if source.noted:
         raise AssetError(source.problems)
     return Manifest(raw, tuple(a for a, _ in assets), tuple(s for s, _ in surfaces))
 

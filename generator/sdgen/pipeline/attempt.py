@@ -85,7 +85,7 @@ def _unproved(rested: Rested, surveyed: Survey, library: Library) -> dict[int, R
     contents = rested.contents
     wrong: dict[int, Rejection] = {}
     proved: set[int] = set()
-    for positive in surveyed.found:
+    for positive in surveyed.positives:
         key, made = positive.object_id, contents.anomalies.get(positive.object_id)
         if made is not None and made.hazard == positive.hazard:
             if positive.verdict.value and positive.verdict.sure:

@@ -41,7 +41,7 @@ def finish(
 ) -> SceneBundle | Rejection:
     """The bundle of a proved scene, as if it were the first try."""
     facts, scene = proved.facts, proved.facts.scene
-    anomalies = anomaly_records(proved.surveyed.found, facts, catalog, spec.household)
+    anomalies = anomaly_records(proved.surveyed.positives, facts, catalog, spec.household)
     lookalikes = lookalike_records(proved.lookalikes, facts, catalog)
     with RayWorld(library, scene, client) as world:
         sight = Sight(library, scene, world.cast, options.seed)
@@ -78,7 +78,7 @@ def certificate(catalog: Catalog, assets_sha256: str, surveyed: Survey) -> Certi
         catalogue_sha256=catalog_sha256(catalog),
         assets_sha256=assets_sha256,
         pairs_checked=surveyed.pairs,
-        pairs_positive=len(surveyed.found),
+        pairs_positive=len(surveyed.positives),
     )
 
 
@@ -115,7 +115,7 @@ def check_undone(
     scene = undone(bundle.scene, bundle.anomalies.anomalies, catalog, infos)
     facts = facts_of(scene, infos, catalog)
     surveyed = survey(facts, catalog)
-    for left in surveyed.found:
+    for left in surveyed.positives:
         check = "not_benign" if left.verdict.sure else "in_doubt"
         category = facts.category(left.object_id)
         return reject(

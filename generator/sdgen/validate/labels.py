@@ -212,13 +212,13 @@ def _anomalies(
     stored = {(a.object_id, a.hazard): a for a in item.anomalies.anomalies}
     if len(stored) != len(item.anomalies.anomalies):
         yield Problem("label", f"{where}: anomalies: a pair of object and hazard appears twice")
-    for found in result.found:
-        pair = f"object {found.object_id}, {found.hazard}"
-        if not found.verdict.sure:
+    for positive in result.positives:
+        pair = f"object {positive.object_id}, {positive.hazard}"
+        if not positive.verdict.sure:
             yield Problem("label", f"{where}: {pair}: lies within a dead band")
-        elif (found.object_id, found.hazard) not in stored:
+        elif (positive.object_id, positive.hazard) not in stored:
             yield Problem("label", f"{where}: {pair}: holds and is not listed")
-    holding = [f for f in result.found if f.verdict.value and (f.object_id, f.hazard) in stored]
+    holding = [f for f in result.positives if f.verdict.value and (f.object_id, f.hazard) in stored]
     pairs = {(f.object_id, f.hazard) for f in holding}
     for object_id, hazard in sorted(set(stored) - pairs):
         yield Problem("label", f"{where}: object {object_id}, {hazard}: listed and does not hold")
@@ -233,7 +233,7 @@ def _lookalikes(
     item: SceneItem, catalog: Catalog, facts: Facts, result: Survey
 ) -> Iterator[Problem]:
     where = item.where("anomalies.json")
-    positive = {found.object_id for found in result.found}
+    positive = {pair.object_id for pair in result.positives}
     hazards = {hazard.id: hazard for hazard in catalog.hazards}
     for k, lookalike in enumerate(item.anomalies.lookalikes):
         path = f"{where}: lookalikes[{k}]"

@@ -17,7 +17,7 @@ MARGIN_M = 0.3
 
 @dataclass(frozen=True)
 class Shape:
-    """A polygon of the plan: what it is, its points as SVG text, and a tooltip."""
+    """A polygon of the drawing: what it is, its points as SVG text, and a tooltip."""
 
     kind: str
     points: str
@@ -36,8 +36,8 @@ class Mark:
 
 
 @dataclass(frozen=True)
-class Plan:
-    """A floor plan: size in SVG units, shapes from the floor up, room names, cameras."""
+class Drawing:
+    """A home drawn from above: size in SVG units, shapes from the floor up, room names, cameras."""
 
     width: float
     height: float
@@ -46,14 +46,14 @@ class Plan:
     cameras: tuple[Mark, ...]
 
 
-def plan(
+def draw_home(
     scene: Scene,
     infos: Mapping[str, AssetInfo],
     cameras: tuple[Camera, ...],
     anomalies: Collection[int],
     lookalikes: Collection[int],
-) -> Plan:
-    """The plan of a scene, north up."""
+) -> Drawing:
+    """A scene drawn from above, north up."""
     corners = [point for room in scene.home.rooms for point in room.polygon_m]
     x0 = min(x for x, _ in corners) - MARGIN_M
     y1 = max(y for _, y in corners) + MARGIN_M
@@ -85,7 +85,7 @@ def plan(
             late.append(Shape(marked, shape.points, shape.title))
         else:
             shapes.append(shape)
-    return Plan(
+    return Drawing(
         width=round((x1 - x0) * SCALE, 1),
         height=round((y1 - y0) * SCALE, 1),
         shapes=tuple(shapes + late),

@@ -12,6 +12,7 @@ from sdgen.home.layout import Layout
 from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
 
+#: Bound the search; a try that finds no place is cheap and the next is drawn anew.
 CANDIDATES_TRIED = 20
 #: Of the hazards, this many have a near miss in a scene, so that having one says little.
 LOOKALIKE_SHARE = 0.85

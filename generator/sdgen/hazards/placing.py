@@ -19,6 +19,7 @@ from sdgen.vocabulary import OPENINGS
 
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
+#: Bounds the search: pieces of furniture, or rooms with a free floor, looked at for one thing.
 TARGETS_TRIED = 4
 #: Spots looked at on one target where only some heights will do (a high shelf of a bookcase).
 SPOTS_TRIED = 6

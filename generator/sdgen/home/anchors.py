@@ -24,8 +24,11 @@ from sdgen.seeding import Rng
 #: Between a back and the wall; a hung piece touches it.
 BACK_GAP_M = 0.03
 HUNG_GAP_M = 0.005
+#: Between neighbours and from corners: clear of touching after rounding, too narrow to look empty.
 SIDE_GAP_M = 0.02
+#: Chosen by eye: furniture mostly stands at the ends of walls, where it leaves the middle free.
 SNAP_CHANCE = 0.65
+#: Bounds the work: three more spots a wall, beside its two ends.
 DRAWS_A_WALL = 3
 #: A piece a chair stands at is reached under by this much.
 TUCKED_M = 0.08
@@ -168,6 +171,7 @@ def opposite(target: ObjectInstance, sides: Sequence[Side], size: Vec2, rng: Rng
     for side in sides:
         facing = math.cos(yaw) * side.inward[0] + math.sin(yaw) * side.inward[1]
         t, away = side.measure((x, y))
+        # Within 26 degrees of right across; between a walk past and the end of a living room.
         if facing > -0.9 or not 1.6 < away < 6.0:
             continue
         low, high = width / 2 + SIDE_GAP_M, side.length_m - width / 2 - SIDE_GAP_M

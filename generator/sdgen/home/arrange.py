@@ -30,11 +30,14 @@ from sdgen.seeding import Rng
 from sdgen.vocabulary import FLAT_M, OVERHEAD_M
 from sdgen.zones import doorway_point, floor_obstacles
 
+#: Bound the search: a room that fails so often mostly has no arrangement, and homes are drawn anew.
 ROOM_TRIES = 8
 MODELS_TRIED = 4
+#: Floor kept clear before a doorway: a person with something in their arms gets through.
 DOOR_CLEAR_M = 0.85
 #: A row of units stands without gaps, all but this.
 ROW_GAP_M = 0.012
+#: Bounds the search, with other models or the other way round each time.
 ROWS_TRIED = 6
 #: What a person in a room must be able to get to: this far from every doorway's middle.
 NEAR_DOOR_M = 0.2
@@ -379,6 +382,7 @@ def _passable(tried: _RoomTry) -> bool:
         for opening in tried.openings
         if opening.kind != "window"
     ]
+    # Floor for a robot's middle, m2: a small bathroom has little more than a spot to turn on.
     least = 0.3 if tried.outline.area < 8.0 else 1.0
     return any(
         part.area >= least and all(part.distance(end) <= NEAR_DOOR_M for end in ends)

@@ -19,6 +19,7 @@ from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
 from sdgen.vocabulary import FLAT_M, OPENINGS
 
+#: Of the pieces a drawn home marks optional, so many stand: chosen by eye, for variety.
 OPTIONAL_SHARE = 0.75
 #: Joint values of an interior door: most stand open, as in homes.
 DOOR_OPEN_SHARE = 0.8

@@ -10,6 +10,7 @@ from sdgen.home.plan import plan_random
 from sdgen.home.plan_openings import openings_random
 from sdgen.seeding import Rng
 
+#: Ceilings of flats: Germany's model building code (MBO, section 47) allows no less than 2.4 m.
 HEIGHTS_M = (2.4, 2.5, 2.6, 2.7)
 TRIES = 6
 

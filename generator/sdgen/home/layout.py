@@ -34,7 +34,9 @@ from sdgen.scene import Home, ObjectInstance, Opening, Pose
 from sdgen.seeding import Rng
 from sdgen.vocabulary import HALF_WALL_M, OPENINGS
 
+#: Things start this far above what they stand on: a contact at the start would push them.
 DROP_M = 0.001
+#: Left between things: room to settle without touching.
 GAP_M = 0.01
 TRIES = 12
 #: What may reach into a wall: less than physics calls a penetration.

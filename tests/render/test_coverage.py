@@ -2,9 +2,19 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sdgen.render.coverage import clip_near, coverage, covered
+from sdgen.render.coverage import clip_near, coverage
 
 K = np.array([[100.0, 0, 31.5], [0, 100.0, 23.5], [0, 0, 1]])
+
+
+def covered(
+    triangles: np.ndarray, k: np.ndarray, width: int, height: int, near_m: float
+) -> np.ndarray:
+    """Pixels (H, W) of the whole picture that the triangles cover."""
+    mask = np.zeros((height, width), dtype=bool)
+    part, rows, columns = coverage(triangles, k, width, height, near_m)
+    mask[rows, columns] = part
+    return mask
 
 
 def triangle(*pixels: tuple[float, float], depth: float = 2.0) -> np.ndarray:

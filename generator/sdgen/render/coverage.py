@@ -48,20 +48,11 @@ def _cut(inside: Array, outside: Array, near_m: float) -> Array:
     return np.asarray(inside + share[:, None] * (outside - inside), dtype=np.float64)
 
 
-def covered(
-    triangles: Array, k: Array, width: int, height: int, near_m: float
-) -> npt.NDArray[np.bool_]:
-    """Pixels (H, W) that front faces of camera-frame triangles (N, 3, 3) cover."""
-    mask = np.zeros((height, width), dtype=bool)
-    part, rows, columns = coverage(triangles, k, width, height, near_m)
-    mask[rows, columns] = part
-    return mask
-
-
 def coverage(
     triangles: Array, k: Array, width: int, height: int, near_m: float
 ) -> tuple[npt.NDArray[np.bool_], slice, slice]:
-    """The same, cut out: the smallest mask that holds all covered pixels, its rows and columns."""
+    """Pixels that front faces of camera-frame triangles (N, 3, 3) cover: the smallest mask that
+    holds them all, and its rows and columns of the (height, width) picture."""
     seen = clip_near(triangles, near_m)
     x = k[0, 0] * seen[:, :, 0] / seen[:, :, 2] + k[0, 2]
     y = k[1, 1] * seen[:, :, 1] / seen[:, :, 2] + k[1, 2]

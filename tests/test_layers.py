@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -82,6 +82,46 @@ def may_import(importer: str, imported: str) -> bool:
 SOURCES = sorted(path for path in PACKAGE.rglob("*.py") if path != PACKAGE / "__init__.py")
 
 
+def module_of(path: Path, root: Path = PACKAGE.parent) -> str:
+    return ".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__")
+
+
+def import_graph(files: Collection[Path], root: Path = PACKAGE.parent) -> dict[str, list[str]]:
+    """Module -> modules of the same files it imports: at its top, in functions, for types."""
+    modules = {module_of(path, root): path for path in files}
+    graph: dict[str, list[str]] = {}
+    for name, path in modules.items():
+        meant: set[str | None] = set()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Import):
+                meant |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                for full in (f"{node.module}.{alias.name}" for alias in node.names):
+                    meant.add(full if full in modules else node.module)
+        graph[name] = sorted(meant & modules.keys())
+    return graph
+
+
+def circle(graph: Mapping[str, Sequence[str]]) -> list[str]:
+    """A circle of modules, the first of them named again at the end; empty where there is none."""
+    done: set[str] = set()
+    for start in graph:
+        way: list[str] = []
+        todo = [iter([start])]
+        while todo:
+            name = next(todo[-1], None)
+            if name is None:
+                todo.pop()
+                done.update(way[-1:])
+                del way[-1:]
+            elif name in way:
+                return [*way[way.index(name) :], name]
+            elif name not in done:
+                way.append(name)
+                todo.append(iter(graph[name]))
+    return []
+
+
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(PACKAGE)))
 def test_file_keeps_to_its_floor(path: Path) -> None:
     importer = room_of(path)
@@ -99,6 +139,37 @@ def test_every_room_of_the_package_has_a_floor() -> None:
     folders = {path.name for path in PACKAGE.iterdir() if (path / "__init__.py").exists()}
     files = {path.stem for path in PACKAGE.glob("*.py")} - {"__init__"}
     assert (folders | files) <= set(ROOMS)
+
+
+def test_no_module_imports_itself_by_way_of_others() -> None:
+    # Imports for types count, too: what knows each other's types is one thing in two files. The
+    # package's own __init__ is excused: it names what others may use, and loads none of it.
+    assert circle(import_graph(SOURCES)) == []
+
+
+@pytest.mark.parametrize(
+    "last",
+    [
+        "import house.a",
+        "from house import a",
+        "from house.a import thing",
+        "def late():\n    from house.a import thing",
+        "if TYPE_CHECKING:\n    from house.a import thing",
+    ],
+)
+def test_a_circle_is_found_however_it_is_imported(tmp_path: Path, last: str) -> None:
+    house = tmp_path / "house"
+    house.mkdir()
+    (house / "a.py").write_text("from house.b import thing\n")
+    (house / "b.py").write_text("from house import c\nimport house.d\n")
+    (house / "c.py").write_text(f"{last}\n")
+    (house / "d.py").write_text("import house.e\n")
+    (house / "e.py").write_text("")
+    found = circle(import_graph(list(house.iterdir()), tmp_path))
+    assert sorted(set(found)) == ["house.a", "house.b", "house.c"]
+    assert found[0] == found[-1]
+    (house / "c.py").write_text("from house.d import thing\n")
+    assert circle(import_graph(list(house.iterdir()), tmp_path)) == []
 
 
 @pytest.mark.parametrize(

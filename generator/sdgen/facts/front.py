@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from sdgen.catalog.predicate import Bearing, Related, ZoneShare
+from sdgen.catalog.predicate import Bearing, Related
 from sdgen.facts import spatial
-from sdgen.facts.body import Body, drawn, gaps, rows
-from sdgen.facts.containers import Containers
+from sdgen.facts.body import gaps, rows
+from sdgen.facts.measured import Measured
 from sdgen.facts.relations import FINDERS
-from sdgen.facts.rooms import Rooms, types_of
-from sdgen.facts.supports import Supports
+from sdgen.facts.rooms import types_of
 from sdgen.facts.tags import tags
-from sdgen.facts.zones import ZoneIndex
-from sdgen.geometry import Array, Vec3, vec3
+from sdgen.geometry import Vec3, vec3
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import derive_states, undecided_states
 from sdgen.scene import Scene
@@ -31,11 +28,10 @@ class Edge(NamedTuple):
     relation: str
 
 
-class Facts:
+class Facts(Measured):
     """Measured facts of a scene, derived from poses, joints, variants and asset records alone.
 
-    ``properties`` maps category to its catalogue properties (LOOKABLE, SITTABLE …), needed for
-    FACING only. Keeps to :class:`~sdgen.catalog.predicate.FactSource`.
+    Keeps to :class:`~sdgen.catalog.predicate.FactSource`.
     """
 
     def __init__(
@@ -44,28 +40,10 @@ class Facts:
         infos: Mapping[str, AssetInfo],
         properties: Mapping[str, Collection[str]] | None = None,
     ) -> None:
-        self.scene = scene
-        self.properties = properties or {}
-        bodies = drawn([Body(item, infos[item.asset]) for item in scene.objects])
-        self.bodies = {body.item.id: body for body in bodies}
-        self.rooms = Rooms(scene.home)
-        self.supports = Supports(self.bodies, scene.home)
-        self.containers = Containers(self.bodies)
-        self.zone_index = ZoneIndex(scene.zones)
-        self._structures = {s.id: s for s in scene.home.structures}
+        super().__init__(scene, infos, properties)
         self._related: dict[tuple[int, str], tuple[Related, ...]] = {}
-        self._rooms: dict[int, tuple[int, ...]] = {}
-        self._shares: dict[int, tuple[ZoneShare, ...]] = {}
 
     # --- what predicates ask ---------------------------------------------------------------------
-
-    def category(self, object_id: int) -> str:
-        """Category of an object or structure; the type of a room."""
-        if object_id in self.bodies:
-            return self.bodies[object_id].item.category
-        if object_id in self._structures:
-            return self._structures[object_id].category
-        return self.rooms.by_id[object_id].type
 
     def states(self, object_id: int) -> tuple[str, ...]:
         """States that hold, from variant and joints; none for structures and rooms."""
@@ -98,7 +76,7 @@ class Facts:
 
     def gaps(self, object_id: int, categories: Collection[str]) -> tuple[tuple[float, int], ...]:
         """Gap in metres to each other object of these categories, and its id, nearest first."""
-        ids = [k for k in self._ids_of(categories) if k != object_id]
+        ids = [k for k in self.ids_of(categories) if k != object_id]
         body = self.bodies[object_id]
         lows = rows([self.bodies[k].low for k in ids], 3)
         highs = rows([self.bodies[k].high for k in ids], 3)
@@ -107,13 +85,7 @@ class Facts:
 
     def bearings(self, object_id: int, categories: Collection[str]) -> tuple[Bearing, ...]:
         """Where things of these categories in its room are, as seen from the object's front."""
-        return tuple(spatial.bearings(self, object_id, self._ids_of(categories)))
-
-    def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
-        """Zones the object's footprint touches, where its height range meets the zone's."""
-        if object_id not in self._shares:
-            self._shares[object_id] = tuple(self.zone_index.shares(self.bodies[object_id]))
-        return self._shares[object_id]
+        return tuple(spatial.bearings(self, object_id, self.ids_of(categories)))
 
     # --- what the graph writes -------------------------------------------------------------------
 
@@ -127,7 +99,7 @@ class Facts:
             low = np.array([*points.min(axis=0), 0.0])
             high = np.array([*points.max(axis=0), room.height_m])
         else:
-            pieces = self._structures[object_id].pieces
+            pieces = self.structures[object_id].pieces
             centers = np.array([p.center_m for p in pieces])
             sizes = np.array([p.size_m for p in pieces])
             low, high = (centers - sizes / 2).min(axis=0), (centers + sizes / 2).max(axis=0)
@@ -140,7 +112,7 @@ class Facts:
 
     def edges(self) -> tuple[Edge, ...]:
         """All relations of the scene, sorted; who is in which room is written as INSIDE."""
-        out = [Edge(s.id, s.room_id, "INSIDE") for s in self._structures.values()]
+        out = [Edge(s.id, s.room_id, "INSIDE") for s in self.structures.values()]
         for object_id in self.bodies:
             out += [
                 Edge(object_id, room, "INSIDE") for room in self.room_ids(object_id)[:1] if room
@@ -151,54 +123,8 @@ class Facts:
 
     def tags(self, object_id: int) -> tuple[str, ...]:
         """Unary facts of an object, sorted; none for structures and rooms."""
-        return tags(self, object_id) if object_id in self.bodies else ()
-
-    # --- what the units share --------------------------------------------------------------------
-
-    def room_ids(self, object_id: int) -> tuple[int, ...]:
-        """Ids of the rooms the object may be in, by its pose, nearest first (0: outdoors)."""
-        if object_id not in self._rooms:
-            center = self.bodies[object_id].center
-            self._rooms[object_id] = self.rooms.of(object_id, center)
-        return self._rooms[object_id]
+        return tags(self, self, object_id) if object_id in self.bodies else ()
 
     def room_type(self, object_id: int) -> str:
         """Type of the room that is nearest to the object."""
         return next(iter(self.room_types(object_id)), "")
-
-    @cached_property
-    def boxes(self) -> tuple[list[int], Array, Array]:
-        """Ids of all objects, and the low and high corners of their boxes (N, 3)."""
-        bodies = self.bodies.values()
-        return (
-            list(self.bodies),
-            rows([b.low for b in bodies], 3),
-            rows([b.high for b in bodies], 3),
-        )
-
-    @cached_property
-    def roofs(self) -> tuple[list[int], Array, Array]:
-        """What things can be under."""
-        return self.supports.roofs(self.bodies)
-
-    def having(self, trait: str) -> tuple[int, ...]:
-        """Ids of the objects whose category has a property."""
-        return self._by_property.get(trait, ())
-
-    @cached_property
-    def _by_property(self) -> dict[str, tuple[int, ...]]:
-        out: dict[str, tuple[int, ...]] = {}
-        for key, body in self.bodies.items():
-            for trait in self.properties.get(body.item.category, ()):
-                out[trait] = (*out.get(trait, ()), key)
-        return out
-
-    def _ids_of(self, categories: Collection[str]) -> list[int]:
-        return [key for name in sorted(categories) for key in self._by_category.get(name, ())]
-
-    @cached_property
-    def _by_category(self) -> dict[str, list[int]]:
-        out: dict[str, list[int]] = {}
-        for key, body in self.bodies.items():
-            out.setdefault(body.item.category, []).append(key)
-        return out

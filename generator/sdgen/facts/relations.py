@@ -6,47 +6,39 @@ A candidate that surely does not hold is left out; one within a margin is there,
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
 
 from sdgen.catalog.predicate import Related
 from sdgen.facts import spatial
-from sdgen.kleene import Kleene, any_of
-
-if TYPE_CHECKING:
-    from sdgen.facts.front import Facts
+from sdgen.facts.measured import Measured
 
 
-def _on(facts: Facts, object_id: int) -> Iterable[Related]:
-    inside: dict[int, Kleene] = {}
-    for r in facts.related(object_id, "INSIDE"):
-        before = inside.get(r.target_id, Kleene(False))
-        inside[r.target_id] = any_of((before, Kleene(r.holds, r.sure)))
-    return facts.supports.on(facts.bodies[object_id], inside)
+def _on(facts: Measured, object_id: int) -> Iterable[Related]:
+    return facts.on(object_id)
 
 
-def _inside(facts: Facts, object_id: int) -> Iterable[Related]:
-    return facts.containers.inside(facts.bodies[object_id])
+def _inside(facts: Measured, object_id: int) -> Iterable[Related]:
+    return facts.inside(object_id)
 
 
-def _between(facts: Facts, object_id: int) -> Iterable[Related]:
+def _between(facts: Measured, object_id: int) -> Iterable[Related]:
     return facts.rooms.between(object_id)
 
 
-def _blocks(facts: Facts, object_id: int) -> Iterable[Related]:
+def _blocks(facts: Measured, object_id: int) -> Iterable[Related]:
     body = facts.bodies[object_id]
     for target, holds in facts.zone_index.blocks(body, facts.zones(object_id)).items():
         yield Related(target, facts.category(target), *holds)
 
 
-def _near(relation: str) -> Callable[[Facts, int], Iterable[Related]]:
-    def find(facts: Facts, object_id: int) -> Iterable[Related]:
+def _near(relation: str) -> Callable[[Measured, int], Iterable[Related]]:
+    def find(facts: Measured, object_id: int) -> Iterable[Related]:
         for target, holds in facts.zone_index.near(facts.bodies[object_id], relation).items():
             yield Related(target, facts.category(target), *holds)
 
     return find
 
 
-FINDERS: dict[str, Callable[[Facts, int], Iterable[Related]]] = {
+FINDERS: dict[str, Callable[[Measured, int], Iterable[Related]]] = {
     "ON": _on,
     "INSIDE": _inside,
     "BETWEEN": _between,

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sdgen.catalog.predicate import Bearing, Related
 from sdgen.facts.body import Body, gaps
+from sdgen.facts.measured import Measured
 from sdgen.facts.rooms import same_room
 from sdgen.facts.thresholds import (
     BEARING_LEAST_M,
@@ -21,11 +21,8 @@ from sdgen.facts.thresholds import (
 )
 from sdgen.kleene import NO, Kleene, all_of
 
-if TYPE_CHECKING:
-    from sdgen.facts.front import Facts
 
-
-def close(facts: Facts, object_id: int) -> Iterable[Related]:
+def close(facts: Measured, object_id: int) -> Iterable[Related]:
     """Things of the same room within reach of a few steps."""
     body = facts.bodies[object_id]
     ids, lows, highs = facts.boxes
@@ -54,7 +51,7 @@ def bearing(body: Body, other: Body) -> tuple[float, bool]:
     return abs(math.atan2(math.sin(turn), math.cos(turn))), clear
 
 
-def bearings(facts: Facts, object_id: int, others: Iterable[int]) -> Iterable[Bearing]:
+def bearings(facts: Measured, object_id: int, others: Iterable[int]) -> Iterable[Bearing]:
     """Bearings of other things that are, or may be, in the same room."""
     body = facts.bodies[object_id]
     for other in others:
@@ -64,7 +61,7 @@ def bearings(facts: Facts, object_id: int, others: Iterable[int]) -> Iterable[Be
             yield Bearing(other, angle, clear, together)
 
 
-def facing(facts: Facts, object_id: int) -> Iterable[Related]:
+def facing(facts: Measured, object_id: int) -> Iterable[Related]:
     """What can be looked at before something that can be sat on."""
     if object_id in facts.having("SITTABLE"):
         for found in bearings(facts, object_id, facts.having("LOOKABLE")):
@@ -73,11 +70,11 @@ def facing(facts: Facts, object_id: int) -> Iterable[Related]:
             yield from _related(facts, found.target_id, all_of((found.together, ahead)))
 
 
-def under(facts: Facts, object_id: int) -> Iterable[Related]:
+def under(facts: Measured, object_id: int) -> Iterable[Related]:
     """Built-in things with a surface over the object, unless it is inside something or on them."""
     body = facts.bodies[object_id]
-    free = [Kleene(r.holds, r.sure).negated() for r in facts.related(object_id, "INSIDE")]
-    on = {r.target_id: Kleene(r.holds, r.sure) for r in facts.related(object_id, "ON")}
+    free = [Kleene(r.holds, r.sure).negated() for r in facts.inside(object_id)]
+    on = {r.target_id: Kleene(r.holds, r.sure) for r in facts.on(object_id)}
     ids, tops, boxes = facts.roofs
     room = tops - body.high[2]
     over = room > UNDER_M.below
@@ -93,6 +90,6 @@ def under(facts: Facts, object_id: int) -> Iterable[Related]:
         yield from _related(facts, ids[index], holds)
 
 
-def _related(facts: Facts, target: int, holds: Kleene) -> Iterable[Related]:
+def _related(facts: Measured, target: int, holds: Kleene) -> Iterable[Related]:
     if holds != NO:
         yield Related(target, facts.category(target), *holds)

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from sdgen.catalog.predicate import FactSource
 from sdgen.catalog.terms import AllTerm, HeightTerm, NotTerm, RelationTerm, Term, ZoneTerm
+from sdgen.facts.measured import Measured
 from sdgen.vocabulary import CHILD_REACH_M
-
-if TYPE_CHECKING:
-    from sdgen.facts.front import Facts
 
 #: Tag -> the predicate that says it. IN_REACH_OF_CHILD is for loose things only.
 PREDICATES: dict[str, Term] = {
@@ -23,16 +20,16 @@ PREDICATES: dict[str, Term] = {
 }
 
 
-def tags(facts: Facts, object_id: int) -> tuple[str, ...]:
+def tags(facts: FactSource, measured: Measured, object_id: int) -> tuple[str, ...]:
     """Tags that hold, sorted; as measured, also within a margin."""
-    body = facts.bodies[object_id]
+    body = measured.bodies[object_id]
     out = [
         name
         for name, predicate in PREDICATES.items()
         if not (name == "IN_REACH_OF_CHILD" and body.item.fixed)
         and predicate.evaluate(object_id, facts).value
     ]
-    furniture = [target for target in facts.holds(object_id, "ON") if target in facts.bodies]
-    if any(facts.supports.near_edge(body, target) for target in furniture):
+    under = {r.target_id for r in measured.on(object_id) if r.holds} & measured.bodies.keys()
+    if any(measured.supports.near_edge(body, target) for target in under):
         out.append("NEAR_EDGE")
     return tuple(sorted(out))

@@ -1,0 +1,123 @@
+"""What is measured of a scene's things, one by one: their rooms, hollows, surfaces and zones.
+
+Relations, tags and predicates stand on it; it knows none of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from functools import cached_property
+
+from sdgen.catalog.predicate import Related, ZoneShare
+from sdgen.facts.body import Body, drawn, rows
+from sdgen.facts.containers import Containers
+from sdgen.facts.rooms import Rooms
+from sdgen.facts.supports import Supports
+from sdgen.facts.zones import ZoneIndex
+from sdgen.geometry import Array
+from sdgen.kleene import Kleene, any_of
+from sdgen.library.records import AssetInfo
+from sdgen.scene import Scene
+
+
+class Measured:
+    """A scene's bodies, and what each of them is in and on, measured once and kept.
+
+    ``properties`` maps category to its catalogue properties (LOOKABLE, SITTABLE …), needed for
+    FACING only.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        infos: Mapping[str, AssetInfo],
+        properties: Mapping[str, Collection[str]] | None = None,
+    ) -> None:
+        self.scene = scene
+        self.properties = properties or {}
+        bodies = drawn([Body(item, infos[item.asset]) for item in scene.objects])
+        self.bodies = {body.item.id: body for body in bodies}
+        self.structures = {s.id: s for s in scene.home.structures}
+        self.rooms = Rooms(scene.home)
+        self.supports = Supports(self.bodies, scene.home)
+        self.containers = Containers(self.bodies)
+        self.zone_index = ZoneIndex(scene.zones)
+        self._rooms: dict[int, tuple[int, ...]] = {}
+        self._inside: dict[int, tuple[Related, ...]] = {}
+        self._on: dict[int, tuple[Related, ...]] = {}
+        self._shares: dict[int, tuple[ZoneShare, ...]] = {}
+
+    def category(self, object_id: int) -> str:
+        """Category of an object or structure; the type of a room."""
+        if object_id in self.bodies:
+            return self.bodies[object_id].item.category
+        if object_id in self.structures:
+            return self.structures[object_id].category
+        return self.rooms.by_id[object_id].type
+
+    def room_ids(self, object_id: int) -> tuple[int, ...]:
+        """Ids of the rooms the object may be in, by its pose, nearest first (0: outdoors)."""
+        if object_id not in self._rooms:
+            center = self.bodies[object_id].center
+            self._rooms[object_id] = self.rooms.of(object_id, center)
+        return self._rooms[object_id]
+
+    def inside(self, object_id: int) -> tuple[Related, ...]:
+        """What the object is INSIDE, or nearly."""
+        if object_id not in self._inside:
+            self._inside[object_id] = tuple(self.containers.inside(self.bodies[object_id]))
+        return self._inside[object_id]
+
+    def on(self, object_id: int) -> tuple[Related, ...]:
+        """What the object is ON, or nearly: nothing that it is INSIDE."""
+        if object_id not in self._on:
+            inside: dict[int, Kleene] = {}
+            for r in self.inside(object_id):
+                before = inside.get(r.target_id, Kleene(False))
+                inside[r.target_id] = any_of((before, Kleene(r.holds, r.sure)))
+            self._on[object_id] = tuple(self.supports.on(self.bodies[object_id], inside))
+        return self._on[object_id]
+
+    def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
+        """Zones the object's footprint touches, where its height range meets the zone's."""
+        if object_id not in self._shares:
+            self._shares[object_id] = tuple(self.zone_index.shares(self.bodies[object_id]))
+        return self._shares[object_id]
+
+    @cached_property
+    def boxes(self) -> tuple[list[int], Array, Array]:
+        """Ids of all objects, and the low and high corners of their boxes (N, 3)."""
+        bodies = self.bodies.values()
+        return (
+            list(self.bodies),
+            rows([b.low for b in bodies], 3),
+            rows([b.high for b in bodies], 3),
+        )
+
+    @cached_property
+    def roofs(self) -> tuple[list[int], Array, Array]:
+        """What things can be under."""
+        return self.supports.roofs(self.bodies)
+
+    def having(self, trait: str) -> tuple[int, ...]:
+        """Ids of the objects whose category has a property."""
+        return self._by_property.get(trait, ())
+
+    def ids_of(self, categories: Collection[str]) -> list[int]:
+        """Ids of the objects of these categories, by category."""
+        return [key for name in sorted(categories) for key in self._by_category.get(name, ())]
+
+    @cached_property
+    def _by_property(self) -> dict[str, tuple[int, ...]]:
+        out: dict[str, tuple[int, ...]] = {}
+        for key, body in self.bodies.items():
+            for trait in self.properties.get(body.item.category, ()):
+                out[trait] = (*out.get(trait, ()), key)
+        return out
+
+    @cached_property
+    def _by_category(self) -> dict[str, list[int]]:
+        out: dict[str, list[int]] = {}
+        for key, body in self.bodies.items():
+            out.setdefault(body.item.category, []).append(key)
+        return out

@@ -84,7 +84,7 @@ class Build(Record):
 class DatasetInfo(Record):
     """``dataset.json``.
 
-    ``versions`` names what decides bytes (sdgen, pybullet, numpy, zlib …, the architecture),
+    ``versions`` names what decides bytes (sdgen, pybullet, numpy, isal …, the architecture),
     ``renderers`` whatever drew the pictures, ``failed`` the scenes that could not be made, with
     the causes counted.
     """

@@ -16,7 +16,7 @@ PACKAGE = ROOT / "generator" / "sdgen"
 FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
     1: (
         ("rejection",),
-        ("errors", "seeding", "geometry", "resources", "vocabulary", "kleene", "locks"),
+        ("errors", "seeding", "geometry", "resources", "vocabulary", "kleene", "locks", "closing"),
         ("files", "scratch"),
         ("yaml_source",),
         ("strict",),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from sdgen.locks import FileLock
-from sdgen.scratch import PREFIX, Scratch, clear_dead
+from sdgen.scratch import PREFIX, clear_dead, scratch_folder
 
 
 @pytest.fixture(autouse=True)
@@ -17,7 +17,7 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_it_is_gone_after_an_error_too(place: Path) -> None:
     def interrupted() -> None:
-        with Scratch() as folder:
+        with scratch_folder() as folder:
             (folder / "deep" / "er").mkdir(parents=True)
             (folder / "deep" / "file").write_text("x")
             raise KeyboardInterrupt
@@ -38,9 +38,9 @@ def test_only_those_of_the_dead_are_cleared(place: Path) -> None:
     elsewhere = place / "elsewhere"
     elsewhere.mkdir()
     (place / f"{PREFIX}link").symlink_to(elsewhere)
-    with Scratch() as living:
+    with scratch_folder() as living:
         clear_dead()
-        with Scratch():
+        with scratch_folder():
             assert living.is_dir()
         assert {p.name for p in place.iterdir()} == {
             living.name,
@@ -72,7 +72,7 @@ def test_a_folder_taken_for_dead_while_it_was_born_is_replaced(
         return path
 
     monkeypatch.setattr("sdgen.scratch.tempfile.mkdtemp", stolen_once)
-    with Scratch() as folder:
+    with scratch_folder() as folder:
         assert str(folder) == born[1]
 
 

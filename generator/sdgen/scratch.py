@@ -10,8 +10,9 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from types import TracebackType
 
 from sdgen.locks import FileLock
 
@@ -19,36 +20,31 @@ PREFIX = "sdgen-scratch-"
 _LOCK = "lock"
 
 
-class Scratch:
+@contextmanager
+def scratch_folder(within: Path | None = None) -> Iterator[Path]:
     """A folder that is there inside ``with`` and gone after it, whatever happened.
 
     It lies in ``within``; None is the system's folder for temporary files.
     """
+    clear_dead(within)
+    folder, lock = _make(within)
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+        lock.release()
 
-    def __init__(self, within: Path | None = None) -> None:
-        self._within = within
 
-    def __enter__(self) -> Path:
-        clear_dead(self._within)
-        while True:
-            folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=self._within))
-            try:
-                lock = FileLock.take(folder / _LOCK)
-            except FileNotFoundError:
-                continue
-            # Another build may have taken the folder for a dead one before the lock was held.
-            if lock is not None:
-                self._folder, self._lock = folder, lock
-                return folder
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        shutil.rmtree(self._folder, ignore_errors=True)
-        self._lock.release()
+def _make(within: Path | None) -> tuple[Path, FileLock]:
+    while True:
+        folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=within))
+        try:
+            lock = FileLock.take(folder / _LOCK)
+        except FileNotFoundError:
+            continue
+        # Another build may have taken the folder for a dead one before the lock was held.
+        if lock is not None:
+            return folder, lock
 
 
 def clear_dead(within: Path | None = None) -> None:

@@ -11,10 +11,10 @@ import contextlib
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from types import TracebackType
 
 from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.catalog.records import Catalog
+from sdgen.closing import Closing
 from sdgen.dataset.card import card
 from sdgen.dataset.disk import remove_tree, replace_file
 from sdgen.dataset.origin import build_of, differences, refuse_foreign
@@ -47,7 +47,7 @@ from sdgen.scene import cause_counts, causes_of
 TOP_FILES = ("catalogue.json", "assets.jsonl", "README.md", "manifest.jsonl", "dataset.json")
 
 
-class DatasetWriter:
+class DatasetWriter(Closing):
     """Owns one data set folder for the time of a build. Use as a context manager.
 
     ``done`` maps the ids of the scenes that are there, whole, to their manifest lines;
@@ -187,17 +187,6 @@ class DatasetWriter:
         if self._lock is not None:
             self._lock.release()
             self._lock = None
-
-    def __enter__(self) -> DatasetWriter:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     # --- opening ---------------------------------------------------------------------------------
 

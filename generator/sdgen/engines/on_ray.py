@@ -26,7 +26,7 @@ from sdgen.engines.worker import WorkerSetup
 from sdgen.errors import SdgenError
 from sdgen.library.cache import usable_cache
 from sdgen.resources import data_path
-from sdgen.scratch import Scratch, clear_dead
+from sdgen.scratch import clear_dead, scratch_folder
 
 #: Seconds between two looks at how many cores the cluster has: machines come and go.
 LOOK_S = 5.0
@@ -44,7 +44,7 @@ class Actor:
     def __init__(self) -> None:
         self._stack = ExitStack()
         # For all that is made here, by whatever library.
-        tempfile.tempdir = str(self._stack.enter_context(Scratch()))
+        tempfile.tempdir = str(self._stack.enter_context(scratch_folder()))
         self._stack.enter_context(usable_cache())
 
     def start(self, order: Order) -> Ready | Broken:
@@ -204,15 +204,12 @@ def _short_scratch() -> Iterator[Path]:
     before = tempfile.tempdir
     if len(tempfile.gettempdir()) + len("/sdgen-scratch-12345678") > SOCKET_ROOM:
         tempfile.tempdir = "/tmp"
-    try:
-        scratch = Scratch()
-        folder = scratch.__enter__()
-    finally:
-        tempfile.tempdir = before
-    try:
+    with ExitStack() as held:
+        try:
+            folder = held.enter_context(scratch_folder())
+        finally:
+            tempfile.tempdir = before
         yield folder
-    finally:
-        scratch.__exit__(None, None, None)
 
 
 @contextmanager

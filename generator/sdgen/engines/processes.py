@@ -15,6 +15,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Sequence
+from contextlib import ExitStack
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
@@ -22,7 +23,7 @@ from typing import Any
 
 from sdgen.engines.machine import held_mb
 from sdgen.engines.protocol import Died, Factory, Message, Worker
-from sdgen.scratch import Scratch
+from sdgen.scratch import scratch_folder
 
 _BOOT = "import sys; sys.path[:] = {path!r}; from sdgen.engines.serve import main; main({args})"
 
@@ -81,8 +82,8 @@ class Processes:
 
     def __init__(self, count: int, factory: Factory, args: tuple[Any, ...]) -> None:
         self._count = max(1, count)
-        self._holder = Scratch()
-        self._scratch = self._holder.__enter__()
+        self._held = ExitStack()
+        self._scratch = self._held.enter_context(scratch_folder())
         self._order = self._scratch / "order"
         self._order.write_bytes(pickle.dumps((factory, args)))
         self._started = 0
@@ -105,7 +106,7 @@ class Processes:
 
     def close(self) -> None:
         """Take the scratch folder away."""
-        self._holder.__exit__(None, None, None)
+        self._held.close()
 
 
 def _ended(code: int | None) -> str:

@@ -6,8 +6,8 @@ import time
 from collections import Counter, deque
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from types import TracebackType
 
+from sdgen.closing import Closing
 from sdgen.engines.machine import held_mb
 from sdgen.engines.protocol import (
     Answer,
@@ -55,7 +55,7 @@ class _Place:
     peak_mb: float = 0.0
 
 
-class Supervised:
+class Supervised(Closing):
     """Runs jobs with a launcher's workers. Use as a context manager."""
 
     def __init__(self, launcher: Launcher, limits: Limits | None = None) -> None:
@@ -65,17 +65,6 @@ class Supervised:
         self._failed_starts = 0
         self._heard = time.monotonic()
         self.peak_mb = 0.0
-
-    def __enter__(self) -> Supervised:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """End every worker at once and let the launcher clean up."""

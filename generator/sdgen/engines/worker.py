@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sdgen.catalog.records import Catalog
+from sdgen.closing import Closing
 from sdgen.dataset.scene_folder import SceneFolder, SceneWriter
 from sdgen.errors import SdgenError
 from sdgen.library import Library
@@ -49,7 +50,7 @@ class SceneResult:
     all_visible: bool
 
 
-class SceneWorker:
+class SceneWorker(Closing):
     """Makes scenes one after another with one physics client and one renderer."""
 
     def __init__(self, setup: WorkerSetup) -> None:

@@ -11,11 +11,11 @@ import errno
 import hashlib
 import os
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 from sdgen.errors import AssetError
-from sdgen.scratch import Scratch
+from sdgen.scratch import scratch_folder
 
 _VERSION = b"2"
 #: The user may choose another folder by this variable; child processes inherit it.
@@ -53,7 +53,7 @@ def usable_cache() -> Iterator[str | None]:
         yield None
         return
     before = os.environ.get(VARIABLE)
-    with Scratch() as folder:
+    with scratch_folder() as folder:
         os.environ[VARIABLE] = str(folder)
         try:
             yield f"{why}: models are unpacked to a temporary folder, anew in every build"
@@ -88,11 +88,11 @@ def write(folder: Path, files: Mapping[str, bytes]) -> None:
         raise AssetError([_hint(error)]) from None
 
 
-def _scratch() -> Scratch:
+def _scratch() -> AbstractContextManager[Path]:
     """A scratch folder on the cache's own disk."""
     place = cache_root() / "making"
     place.mkdir(parents=True, exist_ok=True)
-    return Scratch(place)
+    return scratch_folder(place)
 
 
 def _hint(error: OSError) -> str:

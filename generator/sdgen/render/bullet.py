@@ -16,7 +16,7 @@ from sdgen.render.opengl import depth_from_buffer, projection_matrix, scaled, vi
 from sdgen.render.protocol import Picture
 from sdgen.render.shell import LIGHT_M, ShellFolder, structure_faces
 from sdgen.scene import Camera, ObjectInstance, Scene, Structure
-from sdgen.scratch import Scratch
+from sdgen.scratch import scratch_folder
 
 # The EGL window of the plugin; a larger picture would be scaled up from it without a word.
 _TILE = (2560, 2048)
@@ -52,7 +52,7 @@ class BulletGraphics:
         self._device = device
         self._face_levels = face_levels
         self._held = ExitStack()
-        self._shell = ShellFolder(self._held.enter_context(Scratch()))
+        self._shell = ShellFolder(self._held.enter_context(scratch_folder()))
         self.client: int = pb.connect(pb.DIRECT)
         #: Visual shape of an OBJ file in a colour, and the middle of its mesh.
         self._shapes: dict[tuple[Path, Rgba], tuple[int, Array]] = {}

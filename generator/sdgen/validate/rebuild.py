@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import closing
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,7 +17,7 @@ from sdgen.errors import RendererError, SceneRejected
 from sdgen.library import Library
 from sdgen.library.cache import usable_cache
 from sdgen.render import RENDERERS, Choice, choose_renderer
-from sdgen.scratch import Scratch
+from sdgen.scratch import scratch_folder
 from sdgen.validate.problems import Problem
 
 
@@ -50,7 +49,7 @@ def rebuild(
     if not picked:
         return Rebuilt(problems, "")
     choice, note = _renderer(info) if info.options.sensors else (None, "")
-    with usable_cache(), Scratch() as place:
+    with usable_cache(), scratch_folder() as place:
         setup = WorkerSetup(
             catalog=data.catalog,
             library_folders=library.folders,
@@ -60,7 +59,7 @@ def rebuild(
             choice=choice,
             one_thread=False,
         )
-        with closing(SceneWorker(setup)) as worker:
+        with SceneWorker(setup) as worker:
             for done, k in enumerate(picked):
                 if on_scene is not None:
                     on_scene(done, len(picked))

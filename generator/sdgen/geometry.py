@@ -16,6 +16,7 @@ Vec2 = tuple[float, float]
 Vec3 = tuple[float, float, float]
 Quat = tuple[float, float, float, float]
 
+#: The grid of quaternions: a thing 1 m long is turned by 2 µm at its end, below that of positions.
 QUATERNION_STEP = 1e-6
 
 

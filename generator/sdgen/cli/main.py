@@ -34,6 +34,7 @@ COMMANDS = {
     "doctor": "Say what this machine can do, and what is missing.",
 }
 
+#: 128 and the signal: SIGINT is 2.
 EXIT_INTERRUPTED = 130
 #: What a shell reports of a tool that a closed pipe has ended (128 + SIGPIPE).
 EXIT_PIPE = 141

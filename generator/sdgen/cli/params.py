@@ -13,8 +13,8 @@ import click
 from sdgen.errors import did_you_mean
 from sdgen.options import Sensor
 
+#: As BuildOptions has them.
 SIZE_MIN, SIZE_MAX = 16, 4096
-HAZARDS_MAX = 20
 SENSORS: tuple[Sensor, ...] = ("rgb", "depth", "instance")
 
 T = TypeVar("T")
@@ -53,8 +53,6 @@ def hazard_count(text: str) -> tuple[int, int]:
     least, most = int(match[1]), int(match[2] or match[1])
     if least > most:
         raise ValueError("has the larger number first")
-    if most > HAZARDS_MAX:
-        raise ValueError(f"is too many: at most {HAZARDS_MAX} anomalies a scene")
     return least, most
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+#: Each scene shown is a page of its own with all its pictures drawn anew.
 LIMIT = 200
 
 

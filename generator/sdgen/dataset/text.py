@@ -21,6 +21,7 @@ from sdgen.yaml_source import show_path
 
 T = TypeVar("T", bound=BaseModel)
 
+#: Characters, by eye: a pose or an edge of the graph stays on one line.
 LINE = 110
 
 

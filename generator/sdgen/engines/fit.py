@@ -22,6 +22,7 @@ from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Rejection, reject
 from sdgen.seeding import lane
 
+#: 240 tries in all: of hazards that fit once in fifty tries, one in a hundred is missed.
 HOMES_TRIED = 12
 TRIES = 20
 #: Two hazards exclude each other in practice when fewer placements than this are one's alone:

@@ -10,6 +10,7 @@ from PIL import Image
 
 Rgb = npt.NDArray[np.uint8]
 
+#: Pixels: half as wide as the default picture.
 THUMB_WIDTH = 320
 #: Depth beyond this is one colour.
 FAR_M = 8.0

@@ -14,6 +14,7 @@ import numpy as np
 from sdgen.errors import UsageError
 from sdgen.seeding import lane
 
+#: Numbers of blocks start above those of scenes, so that no block shares a lane with a scene.
 _BLOCK_LANE = 1 << 32
 
 

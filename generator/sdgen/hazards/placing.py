@@ -23,6 +23,8 @@ FLUSH_M = 0.0005
 TARGETS_TRIED = 4
 #: Spots looked at on one target where only some heights will do (a high shelf of a bookcase).
 SPOTS_TRIED = 6
+#: Of a footprint that is put into a zone: clear of the half (and its margin of 0.15) at which a
+#: zone term holds, with room to settle.
 ZONE_KEEP_SHARE = 0.7
 
 

@@ -15,8 +15,11 @@ from sdgen.seeding import unit_hash
 
 Split = Literal["train", "val", "test"]
 
+#: The usual 70/15/15.
 TRAIN_SHARE = 0.7
 VAL_SHARE = 0.15
+#: Enough that val and test have models and ways to happen that are new, few enough that train keeps
+#: most of each kind.
 WITHHELD_ASSETS = 0.2
 WITHHELD_ANOMALIES = 0.15
 #: A category with fewer models than this is never withheld: train would lose it.

@@ -30,6 +30,13 @@ SIDE_GAP_M = 0.02
 SNAP_CHANCE = 0.65
 #: Bounds the work: three more spots a wall, beside its two ends.
 DRAWS_A_WALL = 3
+#: By eye: the middle of a room is sought this far from its walls, and missed by so much, since
+#: nobody measures; a quarter of the pieces stand across the room instead of along it.
+MIDDLE_OFF_WALLS_M = 0.4
+MIDDLE_SPREAD_M = 0.15
+ACROSS_CHANCE = 0.25
+#: Bound the work: free parts of the floor looked at, largest first, and poses in each.
+MIDDLE_PARTS, MIDDLE_DRAWS = 2, 6
 #: A piece a chair stands at is reached under by this much.
 TUCKED_M = 0.08
 
@@ -115,16 +122,16 @@ def in_corners(sides: Sequence[Side], size: Vec2, rng: Rng) -> list[PlacedAt]:
 
 def in_middle(room: Polygon, taken: BaseGeometry, rng: Rng) -> list[PlacedAt]:
     """Poses about the middle of the largest free part of the floor, square to the room."""
-    free = polygons(room.buffer(-0.4, join_style="mitre").difference(taken))
+    free = polygons(room.buffer(-MIDDLE_OFF_WALLS_M, join_style="mitre").difference(taken))
     out: list[PlacedAt] = []
     x0, y0, x1, y1 = room.bounds
     long_y = y1 - y0 > x1 - x0
-    for part in free[:2]:
+    for part in free[:MIDDLE_PARTS]:
         middle = shapely.maximum_inscribed_circle(part, tolerance=0.05).coords[0]
-        for _ in range(6):
-            x = float(middle[0] + rng.normal(0.0, 0.15))
-            y = float(middle[1] + rng.normal(0.0, 0.15))
-            across = rng.random() < 0.25
+        for _ in range(MIDDLE_DRAWS):
+            x = float(middle[0] + rng.normal(0.0, MIDDLE_SPREAD_M))
+            y = float(middle[1] + rng.normal(0.0, MIDDLE_SPREAD_M))
+            across = rng.random() < ACROSS_CHANCE
             # A piece is wider (y) than deep, so it lies along the room at yaw 0 if that is y.
             yaw = 0.0 if long_y != across else math.pi / 2
             out.append((x, y, 0.0, yaw))

@@ -23,6 +23,7 @@ from sdgen.seeding import Rng
 #: Walls lie on a grid this wide.
 CELL_M = 0.1
 OUTSIDE = -1
+#: Draws of one floor plan; of 170 plans half came at the first, the last at the 17th.
 TRIES = 200
 #: A door with its frame and what it keeps from a corner needs this much shared wall.
 DOOR_WALL_M = 1.5

@@ -20,6 +20,7 @@ from sdgen.scene import Box, Home, Opening, Room, Structure
 from sdgen.seeding import Rng
 from sdgen.vocabulary import HALF_WALL_M
 
+#: Seen from one side only; thicker than what falls moves in a step (10 m/s: 4 cm).
 FLOOR_THICKNESS_M = 0.1
 CEILING_THICKNESS_M = 0.05
 #: Outer frame sizes of the library's openings (width, height); walls are cut to exactly these. Not

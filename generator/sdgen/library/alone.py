@@ -10,6 +10,7 @@ from sdgen.scene import AgentStart, Box, Home, ObjectInstance, Pose, Room, Scene
 
 #: Id of the model, and of the floor it stands on.
 MODEL_ID, FLOOR_ID = 3, 2
+#: Half the floor: what rolls off a model under test does not fall off the world.
 _REACH_M = 9.0
 
 

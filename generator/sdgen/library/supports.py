@@ -22,6 +22,7 @@ _UP = float(np.cos(np.radians(10)))
 #: Faces this close in height are one surface; stored polygons are drawn in by the margin.
 LEVEL_M, MARGIN_M = 0.01, 0.01
 _LEAST_AREA_M2, _LEAST_WIDTH_M, _LEAST_HEADROOM_M = 0.004, 0.04, 0.05
+#: Rays along each side of a surface: 81 in all.
 _PROBES = 9
 
 

@@ -17,6 +17,7 @@ from sdgen.errors import AssetError
 from sdgen.library.cache import cache_root, digest, write
 from sdgen.library.meshes import MeshData
 
+#: Pixels: what graphics cards take at least, and 268 MB unpacked.
 MAX_SIDE = 8192
 #: Says of every other file of a model's folder how it was written; itself written last.
 _SEAL = "seal.json"

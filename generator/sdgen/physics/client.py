@@ -16,6 +16,7 @@ import numpy.typing as npt
 from sdgen.geometry import Array, Quat, Vec3, vec3
 from sdgen.physics.bullet import pb
 
+#: On earth; steps as Bullet is tuned for (its default).
 GRAVITY_M_S2 = 9.81
 STEP_S = 1.0 / 240.0
 #: Bullet keeps this skin around every convex hull; taken off the pieces, or things float on it.

@@ -25,6 +25,7 @@ FOV_RAD = math.radians(28.0)
 YAW_RAD = math.radians(30.0)
 #: Flat things are looked at from further above.
 _PITCH_RAD, _PITCH_FLAT_RAD = math.radians(25.0), math.radians(50.0)
+#: By eye: lower than this share of its length or width a thing is flat; room left around it.
 _FLAT = 0.35
 _MARGIN = 1.13
 #: How far the joints of a look that shows them open are turned, as a share of their travel.

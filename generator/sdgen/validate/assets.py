@@ -16,6 +16,7 @@ from sdgen.library.select import select
 from sdgen.physics.client import Client
 from sdgen.validate.models import Model, check_model
 
+#: Models a worker checks at a time: seconds, so that the progress shown moves.
 _CHUNK = 16
 
 

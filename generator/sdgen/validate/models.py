@@ -24,13 +24,23 @@ from sdgen.physics.settle import settle_scene
 
 #: Faces a variant may have; things longer than this are furniture.
 SMALL_FACES, LARGE_FACES, SMALL_M = 800, 2500, 0.6
+#: Tolerances chosen so that what is wrong at sight is found and the models shipped, looked at one
+#: by one, pass. Sizes are stored to the millimetre.
 _SIZE_SLACK_M = 0.002
+#: Share of a view that may show back faces: thin edges do.
 _SEEN_THROUGH = 0.03
+#: Fewer is paint, not material.
 _COLOURS = 8
+#: Share of the surface outside the hulls, by how much (share of the diagonal, metres at least), and
+#: how many times the volume of the mesh the hulls may have.
 _HULL_OUTSIDE, _HULL_SLACK, _HULL_SLACK_M, _HULL_EXCESS = 0.2, 0.05, 0.006, 1.6
+#: How far a moving part may cut deeper than at rest, and positions of its joint looked at.
 _CUT_M, _CUT_STEPS = 0.02, 4
+#: Share of a support with mesh below it, and what its headroom may be less than promised.
 _CARRIED, _HEADROOM_SLACK_M = 0.05, 0.02
+#: A level surface so large, with so much room above it and so high must have a support.
 _LARGE_M2, _ROOMY_M, _SAME_LEVEL_M, _LOW_M = 0.08, 0.15, 0.04, 0.05
+#: A thing tipped, or sunk into the floor.
 _TIPPED_RAD, _SANK_M = 0.5, 0.01
 
 

@@ -14,6 +14,7 @@ from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.term import Scope, Term, either
 from sdgen.kleene import Kleene, all_of, at_least
 
+#: More behind than ahead.
 MIN_DEG = 90.0
 #: As wide as FACING's: people judge headings to about five degrees.
 MARGIN_DEG = 5.0

@@ -10,6 +10,7 @@ from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Te
 from sdgen.kleene import all_of, at_least
 from sdgen.vocabulary import ZONE_KINDS
 
+#: More in the zone than out of it.
 OVERLAP = 0.5
 #: Of a thing 0.3 m long, this is 4.5 cm: seen, not measured.
 MARGIN = 0.15

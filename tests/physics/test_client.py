@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from sdgen.physics import client as client_module
+from sdgen.physics.bullet import pb
 from sdgen.physics.client import Client, convex_obj
 
 
@@ -17,12 +18,13 @@ def box(size_m: float) -> str:
 
 
 def top_of(client: Client, obj: str) -> float:
-    """Height of a shape's upper side, by a ray."""
+    """Height of a shape's upper side, by how far a probe is above it."""
     body = client.body(client.convex(obj), (0.0, 0.0, 0.0))
-    start, end = np.array([[0.0, 0.0, 5.0]]), np.array([[0.0, 0.0, -5.0]])
-    height = 5.0 - 10.0 * float(client.rays(start, end).fraction[0])
+    probe = client.body(client.box((0.01, 0.01, 0.02)), (0.0, 0.0, 5.0))
+    distance = client.closest(probe, body, 10.0)[0].distance_m
     client.remove(body)
-    return height
+    client.remove(probe)
+    return 4.99 - distance
 
 
 def test_files_of_pieces_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -39,25 +41,20 @@ def test_files_of_pieces_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     assert first == pytest.approx([size / 2 for size in sizes], abs=0.01)
 
 
-def test_what_bullet_parsed_is_let_go_with_a_world(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_bullet_parsed_is_let_go_with_a_world(monkeypatch: pytest.MonkeyPatch) -> None:
     """Seen from outside: a file that changed is read again once it was let go, and only then."""
-    path = tmp_path / "mesh.obj"
-
-    def height() -> float:
-        client.reset()
-        client.body(client.trimesh(path), (0.0, 0.0, 0.0))
-        start, end = np.array([[0.1, 0.1, 5.0]]), np.array([[0.1, 0.1, -5.0]])
-        return 5.0 - 10.0 * float(client.rays(start, end).fraction[0])
-
-    def write(z: float) -> None:
-        path.write_text(f"v -1 -1 {z}\nv 1 -1 {z}\nv 0 1 {z}\nf 1 2 3\n")
-
     with Client() as client:
-        write(1.0)
-        assert height() == pytest.approx(1.0)
-        write(2.0)
-        assert height() == pytest.approx(1.0)
-        monkeypatch.setattr(client_module, "PARSED", 0)
-        assert height() == pytest.approx(2.0)
+        client.convex(box(1.0))
+        (path,) = Path(client._folder.name).iterdir()
+        path.write_text(box(2.0))
+        for parsed, height in ((1, 0.5), (0, 1.0)):
+            monkeypatch.setattr(client_module, "PARSED", parsed)
+            client.reset()
+            assert top_of(client, box(1.0)) == pytest.approx(height, abs=0.01)
+
+
+def test_no_renderer_takes_the_pieces() -> None:
+    with Client() as client:
+        body = client.body(client.convex(box(1.0)), (0.0, 0.0, 0.0))
+        (drawn,) = pb.getVisualShapeData(body, physicsClientId=client._id)
+    assert drawn[2] == pb.GEOM_BOX

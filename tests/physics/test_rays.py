@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 from sdgen.library import Library
-from sdgen.physics.client import Client
 from sdgen.physics.rays import RayWorld
+from sdgen.physics.still import Still
 
 from tests.fakes import box_room, thing
 
@@ -32,10 +32,10 @@ def test_many_rays_in_batches_equal_few(library: Library) -> None:
     rng = np.random.default_rng(1)
     targets = rng.uniform(-3, 3, (20000, 3))
     origins = np.tile([1.5, 1.5, 1.5], (20000, 1))
-    with Client() as client:
-        first = RayWorld(library, scene, client).cast(origins, targets)
-        world = RayWorld(library, scene, client)
-        again = world.cast(origins[15000:], targets[15000:])
+    still = Still()
+    first = RayWorld(library, scene, still).cast(origins, targets)
+    again = RayWorld(library, scene, still).cast(origins[15000:], targets[15000:])
+    still.close()
     assert set(first.object_id.tolist()) >= {2, 4, 10, 11}
     assert np.array_equal(first.object_id[15000:], again.object_id)
     assert np.array_equal(first.distance_m[15000:], again.distance_m)

@@ -14,7 +14,7 @@ from sdgen.library import Library
 from sdgen.library.shape import centre_of_mass
 from sdgen.library.states import object_from_part
 from sdgen.physics.client import Client, convex_obj
-from sdgen.scene import Box, ObjectInstance, Scene
+from sdgen.scene import Box, ObjectInstance
 
 #: Collision geometry kept a library, 10 kB each; drawn joint values are many.
 _KEPT = 1000
@@ -73,15 +73,6 @@ def object_pieces(library: Library, item: ObjectInstance) -> list[Array]:
             [f"{item.asset}: variant {item.variant!r} has no collision piece in its hulls"]
         )
     return pieces
-
-
-def add_structures(client: Client, scene: Scene) -> dict[int, int]:
-    """Static boxes of all floors, walls and ceilings: body → structure id."""
-    owner: dict[int, int] = {}
-    for structure in sorted(scene.home.structures, key=lambda s: s.id):
-        for piece in structure.pieces:
-            owner[add_piece(client, piece)] = structure.id
-    return owner
 
 
 def add_piece(client: Client, piece: Box) -> int:

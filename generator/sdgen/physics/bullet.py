@@ -49,4 +49,11 @@ def _flush() -> None:
 with quiet():
     import pybullet as pb
 
-__all__ = ["Caught", "pb", "quiet"]
+__all__ = ["Caught", "forget_files", "pb", "quiet"]
+
+
+def forget_files(client_id: int) -> None:
+    """Let go of all files that Bullet parsed in this process; it keeps them all otherwise."""
+    # Switched off, it empties what it keeps.
+    for on in (0, 1):
+        pb.setPhysicsEngineParameter(enableFileCaching=on, physicsClientId=client_id)

@@ -11,22 +11,20 @@ from types import TracebackType
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from sdgen.geometry import Array, Quat, Vec3, vec3
-from sdgen.physics.bullet import pb
+from sdgen.physics.bullet import forget_files, pb
+from sdgen.physics.still import Still
 
 #: On earth; steps as Bullet is tuned for (its default).
 GRAVITY_M_S2 = 9.81
 STEP_S = 1.0 / 240.0
 #: Bullet keeps this skin around every convex hull; taken off the pieces, or things float on it.
 MARGIN_M = 0.001
-#: Files whose parsed triangles Bullet may keep: some 80 kB each, and 0.6 ms to parse one again.
-#: The first 12 scenes of a worker come past 2,000, the shipped library has 3,300 parts.
+#: Files of convex pieces whose parsed triangles Bullet may keep, and 0.2 ms to parse one again.
 PARSED = 4000
 #: Files of convex pieces kept; drawn joint values are many.
 WRITTEN = 1000
-RAY_BATCH = int(pb.MAX_RAY_INTERSECTION_BATCH_SIZE) - 1
 
 
 class BodyPose(NamedTuple):
@@ -46,19 +44,14 @@ class ContactPoint(NamedTuple):
     distance_m: float
 
 
-class RayHits(NamedTuple):
-    """Nearest body (−1 = none) and distance along each ray as a fraction of its length."""
-
-    body: npt.NDArray[np.int64]
-    fraction: Array
-
-
 class Client:
     """A Bullet world without graphics. Use as a context manager, one a process, and reuse it:
-    :meth:`reset` gives a fresh world whose results do not depend on what ran before."""
+    :meth:`reset` gives a fresh world whose results do not depend on what ran before. ``still`` is
+    a world of its own beside it, for rays."""
 
     def __init__(self) -> None:
         self._id: int = pb.connect(pb.DIRECT)
+        self.still = Still()
         self._folder = tempfile.TemporaryDirectory(prefix="sdgen-shapes-")
         self._written: OrderedDict[str, None] = OrderedDict()
         self._parsed: set[str] = set()
@@ -77,6 +70,7 @@ class Client:
 
     def close(self) -> None:
         """Disconnect; a second call does nothing."""
+        self.still.close()
         if self._id >= 0:
             pb.disconnect(physicsClientId=self._id)
             self._id = -1
@@ -87,9 +81,7 @@ class Client:
         self._shapes: dict[str, int] = {}
         pb.resetSimulation(physicsClientId=self._id)
         if len(self._parsed) > PARSED:
-            # Switched off, Bullet lets go of all it parsed.
-            for on in (0, 1):
-                pb.setPhysicsEngineParameter(enableFileCaching=on, physicsClientId=self._id)
+            forget_files(self._id)
             self._parsed.clear()
         pb.setGravity(0.0, 0.0, -GRAVITY_M_S2, physicsClientId=self._id)
         pb.setPhysicsEngineParameter(
@@ -121,17 +113,6 @@ class Client:
                 pb.GEOM_MESH, fileName=path, physicsClientId=self._id
             )
         return int(self._shapes[name])
-
-    def trimesh(self, path: Path) -> int:
-        """Collision shape of an OBJ file's triangles as they are (static bodies only)."""
-        # From a file: given as lists, PyBullet never lets go of the numbers (15 MB a scene).
-        shape = pb.createCollisionShape(
-            pb.GEOM_MESH,
-            fileName=self._parse(path),
-            flags=pb.GEOM_FORCE_CONCAVE_TRIMESH,
-            physicsClientId=self._id,
-        )
-        return int(shape)
 
     def body(
         self,
@@ -216,23 +197,6 @@ class Client:
         """Points where a and b are nearer than ``within_m``."""
         found = pb.getClosestPoints(a, b, within_m, physicsClientId=self._id)
         return tuple(_contact(item) for item in found or ())
-
-    def rays(self, origins_m: Array, targets_m: Array) -> RayHits:
-        """Nearest hit of each segment from (N, 3) origins to (N, 3) targets."""
-        body = np.full(len(origins_m), -1, dtype=np.int64)
-        fraction = np.ones(len(origins_m))
-        for start in range(0, len(origins_m), RAY_BATCH):
-            chunk = slice(start, start + RAY_BATCH)
-            found = pb.rayTestBatch(
-                origins_m[chunk].tolist(),
-                targets_m[chunk].tolist(),
-                numThreads=1,
-                physicsClientId=self._id,
-            )
-            columns = list(zip(*found, strict=True))
-            body[chunk] = columns[0]
-            fraction[chunk] = columns[2]
-        return RayHits(body, fraction)
 
     def _file(self, name: str, raw: bytes) -> Path:
         """The file of this name and content, among those used last."""

@@ -12,8 +12,7 @@ import numpy.typing as npt
 from sdgen.geometry import Array, apply, box_corners, quat_from_matrix, vec3
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
-from sdgen.physics.bodies import add_structures
-from sdgen.physics.client import Client
+from sdgen.physics.still import Piece, Still
 from sdgen.scene import Scene
 
 Ints = npt.NDArray[np.int64]
@@ -46,45 +45,55 @@ class RayWorld:
     """The drawn triangles of a scene, standing still, for :meth:`cast`.
 
     A part is loaded when the first batch of rays comes near it: cameras look into few rooms.
-    Context manager; or give it a ``client`` to use, which then stays open.
+    Context manager; or give it a ``still`` world to use, which then stays open.
     """
 
-    def __init__(self, library: Library, scene: Scene, client: Client | None = None) -> None:
-        self._own = client is None
-        self._client = Client() if client is None else client
-        self._client.reset()
+    def __init__(self, library: Library, scene: Scene, still: Still | None = None) -> None:
+        self._own = still is None
+        self._still = Still() if still is None else still
+        self._still.clear()
         self._library = library
-        self._owner = {body: (key, 0) for body, key in add_structures(self._client, scene).items()}
-        self._shapes: dict[tuple[str, str], int] = {}
+        #: Node id and part of each piece in the order in which they were added.
+        self._owners: list[tuple[int, int]] = []
+        self._add_shell(scene)
         self._parts = list(_parts(library, scene))
-        self._table = self._owners()
+        self._bounds = np.array([part.bounds for part in self._parts]).reshape(-1, 2, 3)
+        self._waiting = np.ones(len(self._parts), dtype=np.bool_)
+        self._table = self._owner_table()
 
-    def _owners(self) -> Ints:
-        """Node id and part of every body, (N, 2); one row more, zeros, which a miss (−1) reads."""
-        table = np.zeros((max(self._owner, default=-1) + 2, 2), dtype=np.int64)
-        for body, pair in self._owner.items():
-            table[body] = pair
-        return table
+    def _add_shell(self, scene: Scene) -> None:
+        """All boxes of floors, walls and ceilings."""
+        boxes = [
+            (structure.id, piece)
+            for structure in sorted(scene.home.structures, key=lambda s: s.id)
+            for piece in structure.pieces
+        ]
+        self._still.add([Piece(self._still.box(box.size_m), box.center_m) for _, box in boxes])
+        self._owners += [(key, 0) for key, _ in boxes]
+
+    def _owner_table(self) -> Ints:
+        """The owners, (N + 1, 2); the last row, zeros, is what a miss (−1) reads."""
+        return np.array([*self._owners, (0, 0)], dtype=np.int64)
 
     def _load(self, low: Array, high: Array) -> None:
         """Make the parts whose boxes reach into this one."""
-        if not self._parts:
+        near = (self._bounds[:, 0] <= high + NEAR_M) & (self._bounds[:, 1] >= low - NEAR_M)
+        coming = np.flatnonzero(near.all(axis=1) & self._waiting)
+        if len(coming) == 0:
             return
-        bounds = np.array([part.bounds for part in self._parts])
-        near = ((bounds[:, 0] <= high + NEAR_M) & (bounds[:, 1] >= low - NEAR_M)).all(axis=1)
-        for part in (self._parts[k] for k in np.flatnonzero(near).tolist()):
-            if part.shape not in self._shapes:
-                asset, name = part.shape
-                self._shapes[part.shape] = self._client.trimesh(self._library.objs(asset)[name])
-            body = self._client.body(
-                self._shapes[part.shape],
-                vec3(part.pose[:3, 3]),
-                quat_from_matrix(part.pose[:3, :3]),
-            )
-            self._owner[body] = part.owner
-        if near.any():
-            self._parts = [self._parts[k] for k in np.flatnonzero(~near).tolist()]
-            self._table = self._owners()
+        parts = [self._parts[k] for k in coming.tolist()]
+        self._still.add([self._piece(part) for part in parts])
+        self._owners += [part.owner for part in parts]
+        self._waiting[coming] = False
+        self._table = self._owner_table()
+
+    def _piece(self, part: _Part) -> Piece:
+        asset, name = part.shape
+        return Piece(
+            self._still.trimesh(self._library.objs(asset)[name]),
+            vec3(part.pose[:3, 3]),
+            quat_from_matrix(part.pose[:3, :3]),
+        )
 
     def __enter__(self) -> RayWorld:
         return self
@@ -100,7 +109,7 @@ class RayWorld:
     def close(self) -> None:
         """Let go of the world if it is ours."""
         if self._own:
-            self._client.close()
+            self._still.close()
 
     def cast(self, origins_m: Array, targets_m: Array) -> Hits:
         """First thing each segment from (N, 3) origins to (N, 3) targets meets."""
@@ -109,10 +118,10 @@ class RayWorld:
         if len(origins):
             ends = np.concatenate([origins, targets])
             self._load(ends.min(axis=0), ends.max(axis=0))
-        hits = self._client.rays(origins, targets)
-        pair = self._table[hits.body]
+        hits = self._still.cast(origins, targets)
+        pair = self._table[hits.piece]
         length = np.linalg.norm(targets - origins, axis=1)
-        distance = np.where(hits.body >= 0, hits.fraction * length, np.inf)
+        distance = np.where(hits.piece >= 0, hits.fraction * length, np.inf)
         return Hits(object_id=pair[:, 0], part=pair[:, 1], distance_m=distance)
 
 

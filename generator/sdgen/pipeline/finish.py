@@ -43,7 +43,7 @@ def finish(
     facts, scene = proved.facts, proved.facts.scene
     anomalies = anomaly_records(proved.surveyed.positives, facts, catalog, spec.household)
     lookalikes = lookalike_records(proved.lookalikes, facts, catalog)
-    with RayWorld(library, scene, client) as world:
+    with RayWorld(library, scene, client.still) as world:
         sight = Sight(library, scene, world.cast, options.seed)
         hidden = unseen(sight, anomalies)
         if hidden is not None:

@@ -118,6 +118,7 @@ class Grid:
         xs = np.arange(x0 - GRID_M, x1 + 2 * GRID_M, GRID_M)
         ys = np.arange(y0 - GRID_M, y1 + 2 * GRID_M, GRID_M)
         grid_x, grid_y = np.meshgrid(xs, ys, indexing="ij")
+        shapely.prepare(shape)
         inside = shapely.contains_xy(shape, grid_x, grid_y)
         inside[[0, -1]] = False
         inside[:, [0, -1]] = False

@@ -50,9 +50,10 @@ def footprints(bodies: Sequence[Body]) -> list[BaseGeometry]:
     if not bodies:
         return []
     body_of = np.repeat(np.arange(len(bodies)), [len(body.corners) for body in bodies])
-    points = shapely.points(np.concatenate([body.corners for body in bodies])[:, :2])
+    points = np.concatenate([body.corners for body in bodies])[:, :2]
+    # A line has the hull of its points, and needs no geometry of its own for each of them.
     shapes: list[BaseGeometry] = shapely.convex_hull(
-        shapely.multipoints(points, indices=body_of)
+        shapely.linestrings(points, indices=body_of)
     ).tolist()
     return shapes
 

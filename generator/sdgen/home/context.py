@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
@@ -40,11 +41,18 @@ class HomeContext:
         )
 
     def zone_shape(self, kinds: Sequence[str], room_id: int | None = None) -> BaseGeometry:
-        """Union of the zones of these kinds (of one room)."""
-        return union(
-            [
-                Polygon(zone.polygon_m)
-                for zone in self.zones
-                if zone.kind in kinds and (room_id is None or zone.room_id == room_id)
-            ]
-        )
+        """Union of the zones of these kinds (of one room); drawn once a home."""
+        key = (tuple(kinds), room_id)
+        if key not in self._drawn:
+            self._drawn[key] = union(
+                [
+                    Polygon(zone.polygon_m)
+                    for zone in self.zones
+                    if zone.kind in kinds and (room_id is None or zone.room_id == room_id)
+                ]
+            )
+        return self._drawn[key]
+
+    @cached_property
+    def _drawn(self) -> dict[tuple[tuple[str, ...], int | None], BaseGeometry]:
+        return {}

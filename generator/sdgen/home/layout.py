@@ -196,7 +196,7 @@ class Layout:
         ]
         if not supports:
             return self._spot_in_hollow(asset, target_id, rng) if relation == "INSIDE" else None
-        shares = np.cumsum([Polygon(s.polygon_m).area for s in supports])
+        shares = np.cumsum([s.area_m2 for s in supports])
         surfaces: dict[int, tuple[Polygon, float]] = {}
         for _ in range(TRIES):
             k = int(np.searchsorted(shares, rng.random() * shares[-1], side="right"))
@@ -346,8 +346,9 @@ def _blocks(owner: int, pieces: Sequence[Array]) -> list[Block]:
     if not pieces:
         return []
     piece_of = np.repeat(np.arange(len(pieces)), [len(corners) for corners in pieces])
-    points = shapely.points(np.concatenate(pieces)[:, :2])
-    shapes = shapely.convex_hull(shapely.multipoints(points, indices=piece_of))
+    points = np.concatenate(pieces)[:, :2]
+    # A line has the hull of its points, and needs no geometry of its own for each of them.
+    shapes = shapely.convex_hull(shapely.linestrings(points, indices=piece_of))
     out = []
     for corners, shape, area in zip(pieces, shapes, shapely.area(shapes).tolist(), strict=True):
         if area < 1e-6:

@@ -65,6 +65,11 @@ class Support(Record):
     container: str | None = None
 
     @cached_property
+    def area_m2(self) -> float:
+        """Area of the surface."""
+        return float(Polygon(self.polygon_m).area)
+
+    @cached_property
     def edge_m(self) -> Array:
         """Corners (N, 3) of the real surface: supports are stored shrunk by a centimetre."""
         edge = Polygon(self.polygon_m).buffer(0.01, join_style="mitre").exterior

@@ -57,4 +57,6 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
 def node_ids(rng: Rng, taken: Collection[int] = ()) -> Iterator[int]:
     """Ids not ``taken``, in a random order, so that neither id nor order says anything."""
     used = frozenset(taken)
-    return (k for k in (rng.permutation(LARGEST_ID) + 1).tolist() if k not in used)
+    order = rng.permutation(LARGEST_ID)
+    # Few are ever asked for: each is made an int when it is.
+    return (k for k in (int(n) + 1 for n in order) if k not in used)

@@ -29,6 +29,10 @@ GRID_M = 0.1
 #: How far free space reaches through a doorway beyond the middle of the wall, over the robot's
 #: radius: half a wall, and 2 cm so that the two rooms' areas surely meet.
 THROUGH_DOOR_M = HALF_WALL_M + 0.02
+#: What has less area, square metres, is a sliver that cutting left.
+LEAST_M2 = 1e-4
+#: A point is drawn from a shape's box so often; a shape that fills so little of it has a middle.
+POINT_TRIES = 40
 
 
 def opening_rectangle(opening: Opening, depth_m: float) -> Polygon:
@@ -48,7 +52,7 @@ def polygons(shape: BaseGeometry) -> list[Polygon]:
         found = [p for part in shape.geoms for p in polygons(part)]
     else:
         found = []
-    return sorted((p for p in found if p.area > 1e-4), key=lambda p: (-p.area, p.bounds))
+    return sorted((p for p in found if p.area > LEAST_M2), key=lambda p: (-p.area, p.bounds))
 
 
 def without_holes(shape: BaseGeometry) -> list[Polygon]:
@@ -174,7 +178,7 @@ class Grid:
         return None
 
 
-def random_point(shape: BaseGeometry, rng: np.random.Generator, tries: int = 40) -> Vec2 | None:
+def random_point(shape: BaseGeometry, rng: np.random.Generator) -> Vec2 | None:
     """A point drawn evenly from a shape; None when it has no area worth the name."""
     pieces = polygons(shape)
     if not pieces:
@@ -184,7 +188,7 @@ def random_point(shape: BaseGeometry, rng: np.random.Generator, tries: int = 40)
         areas = np.array([p.area for p in pieces])
         piece = pieces[int(rng.choice(len(pieces), p=areas / areas.sum()))]
     x0, y0, x1, y1 = piece.bounds
-    points = rng.uniform((x0, y0), (x1, y1), (tries, 2))
+    points = rng.uniform((x0, y0), (x1, y1), (POINT_TRIES, 2))
     inside = np.flatnonzero(shapely.contains_xy(piece, points[:, 0], points[:, 1]))
     if len(inside):
         return float(points[inside[0], 0]), float(points[inside[0], 1])

@@ -78,8 +78,12 @@ def _set(
         if after is None or recipe.state not in after.states:
             continue
         stood = layout.blocks_of(before)
-        opened = [block for block in layout.blocks_of(after) if block not in stood]
-        if layout.clashes(opened, ignore=(before.id,), gap_m=0.0) is not None:
+        opened = [
+            block
+            for block in layout.blocks_of(after)
+            if not any(block.same_space(other) for other in stood)
+        ]
+        if not layout.fits(opened):
             continue
         is_opening = before.category in OPENINGS
         if not is_opening and not within_room(opened, context.home, before.room_id):

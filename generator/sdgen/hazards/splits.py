@@ -6,7 +6,7 @@ val and test show things and situations never seen in training.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from functools import cache
 from typing import Literal
 
 from sdgen.catalog.records import UniqueAnomaly
@@ -36,17 +36,19 @@ def split_of_home(home_id: str) -> Split:
 
 def withheld_asset(asset_id: str, library: Library) -> bool:
     """True for an asset that train never shows: at most a third of a category."""
-    return asset_id in _withheld(library.by_category(library.assets[asset_id].category))
+    peers = library.by_category(library.assets[asset_id].category)
+    return asset_id in _withheld(tuple(peer.id for peer in peers))
 
 
-def _withheld(peers: Sequence[Asset]) -> list[str]:
-    """Ids of a category's models that train never shows."""
+@cache
+def _withheld(peers: tuple[str, ...]) -> frozenset[str]:
+    """Of the models of a category, those that train never shows; hashed once a process."""
     if len(peers) < FEWEST_MODELS:
-        return []
-    values = {peer.id: unit_hash("asset", peer.id) for peer in peers}
+        return frozenset()
+    values = {peer: unit_hash("asset", peer) for peer in peers}
     drawn = [p for p, value in values.items() if value > 1.0 - WITHHELD_ASSETS]
     drawn.sort(key=lambda p: (-values[p], p))
-    return drawn[: len(peers) // 3]
+    return frozenset(drawn[: len(peers) // 3])
 
 
 def withheld_anomaly(anomaly: UniqueAnomaly) -> bool:
@@ -63,7 +65,7 @@ class SplitModels:
         self._models: dict[str, tuple[Asset, ...]] = {}
         for category in library.categories:
             models = library.by_category(category)
-            barred = _withheld(models) if split == "train" else []
+            barred = _withheld(tuple(m.id for m in models)) if split == "train" else ()
             self._models[category] = tuple(m for m in models if m.id not in barred)
 
     def __call__(self, category: str) -> tuple[Asset, ...]:

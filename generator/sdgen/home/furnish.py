@@ -181,13 +181,16 @@ def has_room(item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Int
     """True unless a piece clashes with another; flat things (rugs) lie under others, but not
     under the open leaf of a door."""
     flat = asset.extents_m[2] <= FLAT_M
-    under = {
-        i
-        for i, other in layout.items.items()
-        if (flat and other.category not in OPENINGS) or layout.info(i).extents_m[2] <= FLAT_M
-    }
-    under |= {intent.target_id} if intent else set()
-    return layout.clashes(layout.blocks_of(item), ignore=under, gap_m=0.0) is None
+
+    def passes(other_id: int) -> bool:
+        other = layout.items[other_id]
+        return (
+            (intent is not None and other_id == intent.target_id)
+            or (flat and other.category not in OPENINGS)
+            or layout.info(other_id).extents_m[2] <= FLAT_M
+        )
+
+    return all(map(passes, layout.entered(layout.blocks_of(item))))
 
 
 def _nearest(layout: Layout, ids: list[int], x: float, y: float) -> int | None:

@@ -7,37 +7,42 @@ value: a spot that does not fit is None.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 
 import numpy as np
 import shapely
-from shapely.geometry import Point, Polygon
+from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import at_rest
 from sdgen.freespace import opening_rectangle, random_point
 from sdgen.geometry import (
-    Array,
+    Vec2,
     Vec3,
     apply,
-    box_corners,
     quat_from_yaw,
     round_position,
     round_quat,
     yaw_of,
 )
+from sdgen.home.blocks import NOBODY, Block, Table, blocks_of
+from sdgen.home.surfaces import Surface, surfaces_of
 from sdgen.library import Library
-from sdgen.library.records import AssetInfo, Support
+from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
 from sdgen.scene import Home, ObjectInstance, Opening, Pose
 from sdgen.seeding import Rng
-from sdgen.vocabulary import HALF_WALL_M, OPENINGS
+from sdgen.vocabulary import HALF_WALL_M
 
 #: Things start this far above what they stand on: a contact at the start would push them.
 DROP_M = 0.001
 #: Left between things: room to settle without touching.
 GAP_M = 0.01
+#: On the floor, of which there is more.
+FLOOR_GAP_M = 0.03
 #: Spots drawn for a thing on one target; of 2,100 spots found two fifths were the first, one in a
 #: hundred the twelfth.
 TRIES = 12
@@ -45,35 +50,6 @@ TRIES = 12
 IN_WALL_M = 0.003
 #: A hole in a wall reaches this far to both sides of its middle, past half a wall.
 HOLE_DEPTH_M = HALF_WALL_M + 0.01
-
-
-@dataclass(frozen=True)
-class Block:
-    """Space an object takes: a footprint and a height range."""
-
-    owner: int
-    shape: BaseGeometry
-    low_m: float
-    high_m: float
-
-
-@dataclass(frozen=True)
-class _Table:
-    """Blocks in the order they were put, and (N, 6): their bounds seen from above and heights."""
-
-    blocks: tuple[Block, ...]
-    boxes: Array
-
-    @staticmethod
-    def of(blocks: Sequence[Block]) -> _Table:
-        bounds = shapely.bounds(np.array([one.shape for one in blocks], dtype=object))
-        heights = np.array([(one.low_m, one.high_m) for one in blocks])
-        return _Table(tuple(blocks), np.hstack([bounds.reshape(-1, 4), heights.reshape(-1, 2)]))
-
-    def more(self, blocks: Sequence[Block]) -> _Table:
-        """The table with these blocks at its end."""
-        added = _Table.of(blocks)
-        return _Table(self.blocks + added.blocks, np.concatenate([self.boxes, added.boxes]))
 
 
 @dataclass(frozen=True)
@@ -93,7 +69,8 @@ class Layout:
         self.items: dict[int, ObjectInstance] = {}
         self.intents: dict[int, Intent] = {}
         self._blocks: dict[int, list[Block]] = {}
-        self._table: _Table | None = None
+        self._surfaces: dict[int, tuple[ObjectInstance, list[Surface]]] = {}
+        self._table: Table | None = Table()
 
     def info(self, object_id: int) -> AssetInfo:
         """Asset record of a placed object."""
@@ -123,61 +100,24 @@ class Layout:
         out = Layout(self.library, ids or self.ids)
         out.items, out.intents = dict(self.items), dict(self.intents)
         out._blocks, out._table = dict(self._blocks), self._table
+        # Shared: what is known of one object as it stands holds in every layout.
+        out._surfaces = self._surfaces
         return out
 
     def blocks_of(self, item: ObjectInstance) -> list[Block]:
-        """Space of an object's body, and of each part that a joint holds open.
+        """Space of an object's body, and of each part that a joint holds open."""
+        return blocks_of(item, self.library.info(item.asset), self.library)
 
-        Open-framed furniture (tables, chairs) takes the space of its collision pieces, so that a
-        chair goes under a table; everything else takes its box.
-        """
-        info = self.library.info(item.asset)
-        world = item.pose.matrix()
-        drawn = info.variants[item.variant]
-        # Openings sit in walls: only an open leaf takes space in a room.
-        if item.fixed and not info.containers and item.category not in OPENINGS:
-            moves = {part: world @ object_from_part(info, part, item.joints) for part in drawn}
-            hulls = [hull for hull in self.library.hulls(item.asset) if hull.part in moves]
-            if hulls:
-                return _blocks(item.id, [apply(moves[h.part], h.vertices_m) for h in hulls])
-        corners = []
-        if item.category not in OPENINGS:
-            x, y, z = info.extents_m
-            box = box_corners((-x / 2, -y / 2, 0), (x / 2, y / 2, z))
-            corners.append(apply(world, box))
-        for name in drawn:
-            joint = info.part(name).joint
-            if joint is None or abs(item.joints.get(joint, 0.0)) < 0.05:
-                continue
-            vertices = self.library.mesh(item.asset)[name].vertices
-            box = box_corners(vertices.min(axis=0).tolist(), vertices.max(axis=0).tolist())
-            moved = world @ object_from_part(info, name, item.joints)
-            corners.append(apply(moved, box))
-        return _blocks(item.id, corners)
-
-    def clashes(
-        self, blocks: list[Block], ignore: Collection[int] = (), gap_m: float = GAP_M
-    ) -> int | None:
-        """Id of an object whose space these blocks would enter; None when they fit."""
+    def entered(self, blocks: Sequence[Block]) -> Iterator[int]:
+        """Ids of the objects whose space these blocks would enter; some more than once."""
         if self._table is None:
-            self._table = _Table.of([one for found in self._blocks.values() for one in found])
-        others = self._table.blocks
-        a, b, c, d, lows, highs = self._table.boxes.T
-        for block in blocks:
-            x0, y0, x1, y1 = block.shape.bounds
-            near = (x1 + gap_m > a) & (c > x0 - gap_m) & (y1 + gap_m > b) & (d > y0 - gap_m)
-            near &= (block.low_m < highs - 1e-4) & (lows < block.high_m - 1e-4)
-            shape: BaseGeometry | None = None
-            for index in near.nonzero()[0].tolist():
-                other: Block = others[index]
-                if other.owner == block.owner or other.owner in ignore:
-                    continue
-                if shape is None:
-                    grown = block.shape.buffer(gap_m, join_style="mitre") if gap_m else block.shape
-                    shape = grown
-                if shape.intersects(other.shape):
-                    return other.owner
-        return None
+            every = (block for found in self._blocks.values() for block in found)
+            self._table = Table().more(every)
+        return self._table.entered(blocks)
+
+    def fits(self, blocks: Sequence[Block], ignore: int | None = None) -> bool:
+        """True unless these blocks enter the space of an object that is not ignored."""
+        return all(owner == ignore for owner in self.entered(blocks))
 
     # --- spots -----------------------------------------------------------------------------------
 
@@ -186,45 +126,37 @@ class Layout:
     ) -> Vec3Yaw | None:
         """A free spot on (or inside) a placed object for a new thing of this asset."""
         target = self.items[target_id]
-        info = self.info(target_id)
-        drawn = info.variants[target.variant]
-        world = target.pose.matrix()
-        supports = [
-            s
-            for s in info.supports
-            if s.part in drawn and (s.container is None) == (relation == "ON")
-        ]
-        if not supports:
+        surfaces = self._surfaces_of(target, relation)
+        if not surfaces:
             return self._spot_in_hollow(asset, target_id, rng) if relation == "INSIDE" else None
-        shares = np.cumsum([s.area_m2 for s in supports])
-        surfaces: dict[int, tuple[Polygon, float]] = {}
+        shares = list(accumulate(surface.support.area_m2 for surface in surfaces))
         for _ in range(TRIES):
-            k = int(np.searchsorted(shares, rng.random() * shares[-1], side="right"))
-            headroom = supports[k].headroom_m
+            surface = surfaces[bisect_right(shares, rng.random() * shares[-1])]
+            headroom = surface.support.headroom_m
             if headroom is not None and asset.extents_m[2] > headroom - 0.015:
                 continue
-            if k not in surfaces:
-                surfaces[k] = _surface(info, supports[k], world, target)
-            spot = self._try_surface(asset, target, *surfaces[k], rng)
+            spot = self._try_surface(asset, target, surface, rng)
             if spot is not None:
                 return spot
         return None
 
+    def _surfaces_of(self, target: ObjectInstance, relation: str) -> list[Surface]:
+        """The supports of a placed object that a relation means, found once as it stands."""
+        known = self._surfaces.get(target.id)
+        if known is None or known[0] is not target:
+            known = self._surfaces[target.id] = target, surfaces_of(target, self.info(target.id))
+        return [s for s in known[1] if (s.support.container is None) == (relation == "ON")]
+
     def _try_surface(
-        self, asset: AssetInfo, target: ObjectInstance, surface: Polygon, z: float, rng: Rng
+        self, asset: AssetInfo, target: ObjectInstance, surface: Surface, rng: Rng
     ) -> Vec3Yaw | None:
         yaw = random_yaw(rng, yaw_of(target.pose.quat_xyzw))
-        point = random_point(surface, rng)
-        if point is None:
+        point = surface.random_point(rng)
+        if point is None or not surface.carries(asset.extents_m, point, yaw):
             return None
-        print_ = footprint(asset, point[0], point[1], yaw)
-        inside = surface.contains(print_)
-        if not inside and print_.intersection(surface).area < 0.97 * print_.area:
-            return None
-        block = Block(-1, print_, z + 0.001, z + asset.extents_m[2] + DROP_M)
-        if self.clashes([block], ignore=(target.id,)) is not None:
-            return None
-        return (point[0], point[1], z), yaw
+        spot = (*point, surface.z_m), yaw
+        block = _space(asset, spot, GAP_M, DROP_M)
+        return spot if self.fits([block], ignore=target.id) else None
 
     def _spot_in_hollow(self, asset: AssetInfo, target_id: int, rng: Rng) -> Vec3Yaw | None:
         target, info = self.items[target_id], self.info(target_id)
@@ -277,9 +209,9 @@ class Layout:
                 and print_.intersection(avoid).area > avoid_share * print_.area
             ):
                 continue
-            block = Block(-1, print_, 0.0, asset.extents_m[2] + DROP_M)
-            if self.clashes([block], gap_m=0.03) is None:
-                return (point[0], point[1], 0.0), yaw
+            spot = (*point, 0.0), yaw
+            if self.fits([_space(asset, spot, FLOOR_GAP_M)]):
+                return spot
         return None
 
     def new_item(
@@ -324,35 +256,26 @@ def within_room(
     return all(area.covers(b.shape) and b.high_m <= room.height_m for b in blocks)
 
 
+def _space(asset: AssetInfo, spot: Vec3Yaw, gap_m: float, over_m: float = 0.0) -> Block:
+    """The space a new thing takes at a spot, from ``over_m`` above its surface, and a gap around.
+
+    Its box has the gap along the axes alone: two corners may come a little nearer than it.
+    """
+    (x, y, z), yaw = spot
+    xs, ys = zip(*corners_of(asset, x, y, yaw), strict=True)
+    low = (min(xs) - gap_m, min(ys) - gap_m, z + over_m)
+    high = (max(xs) + gap_m, max(ys) + gap_m, z + asset.extents_m[2] + DROP_M)
+    return Block(NOBODY, np.array(corners_of(asset, x, y, yaw, gap_m)), np.array([*low, *high]))
+
+
 def footprint(asset: AssetInfo, x: float, y: float, yaw: float) -> Polygon:
     """The asset's box seen from above at a place and heading."""
-    w, d = asset.extents_m[0] / 2, asset.extents_m[1] / 2
+    return shapely.polygons(corners_of(asset, x, y, yaw))
+
+
+def corners_of(asset: AssetInfo, x: float, y: float, yaw: float, gap_m: float = 0.0) -> list[Vec2]:
+    """Corners of the asset's box seen from above, with a gap left around it."""
+    w, d = asset.extents_m[0] / 2 + gap_m, asset.extents_m[1] / 2 + gap_m
     cos, sin = math.cos(yaw), math.sin(yaw)
     corners = ((-w, -d), (w, -d), (w, d), (-w, d))
-    return shapely.polygons([(x + cos * u - sin * v, y + sin * u + cos * v) for u, v in corners])
-
-
-def _surface(
-    info: AssetInfo, support: Support, world: Array, target: ObjectInstance
-) -> tuple[Polygon, float]:
-    """A support of a placed object as it lies in the world: outline from above and height."""
-    local = object_from_part(info, support.part, target.joints)
-    points = apply(world @ local, [(x, y, support.z_m) for x, y in support.polygon_m])
-    return shapely.polygons(points[:, :2]), float(points[:, 2].mean())
-
-
-def _blocks(owner: int, pieces: Sequence[Array]) -> list[Block]:
-    """The space of convex pieces, given as corners in the world (N, 3)."""
-    if not pieces:
-        return []
-    piece_of = np.repeat(np.arange(len(pieces)), [len(corners) for corners in pieces])
-    points = np.concatenate(pieces)[:, :2]
-    # A line has the hull of its points, and needs no geometry of its own for each of them.
-    shapes = shapely.convex_hull(shapely.linestrings(points, indices=piece_of))
-    out = []
-    for corners, shape, area in zip(pieces, shapes, shapely.area(shapes).tolist(), strict=True):
-        if area < 1e-6:
-            shape = Point(corners[:, :2].mean(axis=0)).buffer(0.005)
-        heights = corners[:, 2]
-        out.append(Block(owner, shape, float(heights.min()), float(heights.max())))
-    return out
+    return [(x + cos * u - sin * v, y + sin * u + cos * v) for u, v in corners]

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from sdgen.errors import AssetError
+from sdgen.library.above import Above, seen_from_above
 from sdgen.library.cache import digest
 from sdgen.library.kept import kept_manifest
 from sdgen.library.meshes import Hull, MeshData, check_extents, read_glb, read_hulls
@@ -56,6 +57,7 @@ class Library:
         self._prepared = Prepared()
         self._held: OrderedDict[str, Model] = OrderedDict()
         self._objs: dict[str, dict[str, Path]] = {}
+        self._above: dict[tuple[str, tuple[str, ...]], Above | None] = {}
         self._manifest_hash = hasher
         self._sha256 = sha256
 
@@ -111,6 +113,17 @@ class Library:
         Raises AssetError for a missing or broken file.
         """
         return self.model(asset_id).hulls
+
+    def above(self, asset_id: str, parts: tuple[str, ...]) -> Above | None:
+        """The collision pieces of these parts, seen from above; None when they have none.
+
+        Kept for all models that were asked for: about 2 KB each.
+        """
+        key = (asset_id, parts)
+        if key not in self._above:
+            pieces = [hull.vertices_m for hull in self.hulls(asset_id) if hull.part in parts]
+            self._above[key] = seen_from_above(pieces) if pieces else None
+        return self._above[key]
 
     def model(self, asset_id: str) -> Model:
         """Arrays of a model. Raises AssetError for a missing or broken file."""

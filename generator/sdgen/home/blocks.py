@@ -1,0 +1,156 @@
+"""The space objects take: outlines seen from above, each with a range of heights."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+from shapely.geometry import Polygon
+
+from sdgen.geometry import Array, apply, box_corners
+from sdgen.library import Library
+from sdgen.library.above import Above, seen_from_above
+from sdgen.library.records import AssetInfo
+from sdgen.library.states import object_from_part
+from sdgen.scene import ObjectInstance
+from sdgen.vocabulary import OPENINGS
+
+#: Heights that meet by less than this do not: things stand on each other.
+TOUCH_M = 1e-4
+#: A leaf or drawer that is open by less, radians or metres, takes no space of its own.
+AJAR = 0.05
+#: Owner of the space of a thing that is not placed yet.
+NOBODY = -1
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """Space an object takes: a convex outline (N, 2) and a range of heights.
+
+    ``box`` holds its lowest and its highest corner (x, y, z).
+    """
+
+    owner: int
+    outline: Array
+    box: Array
+
+    @property
+    def high_m(self) -> float:
+        """How high it reaches."""
+        return float(self.box[5])
+
+    @cached_property
+    def shape(self) -> Polygon:
+        """The outline as a polygon: only drawn for what comes near something."""
+        return shapely.polygons(self.outline)
+
+    def same_space(self, other: Block) -> bool:
+        """True when both take the very same space."""
+        return np.array_equal(self.box, other.box) and np.array_equal(self.outline, other.outline)
+
+
+def blocks_of(item: ObjectInstance, info: AssetInfo, library: Library) -> list[Block]:
+    """Space of an object's body, and of each part that a joint holds open. It stands upright.
+
+    Open-framed furniture (tables, chairs) takes the space of its collision pieces, so that a
+    chair goes under a table; everything else takes its box. Raises ValueError for what is tilted.
+    """
+    drawn = info.variants[item.variant]
+    # Openings sit in walls: only an open leaf takes space in a room.
+    if item.fixed and not info.containers and item.category not in OPENINGS:
+        pieces = list(_framed(item, info, library, drawn))
+    else:
+        pieces = []
+    if not pieces:
+        pieces = list(_boxed(item, info, library, drawn))
+    world = item.pose.matrix()
+    if world[2, 2] != 1.0:
+        raise ValueError(f"{item.category} {item.id} does not stand upright")
+    return [block for piece in pieces for block in _placed(item.id, piece, world)]
+
+
+def _framed(
+    item: ObjectInstance, info: AssetInfo, library: Library, drawn: Sequence[str]
+) -> Iterator[Above]:
+    """The collision pieces of the parts at rest, and those of each part that moved."""
+    moved = {part for part in drawn if item.joints.get(info.part(part).joint or "", 0.0)}
+    still = library.above(item.asset, tuple(part for part in drawn if part not in moved))
+    if still is not None:
+        yield still
+    for part in drawn:
+        hulls = [h for h in library.hulls(item.asset) if h.part == part] if part in moved else []
+        if hulls:
+            local = object_from_part(info, part, item.joints)
+            yield seen_from_above([apply(local, hull.vertices_m) for hull in hulls])
+
+
+def _boxed(
+    item: ObjectInstance, info: AssetInfo, library: Library, drawn: Sequence[str]
+) -> Iterator[Above]:
+    """The object's box, and that of each part that stands open."""
+    if item.category not in OPENINGS:
+        x, y, z = info.extents_m
+        yield seen_from_above([box_corners((-x / 2, -y / 2, 0), (x / 2, y / 2, z))])
+    for name in drawn:
+        joint = info.part(name).joint
+        if joint is None or abs(item.joints.get(joint, 0.0)) < AJAR:
+            continue
+        low, high = library.mesh(item.asset)[name].bounds_m.tolist()
+        local = object_from_part(info, name, item.joints)
+        yield seen_from_above([apply(local, box_corners(low, high))])
+
+
+def _placed(owner: int, pieces: Above, world: Array) -> Iterator[Block]:
+    """The pieces of an upright object as they lie in the world."""
+    x, y = pieces.points_m.T
+    # One product after another, so that a point comes out the same in whatever company.
+    points = np.empty_like(pieces.points_m)
+    points[:, 0] = world[0, 0] * x + world[0, 1] * y + world[0, 3]
+    points[:, 1] = world[1, 0] * x + world[1, 1] * y + world[1, 3]
+    boxes = np.empty((len(pieces.starts), 6))
+    boxes[:, 0:2] = np.minimum.reduceat(points, pieces.starts)
+    boxes[:, 2] = pieces.low_m + world[2, 3]
+    boxes[:, 3:5] = np.maximum.reduceat(points, pieces.starts)
+    boxes[:, 5] = pieces.high_m + world[2, 3]
+    for outline, box in zip(np.split(points, pieces.starts[1:]), boxes, strict=True):
+        yield Block(owner, outline, box)
+
+
+@dataclass(frozen=True)
+class Table:
+    """Blocks in the order they were put, and their boxes (N, 6)."""
+
+    blocks: tuple[Block, ...] = ()
+    boxes: Array = field(default_factory=lambda: np.empty((0, 6)))
+
+    def more(self, blocks: Iterable[Block]) -> Table:
+        """The table with these blocks at its end."""
+        added = tuple(blocks)
+        if not added:
+            return self
+        boxes = np.concatenate([self.boxes, [block.box for block in added]])
+        return Table(self.blocks + added, boxes)
+
+    def entered(self, blocks: Sequence[Block]) -> Iterator[int]:
+        """Ids of the other objects whose space these blocks enter, once for every pair."""
+        if not blocks:
+            return
+        boxes = np.array([block.box for block in blocks])
+        whole = np.concatenate([boxes[:, :3].min(axis=0), boxes[:, 3:].max(axis=0)])
+        near = np.flatnonzero(_meet(whole, self.boxes))
+        for mine, its in np.argwhere(_meet(boxes[:, None], self.boxes[near])).tolist():
+            block, other = blocks[mine], self.blocks[near[its]]
+            if other.owner != block.owner and block.shape.intersects(other.shape):
+                yield other.owner
+
+
+def _meet(a: Array, b: Array) -> npt.NDArray[np.bool_]:
+    """Whether boxes share space."""
+    found = (a[..., 0] < b[..., 3]) & (b[..., 0] < a[..., 3])
+    found &= (a[..., 1] < b[..., 4]) & (b[..., 1] < a[..., 4])
+    found &= (a[..., 2] < b[..., 5] - TOUCH_M) & (b[..., 2] < a[..., 5] - TOUCH_M)
+    return np.asarray(found)

@@ -1,0 +1,69 @@
+"""Plain arithmetic on surfaces says what polygons say."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from sdgen.freespace import random_point
+from sdgen.home.layout import footprint
+from sdgen.home.surfaces import CARRIED_SHARE, Surface
+from sdgen.library.records import Support
+from shapely.geometry import Polygon
+
+from tests.shipped import shipped_library
+
+MUG = shipped_library().by_category("mug")[0]
+TURN = np.array([[math.cos(0.3), -math.sin(0.3)], [math.sin(0.3), math.cos(0.3)]])
+SQUARE = np.array([(0.0, 0.0), (0.4, 0.0), (0.4, 0.3), (0.0, 0.3)])
+ROUND = np.array([(0.2 * math.cos(a), 0.2 * math.sin(a)) for a in np.arange(12) * math.pi / 6])
+ELL = np.array([(0, 0), (0.4, 0), (0.4, 0.15), (0.15, 0.15), (0.15, 0.4), (0, 0.4)])
+
+
+def surface(corners, z=0.7):
+    turned = corners @ TURN.T + (3.0, -1.0)
+    polygon = tuple((float(x), float(y)) for x, y in corners)
+    support = Support(name="top", part="body", z_m=z, polygon_m=polygon)
+    return Surface(support, np.column_stack([turned, np.full(len(turned), z)]))
+
+
+@pytest.mark.parametrize("corners", [SQUARE, ROUND, ELL], ids=["square", "round", "ell"])
+def test_a_surface_carries_what_its_polygon_covers(corners):
+    there = surface(corners)
+    rng = np.random.default_rng(1)
+    answers = []
+    for _ in range(600):
+        x, y = rng.uniform((2.5, -1.5), (3.6, -0.4))
+        yaw = float(rng.uniform(-4, 4))
+        print_ = footprint(MUG, x, y, yaw)
+        covered = print_.intersection(there.shape).area / print_.area
+        answers.append(there.carries(MUG.extents_m, (x, y), yaw))
+        assert answers[-1] is (covered >= CARRIED_SHARE)
+    assert {True, False} == set(answers)
+
+
+def test_what_reaches_over_an_edge_is_carried_up_to_a_share():
+    w, d, _ = MUG.extents_m
+    there = surface(np.array([(0.0, -1.0), (1.0, -1.0), (1.0, 1.0), (0.0, 1.0)]))
+    for over, carried in ((0.02, True), (0.04, False)):
+        local = np.array([w * (0.5 - over), 0.1])
+        x, y = TURN @ local + (3.0, -1.0)
+        assert there.carries((w, d, 0.1), (float(x), float(y)), 0.3) is carried
+
+
+@pytest.mark.parametrize("corners", [SQUARE, ROUND, ELL], ids=["square", "round", "ell"])
+def test_points_are_those_drawn_from_the_polygon(corners):
+    there = surface(corners)
+    for seed in range(50):
+        mine, its = np.random.default_rng(seed), np.random.default_rng(seed)
+        assert there.random_point(mine) == random_point(there.shape, its)
+        assert mine.random() == its.random()
+
+
+def test_no_point_is_drawn_from_a_sliver():
+    there = surface(SQUARE * (1.0, 0.0005))
+    rng = np.random.default_rng(0)
+    assert there.random_point(rng) is None
+    assert rng.random() == np.random.default_rng(0).random()
+    assert Polygon(SQUARE * (1.0, 0.0005)).area > 0

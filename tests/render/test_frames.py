@@ -104,6 +104,20 @@ def test_pixels_alone_count_what_is_hidden_too(renderer: Renderer, library: Libr
     assert set(frame.alone_pixels) == {10, 11}
 
 
+def test_a_scene_may_have_more_parts_than_a_body_of_bullet_has_links(
+    renderer: Renderer, library: Library
+) -> None:
+    """Everything is drawn where it stands, and keeps its number."""
+    places = [(0.22 * k - 1.32, 0.22 * j - 1.1, 0.0) for k in range(13) for j in range(11)]
+    scene = box_room([thing(100 + n, "cube_01", place) for n, place in enumerate(places)])
+    view = camera((0.0, 0.0, 2.4), (0.001, 0.0, 0.0), (640, 640))
+    frame = one(renderer, library, scene, view)
+    pixels, _ = project(view, np.array([(x, y, 0.2) for x, y, _ in places]))
+    columns, rows = np.rint(pixels).astype(int).T
+    assert frame.instance[rows, columns].tolist() == list(range(100, 243))
+    assert (frame.part[rows, columns] == 1).all()
+
+
 def test_no_sensors_no_frames(renderer: Renderer, library: Library) -> None:
     view = camera((0, 0, 1.25), (1, 0, 1.25))
     assert list(render_frames(renderer, library, box_room(), [view], sensors=())) == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.bullet import pb
 from sdgen.render.opengl import depth_from_buffer, projection_matrix, scaled, view_matrix
+from sdgen.render.part_bodies import WITH_LINKS, Part, PartBodies
 from sdgen.render.protocol import Picture
 from sdgen.render.shell import LIGHT_M, ShellFolder, structure_faces
 from sdgen.scene import Camera, ObjectInstance, Scene, Structure
@@ -56,9 +58,8 @@ class BulletGraphics:
         self.client: int = pb.connect(pb.DIRECT)
         #: Visual shape of an OBJ file in a colour, and the middle of its mesh.
         self._shapes: dict[tuple[Path, Rgba], tuple[int, Array]] = {}
-        self._bodies: list[int] = []
+        self._parts = self._no_parts()
         self._vertices = 0
-        self._set_owners({})
         self._shift = np.eye(4)
 
     def close(self) -> None:
@@ -72,24 +73,23 @@ class BulletGraphics:
         """Put the scene, moved by :func:`drawing_shift`, into the emptied world."""
         self._clear()
         self._shift = drawing_shift(scene)
-        owners: dict[int, tuple[int, int]] = {}
+        parts: list[Part] = []
         for structure in sorted(scene.home.structures, key=lambda s: s.id):
-            for body in self._add_structure(library, structure):
-                owners[body] = (structure.id, 0)
+            parts += self._structure_parts(library, structure)
         for item in sorted(scene.objects, key=lambda o: o.id):
-            for number, body in enumerate(self._add_object(library, item), start=1):
-                owners[body] = (item.id, number)
-        self._set_owners(owners)
+            parts += self._object_parts(library, item)
+        self._parts.put(parts)
 
     def draw(self, camera: Camera) -> Picture:
         """Colour, depth and whose every pixel is."""
         size = (camera.width, camera.height)
-        rgb, buffer, body = self._image(camera, np.asarray(camera.K), size, mask=True)
+        rgb, buffer, mask = self._image(camera, np.asarray(camera.K), size, mask=True)
+        instance, part = self._parts.owners(mask)
         return Picture(
             rgb=rgb,
             depth_m=depth_from_buffer(buffer, camera.near_m, camera.far_m),
-            instance=self._node_of[body],
-            part=self._part_of[body],
+            instance=instance,
+            part=part,
         )
 
     def draw_colours(self, camera: Camera, factor: int) -> npt.NDArray[np.uint8]:
@@ -97,13 +97,8 @@ class BulletGraphics:
         size = (camera.width * factor, camera.height * factor)
         return self._image(camera, scaled(np.asarray(camera.K), factor), size, mask=False)[0]
 
-    def _set_owners(self, owners: dict[int, tuple[int, int]]) -> None:
-        # One row more than bodies, zeros, which the mask's background, -1, reads.
-        count = max(owners, default=-1) + 2
-        self._node_of = np.zeros(count, dtype=np.uint16)
-        self._part_of = np.zeros(count, dtype=np.uint8)
-        for body, (node_id, part) in owners.items():
-            self._node_of[body], self._part_of[body] = node_id, part
+    def _no_parts(self) -> PartBodies:
+        return PartBodies(self.client, self._device == pb.ER_BULLET_HARDWARE_OPENGL)
 
     def _clear(self) -> None:
         """Take all bodies away; shapes and textures stay for the next scene.
@@ -111,48 +106,43 @@ class BulletGraphics:
         ``resetSimulation`` would upload every texture again, which EGL never frees: it is for
         the day when the vertices run out.
         """
-        # Last in, first out, so that handles, and with them the order of drawing, come out the
-        # same whatever was drawn before: where faces coincide the first one drawn wins.
-        for body in reversed(self._bodies):
-            pb.removeBody(body, physicsClientId=self.client)
-        self._bodies = []
+        self._parts.remove()
         if self._vertices > _VERTEX_LIMIT:
             pb.resetSimulation(physicsClientId=self.client)
+            self._parts = self._no_parts()
             self._shapes = {}
             self._vertices = 0
 
-    def _add_structure(self, library: Library, structure: Structure) -> list[int]:
+    def _structure_parts(self, library: Library, structure: Structure) -> Iterator[Part]:
         surface = library.surfaces[structure.surface]
         texture = library.surface_texture(structure.surface)
         alpha = _CEILING_ALPHA if structure.category == "ceiling" else 1.0
-        bodies = []
         for index, face in enumerate(structure_faces(structure, surface.size_m)):
             path = self._shell.write(face, texture)
             level = face.brightness if self._face_levels else 1.0
             rgba = (level, level, level, alpha)
-            bodies.append(self._body(path, rgba, face.vertices_m, index, self._shift))
-        return bodies
+            shape, middle = self._shape(path, rgba, face.vertices_m, index)
+            yield _placed(structure.id, 0, shape, middle, self._shift)
 
-    def _add_object(self, library: Library, item: ObjectInstance) -> list[int]:
-        """A body for each drawn part, in their order."""
+    def _object_parts(self, library: Library, item: ObjectInstance) -> Iterator[Part]:
+        """The drawn parts, in their order."""
         info = library.info(item.asset)
         objs, meshes = library.objs(item.asset), library.mesh(item.asset)
         pose = self._shift @ item.pose.matrix()
         apart = {part.name: index for index, part in enumerate(info.parts)}
-        bodies = []
-        for name in info.variants[item.variant]:
+        for number, name in enumerate(info.variants[item.variant], start=1):
             red, green, blue, _ = info.part(name).rgba
             # Opaque always: the plugin gives see-through bodies no depth.
             rgba = (red, green, blue, 1.0)
+            shape, middle = self._shape(objs[name], rgba, meshes[name].vertices, apart[name])
             placed = pose @ object_from_part(info, name, item.joints)
-            bodies.append(self._body(objs[name], rgba, meshes[name].vertices, apart[name], placed))
-        return bodies
+            yield _placed(item.id, number, shape, middle, placed)
 
-    def _body(self, path: Path, rgba: Rgba, vertices_m: Array, apart: int, pose: Array) -> int:
-        """A body that shows an OBJ file at ``pose``.
+    def _shape(self, path: Path, rgba: Rgba, vertices_m: Array, apart: int) -> tuple[int, Array]:
+        """Visual shape that shows an OBJ file, and where its origin lies in the file's frame.
 
-        Its origin is the middle of the mesh, plus a little for each step ``apart``: the plugin
-        draws bodies in the order of their origins' depth, and where faces coincide the first one
+        The origin is the middle of the mesh, plus a little for each step ``apart``: the plugin
+        draws parts in the order of their origins' depth, and where faces coincide the first one
         drawn wins. Parts with one common origin would be drawn in an order that depends on what the
         process has drawn before.
         """
@@ -169,27 +159,17 @@ class BulletGraphics:
                 physicsClientId=self.client,
             )
             self._shapes[path, rgba] = (int(made), middle)
-        shape, middle = self._shapes[path, rgba]
-        body = pb.createMultiBody(
-            0,
-            -1,
-            shape,
-            basePosition=apply(pose, middle)[0].tolist(),
-            baseOrientation=quat_from_matrix(pose[:3, :3]),
-            physicsClientId=self.client,
-        )
-        self._bodies.append(int(body))
-        return int(body)
+        return self._shapes[path, rgba]
 
     def _image(
         self, camera: Camera, k: Array, size: tuple[int, int], mask: bool
     ) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.float32], npt.NDArray[np.int32]]:
-        """Colour, depth buffer and body of every pixel of a camera's view drawn at ``size``
-        (width, height), in tiles no larger than the EGL window."""
+        """Colour, depth buffer and Bullet's mask of a camera's view drawn at ``size`` (width,
+        height), in tiles no larger than the EGL window."""
         width, height = size
         rgb = np.empty((height, width, 3), dtype=np.uint8)
         depth = np.empty((height, width), dtype=np.float32)
-        body = np.empty((height, width), dtype=np.int32)
+        owner = np.empty((height, width), dtype=np.int32)
         view = view_matrix(self._shift @ np.asarray(camera.world_from_camera))
         for y0 in range(0, height, _TILE[1]):
             for x0 in range(0, width, _TILE[0]):
@@ -205,7 +185,7 @@ class BulletGraphics:
                     lightDiffuseCoeff=0.4,
                     lightSpecularCoeff=0.0,
                     shadow=0,
-                    flags=0 if mask else pb.ER_NO_SEGMENTATION_MASK,
+                    flags=WITH_LINKS if mask else pb.ER_NO_SEGMENTATION_MASK,
                     renderer=self._device,
                     physicsClientId=self.client,
                 )
@@ -213,8 +193,14 @@ class BulletGraphics:
                 rgb[rows, columns] = np.asarray(image[2], dtype=np.uint8).reshape(h, w, 4)[..., :3]
                 depth[rows, columns] = np.asarray(image[3], dtype=np.float32).reshape(h, w)
                 if mask:
-                    body[rows, columns] = np.asarray(image[4], dtype=np.int32).reshape(h, w)
-        return rgb, depth, body
+                    owner[rows, columns] = np.asarray(image[4], dtype=np.int32).reshape(h, w)
+        return rgb, depth, owner
+
+
+def _placed(node_id: int, number: int, shape: int, middle: Array, pose: Array) -> Part:
+    """A shape whose origin is ``middle`` at ``pose``."""
+    position = apply(pose, middle)[0].tolist()
+    return Part(node_id, number, shape, position, quat_from_matrix(pose[:3, :3]))
 
 
 def drawing_shift(scene: Scene) -> Array:

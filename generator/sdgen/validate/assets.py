@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from contextlib import ExitStack
-from functools import partial
-from multiprocessing import get_context
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from sdgen.catalog.records import Catalog, Category
-from sdgen.errors import AssetError
+from sdgen.engines.in_order import in_order
+from sdgen.errors import AssetError, SceneRejected
 from sdgen.library import Library, load_library
 from sdgen.library.select import select
 from sdgen.physics.client import Client
+from sdgen.rejection import causes_in_words
 from sdgen.validate.models import Model, check_model
 
 #: Models a worker checks at a time: seconds, so that the progress shown moves.
@@ -43,31 +41,43 @@ def check_assets(
     categories = {c.name: c for c in catalog.categories}
     problems: list[str] = []
     done = 0
-    with ExitStack() as stack:
-        results: Iterator[list[str]]
-        if workers > 1 and len(chunks) > 1:
-            pool = stack.enter_context(
-                ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
-            )
-            check = partial(_check_anew, tuple(folders), categories)
-            results = iter(pool.map(check, chunks))
+    work = (tuple(folders), categories, chunks)
+    for outcome in in_order(_Checker, work, len(chunks), workers):
+        chunk = chunks[outcome.job]
+        if isinstance(outcome.error, SceneRejected):
+            why = causes_in_words(outcome.error.causes)
+            problems.append(f"{chunk[0]} to {chunk[-1]}: workers end at one of these ({why})")
+        elif outcome.error is not None:
+            raise outcome.error
         else:
-            results = (_check(library, categories, chunk) for chunk in chunks)
-        for chunk, found in zip(chunks, results, strict=True):
-            problems += found
-            done += len(chunk)
-            if on_model is not None:
-                on_model(done, len(wanted))
+            problems += outcome.result
+        done += len(chunk)
+        if on_model is not None:
+            on_model(done, len(wanted))
     return problems
 
 
-def _check_anew(
-    folders: tuple[Path, ...], categories: dict[str, Category], chunk: list[str]
-) -> list[str]:
-    return _check(load_library(folders), categories, chunk)
+class _Checker:
+    """Checks models, a chunk of them at a time."""
+
+    def __init__(
+        self,
+        folders: tuple[Path, ...],
+        categories: dict[str, Category],
+        chunks: Sequence[Sequence[str]],
+    ) -> None:
+        self._library = load_library(folders)
+        self._categories = categories
+        self._chunks = chunks
+
+    def __call__(self, index: int) -> list[str]:
+        return _check(self._library, self._categories, self._chunks[index])
+
+    def close(self) -> None:
+        """Nothing to let go of: every chunk has a simulator of its own."""
 
 
-def _check(library: Library, categories: dict[str, Category], chunk: list[str]) -> list[str]:
+def _check(library: Library, categories: dict[str, Category], chunk: Sequence[str]) -> list[str]:
     out: list[str] = []
     with Client() as client:
         for asset_id in chunk:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-import multiprocessing
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
+from sdgen.closing import Closing
 from sdgen.dataset import Dataset, SceneItem
 from sdgen.errors import InputError
 from sdgen.library import Library
@@ -16,6 +15,7 @@ from sdgen.physics.client import Client
 from sdgen.physics.settle import moved_by
 from sdgen.physics.world import World
 from sdgen.validate.problems import Problem
+from sdgen.validate.scenes import scene_by_scene
 
 #: What stands stays within these limits for half a second. In a world that starts anew contacts
 #: play by less than a millimetre (nothing in 16 scenes moved by more, or turned by a degree); what
@@ -23,9 +23,6 @@ from sdgen.validate.problems import Problem
 STILL_STEPS = 120
 MOVED_LIMIT_M = 0.005
 TURNED_LIMIT_RAD = math.radians(3)
-
-#: With fewer scenes than this, starting processes takes longer than it saves.
-WORTH_WORKERS = 8
 
 
 def check_physics(
@@ -44,43 +41,32 @@ def check_physics(
         return [Problem("physics", text)]
     problems: list[Problem] = []
     total = len(data.entries)
-    for done, found in enumerate(_scenes(data, library, min(workers, total)), start=1):
+    told = (data.path, library.folders, library.sha256)
+    for done, found in enumerate(scene_by_scene(_Checker, told, data.entries, workers), start=1):
         problems += found
         if on_scene is not None:
             on_scene(done, total)
     return problems
 
 
-def _scenes(data: Dataset, library: Library, workers: int) -> Iterator[list[Problem]]:
-    if workers <= 1 or len(data.entries) < WORTH_WORKERS:
-        with Client() as client:
-            for entry in data.entries:
-                yield _one(SceneItem(data.path, entry), library, client)
-        return
-    spawn = multiprocessing.get_context("spawn")
-    told = (data.path, library.folders, library.sha256)
-    with ProcessPoolExecutor(workers, spawn, _start, told) as pool:
-        yield from pool.map(_numbered, range(len(data.entries)), chunksize=4)
+class _Checker(Closing):
+    """Lets scenes stand, by their place in the manifest, one after another in one simulator."""
 
+    def __init__(self, path: Path, folders: tuple[Path, ...], sha256: str) -> None:
+        self._data = Dataset(path)
+        self._library = Library(folders, sha256)
+        self._client = Client()
 
-#: A worker's own, kept from scene to scene.
-_SHARED: list[tuple[Dataset, Library, Client]] = []
+    def __call__(self, index: int) -> list[Problem]:
+        item = SceneItem(self._data.path, self._data.entries[index])
+        try:
+            return list(check_scene_physics(item, self._library, self._client))
+        except InputError as error:
+            return [Problem("physics", text) for text in error.problems]
 
-
-def _start(path: Path, folders: tuple[Path, ...], sha256: str) -> None:
-    _SHARED[:] = [(Dataset(path), Library(folders, sha256), Client())]
-
-
-def _numbered(index: int) -> list[Problem]:
-    data, library, client = _SHARED[0]
-    return _one(SceneItem(data.path, data.entries[index]), library, client)
-
-
-def _one(item: SceneItem, library: Library, client: Client) -> list[Problem]:
-    try:
-        return list(check_scene_physics(item, library, client))
-    except InputError as error:
-        return [Problem("physics", text) for text in error.problems]
+    def close(self) -> None:
+        """Let go of the simulator."""
+        self._client.close()
 
 
 def check_scene_physics(item: SceneItem, library: Library, client: Client) -> Iterator[Problem]:

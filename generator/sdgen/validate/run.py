@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from sdgen.catalog.records import Catalog
@@ -14,12 +12,10 @@ from sdgen.errors import InputError
 from sdgen.validate.files import check_files, check_whole
 from sdgen.validate.labels import check_labels, check_scene, check_zones
 from sdgen.validate.problems import Problem
+from sdgen.validate.scenes import scene_by_scene
 from sdgen.validate.views import check_views
 
 OnScene = Callable[[int, int], None]
-
-#: With fewer scenes than this, starting processes takes longer than it saves.
-WORTH_WORKERS = 8
 
 
 def validate(
@@ -42,33 +38,27 @@ def validate(
     except InputError as error:
         return [Problem("file", text) for text in error.problems]
     total = len(data.entries)
-    for done, found in enumerate(_scenes(data, catalog, min(workers, total)), start=1):
-        problems += found
+    found = scene_by_scene(_Checker, (str(data.path), catalog), data.entries, workers)
+    for done, more in enumerate(found, start=1):
+        problems += more
         if on_scene is not None:
             on_scene(done, total)
     return problems
 
 
-def _scenes(data: Dataset, catalog: Catalog, workers: int) -> Iterator[list[Problem]]:
-    """Problems of every scene, in the manifest's order."""
-    if workers <= 1 or len(data.entries) < WORTH_WORKERS:
-        yield from (_scene(data, SceneItem(data.path, entry), catalog) for entry in data.entries)
-        return
-    spawn = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(workers, spawn, _start, (str(data.path), catalog)) as pool:
-        yield from pool.map(_one, range(len(data.entries)), chunksize=4)
+class _Checker:
+    """Checks scenes by their place in the manifest."""
 
+    def __init__(self, path: str, catalog: Catalog) -> None:
+        self._data = Dataset(path, partial=True)
+        self._catalog = catalog
 
-_SHARED: list[tuple[Dataset, Catalog]] = []
+    def __call__(self, index: int) -> list[Problem]:
+        item = SceneItem(self._data.path, self._data.entries[index])
+        return _scene(self._data, item, self._catalog)
 
-
-def _start(path: str, catalog: Catalog) -> None:
-    _SHARED[:] = [(Dataset(path, partial=True), catalog)]
-
-
-def _one(index: int) -> list[Problem]:
-    data, catalog = _SHARED[0]
-    return _scene(data, SceneItem(data.path, data.entries[index]), catalog)
+    def close(self) -> None:
+        """Nothing to let go of."""
 
 
 def _scene(data: Dataset, item: SceneItem, catalog: Catalog) -> list[Problem]:

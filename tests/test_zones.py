@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.facts import bodies_of
 from sdgen.geometry import apply, quat_from_yaw
 from sdgen.hazards.splits import SplitModels
 from sdgen.library.states import object_from_part
@@ -33,7 +34,7 @@ def door(asset, x=0.0, y=0.0, yaw=0.0):
     "asset", [*LIBRARY.by_category("door"), *LIBRARY.by_category("front_door")], ids=lambda a: a.id
 )
 def test_the_sweep_covers_the_leaf_from_shut_to_open(asset):
-    (sector,) = swing_sectors([door(asset)], LIBRARY.infos)
+    (sector,) = swing_sectors(bodies_of([door(asset)], LIBRARY.infos))
     (joint,) = asset.joints
     leaf = next(part.name for part in asset.parts if part.joint == joint.name)
     vertices = LIBRARY.mesh(asset.id)[leaf].vertices
@@ -53,7 +54,7 @@ def test_a_box_in_the_sweep_is_named_and_one_beside_it_is_not():
         return ObjectInstance(id=number, category=box.category, asset=box.id, pose=pose, room_id=2)
 
     things = [door(asset), placed(7, 0.5, 0), placed(8, 2.0, 0), placed(9, 0.5, 0, z=1.5)]
-    assert swing_blocked(things, LIBRARY.infos) == (7,)
+    assert swing_blocked(bodies_of(things, LIBRARY.infos)) == (7,)
 
 
 def test_a_staged_home_has_the_zones_its_doors_and_appliances_need():

@@ -17,6 +17,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import DatasetWriter
 from sdgen.dataset.scene_folder import SceneWriter
+from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import look_at, quat_from_yaw, round_position, round_quat
 from sdgen.hazards.certify import facts_of, survey
@@ -215,14 +216,14 @@ def scene(index: int = 3, anomalies: int | None = None) -> Scene:
         objects.append(thing(600, "knife_01", (1.7, 1.1, 0.74), yaw=0.5))
     objects.sort(key=lambda item: item.id)
     home = _home(HOMES[SPLITS[index % 3]])
-    furniture = [item for item in objects if item.fixed]
+    furniture = bodies_of([item for item in objects if item.fixed], infos())
     traits = {category.name: category.properties for category in catalog().categories}
-    free = free_shape(home, floor_obstacles(furniture, infos()))
+    free = free_shape(home, floor_obstacles(furniture))
     return Scene(
         id=f"{index:06d}",
         index=index,
         home=home,
-        zones=derive_zones(home, furniture, infos(), traits),
+        zones=derive_zones(home, furniture, free, traits),
         free_space=rounded_rings(free),
         agent_start=AgentStart(position_m=(2.5, 2.0, 0.0), yaw_rad=0.5, room_id=100),
         objects=tuple(objects),

@@ -9,7 +9,7 @@ Clearances follow common accessibility practice (0.9 m routes; ADA 2010, section
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import combinations
 
 import numpy as np
@@ -19,10 +19,9 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
 from sdgen.facts import Body, drawn
-from sdgen.freespace import Grid, free_shape, opening_rectangle, polygons
+from sdgen.freespace import Grid, opening_rectangle, polygons
 from sdgen.geometry import Vec2, apply
-from sdgen.library.records import AssetInfo
-from sdgen.scene import Home, ObjectInstance, Opening, Room, Zone
+from sdgen.scene import Home, Opening, Room, Zone
 from sdgen.vocabulary import (
     CHILD_REACH_M,
     DOORS,
@@ -49,26 +48,22 @@ FRAME_M = 0.05
 SWING_TOUCH_M2 = 1e-3
 
 
-def floor_obstacles(
-    objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
-) -> list[BaseGeometry]:
+def floor_obstacles(bodies: Iterable[Body]) -> list[BaseGeometry]:
     """Footprints of what stands in a walker's way; doors and windows sit in walls and do not."""
-    return [body.footprint for body in _standing(objects, infos)]
+    return [body.footprint for body in _standing(bodies)]
 
 
-def _standing(objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]) -> Sequence[Body]:
+def _standing(bodies: Iterable[Body]) -> Sequence[Body]:
     """What a walker cannot step over or pass under; no doors and windows."""
-    bodies = (Body(item, infos[item.asset]) for item in objects if item.category not in OPENINGS)
-    return drawn([b for b in bodies if b.low[2] < OVERHEAD_M and b.high[2] > FLAT_M])
+    solid = (body for body in bodies if body.item.category not in OPENINGS)
+    return drawn([b for b in solid if b.low[2] < OVERHEAD_M and b.high[2] > FLAT_M])
 
 
-def swing_sectors(
-    objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
-) -> list[BaseGeometry]:
+def swing_sectors(bodies: Iterable[Body]) -> list[BaseGeometry]:
     """The floor each hinged door of the home sweeps, from shut to a right angle."""
     out: list[BaseGeometry] = []
-    for item in objects:
-        info = infos[item.asset]
+    for body in bodies:
+        item, info = body.item, body.info
         if item.category not in DOORS:
             continue
         for joint in info.joints:
@@ -80,21 +75,19 @@ def swing_sectors(
             x, y = joint.origin_m[0], hinge_y
             points = [(x, y, 0.0)]
             points += [(x + leaf_m * math.cos(a), y + leaf_m * math.sin(a), 0.0) for a in angles]
-            world = apply(item.pose.matrix(), points)
+            world = apply(body.world_from_object, points)
             out.append(Polygon(world[:, :2]).buffer(0))
     return out
 
 
-def swing_blocked(
-    objects: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
-) -> tuple[int, ...]:
+def swing_blocked(bodies: Collection[Body]) -> tuple[int, ...]:
     """Ids of things that stand where a door of the home must swing, sorted."""
-    swept = unary_union(swing_sectors(objects, infos))
+    swept = unary_union(swing_sectors(bodies))
     shapely.prepare(swept)
     return tuple(
         sorted(
             body.item.id
-            for body in _standing(objects, infos)
+            for body in _standing(bodies)
             if swept.intersects(body.footprint)
             and swept.intersection(body.footprint).area > SWING_TOUCH_M2
         )
@@ -103,17 +96,16 @@ def swing_blocked(
 
 def derive_zones(
     home: Home,
-    furniture: Sequence[ObjectInstance],
-    infos: Mapping[str, AssetInfo],
+    furniture: Sequence[Body],
+    free: BaseGeometry,
     properties: Mapping[str, Collection[str]],
 ) -> tuple[Zone, ...]:
-    """All zones of a furnished home, sorted by name.
+    """All zones of a furnished home with the floor that is free in it, sorted by name.
 
     ``properties`` maps category to catalogue properties: HEAT_SOURCE and WATER_SOURCE make zones.
     """
     zones: list[Zone] = []
     rooms = {room.id: room for room in home.rooms}
-    free = free_shape(home, floor_obstacles(furniture, infos))
     for opening in home.openings:
         if opening.kind == "window":
             continue
@@ -133,11 +125,11 @@ def derive_zones(
         reach = free.intersection(Polygon(room.polygon_m)).buffer(CHILD_ARM_M + 0.25)
         shape = reach.intersection(Polygon(room.polygon_m))
         zones += _zones("child_reach", _filled(shape), room, 0.0, CHILD_REACH_M, None)
-    for item in furniture:
+    for body in furniture:
+        item = body.item
         traits = properties.get(item.category, ())
         if "HEAT_SOURCE" not in traits and "WATER_SOURCE" not in traits:
             continue
-        body = Body(item, infos[item.asset])
         room = rooms[item.room_id]
         top = round(float(body.high[2]), 3)
         if "HEAT_SOURCE" in traits:

@@ -6,6 +6,7 @@ import math
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, opening_rectangle, rounded_rings
 from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
@@ -133,8 +134,9 @@ def test_a_generated_home_keeps_its_id_and_split_through_attempts():
 def test_what_is_left_free_is_what_a_reader_of_the_scene_finds(stages):
     for made in stages:
         scene = made.scene(0, made.layout.items)
-        free = free_shape(scene.home, floor_obstacles(scene.objects, LIBRARY.infos))
+        furniture = bodies_of(scene.objects, LIBRARY.infos)
+        free = free_shape(scene.home, floor_obstacles(furniture))
         assert rounded_rings(free) == made.free_space
         traits = {c.name: c.properties for c in CATALOG.categories}
-        zones = derive_zones(scene.home, scene.objects, LIBRARY.infos, traits)
+        zones = derive_zones(scene.home, furniture, free, traits)
         assert zones == tuple(made.context.zones)

@@ -5,8 +5,8 @@ Every threshold is in :mod:`sdgen.facts.thresholds`, with the margin within whic
 claimed. Predicates, graph edges and tags all ask :class:`Facts`, so they cannot disagree.
 """
 
-from sdgen.facts.body import Body, drawn
+from sdgen.facts.body import Body, bodies_of, drawn
 from sdgen.facts.front import Edge, Facts
 from sdgen.facts.rooms import Rooms, room_at
 
-__all__ = ["Body", "Edge", "Facts", "Rooms", "drawn", "room_at"]
+__all__ = ["Body", "Edge", "Facts", "Rooms", "bodies_of", "drawn", "room_at"]

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
+from sdgen.facts.hollows import Hollow, hollows_of
+from sdgen.facts.surfaces import Surface, surfaces_of
 from sdgen.geometry import Array, apply
 from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance
@@ -28,6 +30,16 @@ class Body:
         self.center = center_of(self.world_from_object, info)
 
     @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """What things can stand on."""
+        return tuple(surfaces_of(self.item, self.info, self.world_from_object))
+
+    @cached_property
+    def hollows(self) -> tuple[Hollow, ...]:
+        """What things can be inside of."""
+        return tuple(hollows_of(self.item, self.info, self.world_from_object))
+
+    @cached_property
     def footprint(self) -> BaseGeometry:
         """The convex outline seen from above."""
         return footprints([self])[0]
@@ -39,10 +51,16 @@ class Body:
 
 
 def drawn(bodies: Sequence[Body]) -> Sequence[Body]:
-    """The same bodies, their footprints drawn in one call."""
-    for body, shape in zip(bodies, footprints(bodies), strict=True):
+    """The same bodies, their footprints drawn in one call where they were not."""
+    missing = [body for body in bodies if "footprint" not in vars(body)]
+    for body, shape in zip(missing, footprints(missing), strict=True):
         body.footprint = shape
     return bodies
+
+
+def bodies_of(objects: Iterable[ObjectInstance], infos: Mapping[str, AssetInfo]) -> list[Body]:
+    """The bodies of objects, their footprints not drawn yet."""
+    return [Body(item, infos[item.asset]) for item in objects]
 
 
 def footprints(bodies: Sequence[Body]) -> list[BaseGeometry]:

@@ -39,8 +39,9 @@ class Facts(Measured):
         scene: Scene,
         infos: Mapping[str, AssetInfo],
         properties: Mapping[str, Collection[str]] | None = None,
+        known: Measured | None = None,
     ) -> None:
-        super().__init__(scene, infos, properties)
+        super().__init__(scene, infos, properties, known)
         self._related: dict[tuple[int, str], tuple[Related, ...]] = {}
 
     # --- what predicates ask ---------------------------------------------------------------------

@@ -17,7 +17,7 @@ from sdgen.facts.zones import ZoneIndex
 from sdgen.geometry import Array
 from sdgen.kleene import Kleene, any_of
 from sdgen.library.records import AssetInfo
-from sdgen.scene import Scene
+from sdgen.scene import ObjectInstance, Scene
 
 
 class Measured:
@@ -32,20 +32,30 @@ class Measured:
         scene: Scene,
         infos: Mapping[str, AssetInfo],
         properties: Mapping[str, Collection[str]] | None = None,
+        known: Measured | None = None,
     ) -> None:
+        """``known`` is another scene of the same home: what stands there too, and as it does
+        here, is not measured again."""
         self.scene = scene
         self.properties = properties or {}
-        bodies = drawn([Body(item, infos[item.asset]) for item in scene.objects])
-        self.bodies = {body.item.id: body for body in bodies}
+        same_home = known and known.scene.home is scene.home and known.scene.zones == scene.zones
+        self._known = known if same_home else None
+        bodies = [self._known_body(item) or Body(item, infos[item.asset]) for item in scene.objects]
+        self.bodies = {body.item.id: body for body in drawn(bodies)}
         self.structures = {s.id: s for s in scene.home.structures}
-        self.rooms = Rooms(scene.home)
+        self.rooms: Rooms = self._known.rooms if self._known else Rooms(scene.home)
         self.supports = Supports(self.bodies, scene.home)
         self.containers = Containers(self.bodies)
-        self.zone_index = ZoneIndex(scene.zones)
-        self._rooms: dict[int, tuple[int, ...]] = {}
+        self.zone_index: ZoneIndex = (
+            self._known.zone_index if self._known else ZoneIndex(scene.zones)
+        )
         self._inside: dict[int, tuple[Related, ...]] = {}
         self._on: dict[int, tuple[Related, ...]] = {}
         self._shares: dict[int, tuple[ZoneShare, ...]] = {}
+
+    def _known_body(self, item: ObjectInstance) -> Body | None:
+        body = self._known.bodies.get(item.id) if self._known else None
+        return body if body is not None and body.item is item else None
 
     def category(self, object_id: int) -> str:
         """Category of an object or structure; the type of a room."""
@@ -57,10 +67,12 @@ class Measured:
 
     def room_ids(self, object_id: int) -> tuple[int, ...]:
         """Ids of the rooms the object may be in, by its pose, nearest first (0: outdoors)."""
-        if object_id not in self._rooms:
-            center = self.bodies[object_id].center
-            self._rooms[object_id] = self.rooms.of(object_id, center)
         return self._rooms[object_id]
+
+    @cached_property
+    def _rooms(self) -> dict[int, tuple[int, ...]]:
+        centers = rows([body.center for body in self.bodies.values()], 3)
+        return dict(zip(self.bodies, self.rooms.of(list(self.bodies), centers), strict=True))
 
     def inside(self, object_id: int) -> tuple[Related, ...]:
         """What the object is INSIDE, or nearly."""
@@ -80,8 +92,11 @@ class Measured:
 
     def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
         """Zones the object's footprint touches, where its height range meets the zone's."""
+        body = self.bodies[object_id]
+        if self._known and self._known.bodies.get(object_id) is body:
+            return self._known.zones(object_id)
         if object_id not in self._shares:
-            self._shares[object_id] = tuple(self.zone_index.shares(self.bodies[object_id]))
+            self._shares[object_id] = tuple(self.zone_index.shares(body))
         return self._shares[object_id]
 
     @cached_property

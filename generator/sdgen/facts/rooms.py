@@ -7,14 +7,14 @@ the very middle. Doors and windows fill an opening and belong to the room that i
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 import shapely
 from shapely.geometry import Point, Polygon
 
 from sdgen.catalog.predicate import Related
-from sdgen.facts.body import center_of
+from sdgen.facts.body import center_of, rows
 from sdgen.facts.thresholds import OUTDOORS_M, ROOM_M
 from sdgen.geometry import Array
 from sdgen.kleene import NO, YES, Kleene
@@ -31,13 +31,18 @@ class Rooms:
         self._outlines = np.array([Polygon(room.polygon_m) for room in home.rooms])
         self._openings = {o.object_id: o for o in home.openings}
 
-    def of(self, object_id: int, center: Sequence[float] | Array) -> tuple[int, ...]:
-        """Ids of the rooms a thing may be in, nearest first: one where that is decided, none
-        where it is surely outdoors (and 0 among them where it may be)."""
-        opening = self._openings.get(object_id)
-        if opening is not None:
-            return opening.room_ids[:1]
-        far = shapely.distance(self._outlines, shapely.points(center[0], center[1])).tolist()
+    def of(self, object_ids: Sequence[int], centers: Array) -> Iterator[tuple[int, ...]]:
+        """For each thing with its centre (N, 3) the ids of the rooms it may be in, nearest first:
+        one where that is decided, none where it is surely outdoors (and 0 among them where it may
+        be)."""
+        points = shapely.points(centers[:, :2])
+        apart = shapely.distance(self._outlines, points[:, None]).tolist()
+        for object_id, far in zip(object_ids, apart, strict=True):
+            opening = self._openings.get(object_id)
+            yield self._nearest(far) if opening is None else opening.room_ids[:1]
+
+    def _nearest(self, far: Sequence[float]) -> tuple[int, ...]:
+        """The rooms that a thing may be in, so far from each."""
         order = sorted(range(len(far)), key=far.__getitem__)
         nearest = far[order[0]]
         outdoors = OUTDOORS_M.at_least(nearest)
@@ -48,10 +53,16 @@ class Rooms:
             return tuple(maybe)
         return (0, *maybe) if outdoors.value else (*maybe, 0)
 
-    def room_id(self, item: ObjectInstance, info: AssetInfo) -> int:
-        """The room an object is in by its pose; what it had where it is outdoors."""
-        world = item.pose.matrix()
-        return next((k for k in self.of(item.id, center_of(world, info)) if k), item.room_id)
+    def room_ids(
+        self, items: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
+    ) -> dict[int, int]:
+        """The room each object is in by its pose; what it had where it is outdoors."""
+        centers = rows([center_of(item.pose.matrix(), infos[item.asset]) for item in items], 3)
+        found = self.of([item.id for item in items], centers)
+        return {
+            item.id: next(filter(None, rooms), item.room_id)
+            for item, rooms in zip(items, found, strict=True)
+        }
 
     def between(self, object_id: int) -> Iterable[Related]:
         """Rooms a door is BETWEEN: known from the plan, so exact."""

@@ -10,34 +10,21 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 import numpy as np
-import shapely
 from shapely.geometry import Point, Polygon
-from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.predicate import Related
 from sdgen.facts.body import Body, rows
+from sdgen.facts.surfaces import Surface
 from sdgen.facts.thresholds import (
     NEAR_EDGE_M,
     ON_GAP_M,
     ON_LEVEL_M,
     ON_SHARE,
-    TILTED_M,
 )
-from sdgen.geometry import Array, apply
+from sdgen.geometry import Array
 from sdgen.kleene import NO, Kleene, all_of
-from sdgen.library.states import object_from_part
 from sdgen.scene import Home
 from sdgen.vocabulary import HALF_WALL_M
-
-
-class Surface(NamedTuple):
-    """An upward surface in the world: whose, how high, its outline from above and its box."""
-
-    owner: int
-    category: str
-    z_m: float
-    outline: BaseGeometry
-    bounds: tuple[float, float, float, float]
 
 
 class _Carried(NamedTuple):
@@ -53,7 +40,7 @@ class Supports:
     """All surfaces of a scene, floors too."""
 
     def __init__(self, bodies: Mapping[int, Body], home: Home) -> None:
-        found = [surface for body in bodies.values() for surface in _surfaces(body)]
+        found = [surface for body in bodies.values() for surface in body.surfaces]
         self.surfaces = [*found, *_floors(home)]
         self._boxes = rows([(s.z_m, *s.bounds) for s in self.surfaces], 5)
 
@@ -118,24 +105,6 @@ def _rank(holds: Kleene) -> tuple[bool, bool]:
 def _below(one: _Carried, other: _Carried) -> Kleene:
     """``other`` carries the object and is a level higher than ``one``."""
     return all_of((other.holds, ON_LEVEL_M.more(one.gap_m - other.gap_m)))
-
-
-def _surfaces(body: Body) -> Iterable[Surface]:
-    drawn = body.info.variants[body.item.variant]
-    for support in body.info.supports:
-        if support.part not in drawn:
-            continue
-        local = object_from_part(body.info, support.part, body.item.joints)
-        points = apply(body.world_from_object @ local, support.edge_m)
-        low, high = points.min(axis=0), points.max(axis=0)
-        if high[2] - low[2] <= TILTED_M:
-            yield Surface(
-                body.item.id,
-                body.item.category,
-                float(points[:, 2].mean()),
-                shapely.polygons(points[:, :2]),
-                (float(low[0]), float(low[1]), float(high[0]), float(high[1])),
-            )
 
 
 def _floors(home: Home) -> Iterable[Surface]:

@@ -30,9 +30,12 @@ class Survey:
     pairs: int
 
 
-def facts_of(scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog) -> Facts:
-    """Facts of a scene with the catalogue's category properties."""
-    return Facts(scene, infos, {c.name: c.properties for c in catalog.categories})
+def facts_of(
+    scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog, known: Facts | None = None
+) -> Facts:
+    """Facts of a scene with the catalogue's category properties; ``known`` are those of another
+    with the same home."""
+    return Facts(scene, infos, {c.name: c.properties for c in catalog.categories}, known)
 
 
 def survey(facts: Facts, catalog: Catalog) -> Survey:

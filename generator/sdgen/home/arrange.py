@@ -16,6 +16,7 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
 from sdgen.catalog.records import Catalog, FurnitureRule
+from sdgen.facts import bodies_of
 from sdgen.freespace import ROBOT_RADIUS_M, opening_rectangle, polygons, union
 from sdgen.geometry import quat_from_yaw, round_position, round_quat
 from sdgen.home import anchors
@@ -385,7 +386,7 @@ def _passable(tried: _RoomTry) -> bool:
     """True when a robot can get from each doorway of the room to every other and to its middle."""
     ids = [k for found in tried.placed.values() for k in found]
     layout = tried.layout
-    obstacles = floor_obstacles([layout.items[k] for k in ids], layout.library.infos)
+    obstacles = floor_obstacles(bodies_of([layout.items[k] for k in ids], layout.library.infos))
     grown = union([o.buffer(ROBOT_RADIUS_M, quad_segs=2) for o in obstacles])
     free = tried.outline.buffer(-ROBOT_RADIUS_M, join_style="mitre").difference(grown)
     parts = polygons(free)

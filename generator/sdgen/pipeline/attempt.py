@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
-from sdgen.facts import Facts
+from sdgen.facts import Body, Facts
 from sdgen.freespace import free_shape, unreachable_rooms
 from sdgen.hazards.certify import Survey, survey
 from sdgen.hazards.placing import Injected
@@ -93,12 +93,19 @@ def _unproved(rested: Rested, surveyed: Survey, library: Library) -> dict[int, R
             continue
         check = "accidental" if positive.verdict.sure else "in_doubt"
         wrong[key] = contents.objection(key, "proof", check, other=positive.hazard)
-    for key in swing_blocked(contents.benign(), library.infos):
+    for key in swing_blocked(_benign_bodies(rested)):
         wrong[key] = contents.objection(key, "proof", "in_door_swing")
     for key in contents.anomalies:
         if key not in proved:
             wrong[key] = contents.objection(key, "proof", "not_proved")
     return wrong
+
+
+def _benign_bodies(rested: Rested) -> list[Body]:
+    """All but the anomalies, as they stand."""
+    return [
+        body for key, body in rested.facts.bodies.items() if key not in rested.contents.anomalies
+    ]
 
 
 def _proved(
@@ -109,7 +116,7 @@ def _proved(
     library: Library,
 ) -> Proved | Rejection:
     contents = rested.contents
-    obstacles = floor_obstacles(contents.benign(), library.infos)
+    obstacles = floor_obstacles(_benign_bodies(rested))
     cut_off = unreachable_rooms(home.context.home, free_shape(home.context.home, obstacles))
     if cut_off:
         return reject("proof", "room_cut_off", category=cut_off[0].type)

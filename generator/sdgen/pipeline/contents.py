@@ -62,7 +62,12 @@ class Contents:
 
     def housed(self, rooms: Mapping[int, int]) -> Contents:
         """The same things, in these rooms."""
-        items = {k: v.model_copy(update={"room_id": rooms[k]}) for k, v in self.items.items()}
+        items = {
+            key: item
+            if item.room_id == rooms[key]
+            else item.model_copy(update={"room_id": rooms[key]})
+            for key, item in self.items.items()
+        }
         return replace(self, items=items)
 
 

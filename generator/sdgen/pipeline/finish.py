@@ -63,7 +63,7 @@ def finish(
         cameras=cameras,
     )
     # Whether or not it is written: what a scene holds does not depend on --twins.
-    undone_soundly = check_undone(bundle, catalog, library.infos)
+    undone_soundly = check_undone(bundle, catalog, library.infos, facts)
     if isinstance(undone_soundly, Rejection):
         return undone_soundly
     if not options.twins:
@@ -108,12 +108,15 @@ def benign_twin(
 
 
 def check_undone(
-    bundle: SceneBundle, catalog: Catalog, infos: Mapping[str, AssetInfo]
+    bundle: SceneBundle,
+    catalog: Catalog,
+    infos: Mapping[str, AssetInfo],
+    known: Facts | None = None,
 ) -> tuple[Facts, Survey] | Rejection:
     """Facts and survey of the scene with its anomalies undone; rejected when some hazard still
-    holds, or may."""
+    holds, or may. ``known`` are the facts of the bundle's own scene."""
     scene = undone(bundle.scene, bundle.anomalies.anomalies, catalog, infos)
-    facts = facts_of(scene, infos, catalog)
+    facts = facts_of(scene, infos, catalog, known)
     surveyed = survey(facts, catalog)
     for left in surveyed.positives:
         check = "not_benign" if left.verdict.sure else "in_doubt"

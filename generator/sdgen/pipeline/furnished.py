@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from sdgen.catalog.records import Catalog, HomeSpec
 from sdgen.errors import UsageError
-from sdgen.facts import room_at
+from sdgen.facts import Facts, bodies_of, room_at
 from sdgen.freespace import free_shape, random_point, rounded_rings, unreachable_rooms
 from sdgen.geometry import Vec2
+from sdgen.hazards.certify import facts_of
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.arrange import furnish_by_rules
 from sdgen.home.context import HomeContext
@@ -17,7 +19,7 @@ from sdgen.home.furnish import fill_openings, furnish_as_drawn
 from sdgen.home.generate import generate_home
 from sdgen.home.layout import Layout
 from sdgen.home.shell import build_shell
-from sdgen.library import AssetInfo, Library
+from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
@@ -43,6 +45,12 @@ class FurnishedHome:
         home = self.context.home
         rooms, structures = (r.id for r in home.rooms), (s.id for s in home.structures)
         return frozenset((*rooms, *structures, *self.layout.items))
+
+    @cached_property
+    def facts(self) -> Facts:
+        """Facts of the home with its furniture alone: the same in every try."""
+        infos = self.layout.library.infos
+        return facts_of(self.scene(0, self.layout.items), infos, self.context.catalog)
 
     def scene(self, index: int, items: Mapping[int, ObjectInstance]) -> Scene:
         """The scene with these objects, sorted by id."""
@@ -118,21 +126,20 @@ def furnished_home(
         return layout
     home = _sorted(home)
     # By id, as anyone has it who reads the scene: a union's last digits depend on the order.
-    furniture = [layout.items[k] for k in sorted(layout.items)]
+    bodies = bodies_of([layout.items[k] for k in sorted(layout.items)], library.infos)
     properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
-    infos: Mapping[str, AssetInfo] = library.infos
-    free = free_shape(home, floor_obstacles(furniture, infos))
+    free = free_shape(home, floor_obstacles(bodies))
     cut_off = unreachable_rooms(home, free)
     if cut_off:
         return reject("home", "room_cut_off", category=cut_off[0].type)
-    in_swing = swing_blocked(furniture, infos)
+    in_swing = swing_blocked(bodies)
     if in_swing:
         return reject("home", "in_door_swing", category=layout.items[in_swing[0]].category)
     start = random_point(free, rng)
     room = None if start is None else room_at(home.rooms, *start)
     if start is None or room is None:
         return reject("home", "no_free_floor")
-    zones = derive_zones(home, furniture, infos, properties)
+    zones = derive_zones(home, bodies, free, properties)
     return FurnishedHome(
         context=HomeContext(home, zones, catalog, models),
         layout=layout,

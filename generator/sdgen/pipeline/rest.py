@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sdgen.facts import Facts, Rooms
+from sdgen.facts import Facts
 from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
@@ -59,13 +59,11 @@ def come_to_rest(
             for key, pose in settled.poses.items()
         }
     )
-    rooms = Rooms(home.context.home)
-    contents = contents.housed(
-        {k: rooms.room_id(item, library.infos[item.asset]) for k, item in contents.items.items()}
-    )
+    things = list(contents.items.values())
+    contents = contents.housed(home.facts.rooms.room_ids(things, library.infos))
     scene = home.scene(index, contents.items)
     world.become(scene, loose)
-    facts = facts_of(scene, library.infos, home.context.catalog)
+    facts = facts_of(scene, library.infos, home.context.catalog, home.facts)
     offenders = _restless(contents, settled, again)
     offenders |= _off_target(contents, facts, offenders)
     if not offenders:

@@ -10,7 +10,7 @@ from itertools import islice
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
 from sdgen.dataset.reader import SceneItem
-from sdgen.facts import Facts
+from sdgen.facts import Facts, bodies_of
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import QUATERNION_STEP, round_position
 from sdgen.hazards.certify import Survey, facts_of, survey
@@ -108,14 +108,16 @@ def check_zones(
     scene = item.scene
     traits = {category.name: category.properties for category in catalog.categories}
     hazard_only = {c.name for c in catalog.categories if c.kind == "hazard_only"}
-    furniture = [o for o in scene.objects if o.fixed and o.category not in hazard_only]
-    zones = derive_zones(scene.home, furniture, infos, traits)
+    furniture = bodies_of(
+        [o for o in scene.objects if o.fixed and o.category not in hazard_only], infos
+    )
+    free = free_shape(scene.home, floor_obstacles(furniture))
+    zones = derive_zones(scene.home, furniture, free, traits)
     stored = {zone.name: zone for zone in scene.zones}
     derived = {zone.name: zone for zone in zones}
     for text in islice(differences(stored, derived, "zones"), SHOWN):
         yield Problem("scene", f"{item.where('scene.json')}: {text}")
-    free = rounded_rings(free_shape(scene.home, floor_obstacles(furniture, infos)))
-    if free != scene.free_space:
+    if rounded_rings(free) != scene.free_space:
         text = "free_space: not what the home and its furniture leave free"
         yield Problem("scene", f"{item.where('scene.json')}: {text}")
 
@@ -127,7 +129,7 @@ def check_labels(
     facts = facts_of(item.scene, infos, catalog)
     yield from _housed(item, facts)
     yield from _carried(item, facts)
-    yield from _physics(item, infos)
+    yield from _physics(item, facts)
     yield from _graph(item, infos, catalog, facts)
     result = survey(facts, catalog)
     yield from _anomalies(item, catalog, facts, result)
@@ -170,7 +172,7 @@ def _carried(item: SceneItem, facts: Facts) -> Iterator[Problem]:
             yield Problem("scene", f"{item.where('scene.json')}: {text}")
 
 
-def _physics(item: SceneItem, infos: Mapping[str, AssetInfo]) -> Iterator[Problem]:
+def _physics(item: SceneItem, facts: Facts) -> Iterator[Problem]:
     """``physics.json`` names nothing that is not there, and every door swings free."""
     scene, where = item.scene, item.where("physics.json")
     known = known_ids(scene)
@@ -179,8 +181,8 @@ def _physics(item: SceneItem, infos: Mapping[str, AssetInfo]) -> Iterator[Proble
     for node_id in sorted(named - known):
         yield Problem("scene", f"{where}: {node_id} is no object of the scene")
     guilty = {anomaly.object_id for anomaly in item.anomalies.anomalies}
-    benign = [thing for thing in scene.objects if thing.id not in guilty]
-    for node_id in swing_blocked(benign, infos):
+    benign = [body for key, body in facts.bodies.items() if key not in guilty]
+    for node_id in swing_blocked(benign):
         text = f"object {node_id} stands where a door must swing"
         yield Problem("scene", f"{item.where('scene.json')}: {text}")
 

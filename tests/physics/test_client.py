@@ -58,3 +58,16 @@ def test_no_renderer_takes_the_pieces() -> None:
         body = client.body(client.convex(box(1.0)), (0.0, 0.0, 0.0))
         (drawn,) = pb.getVisualShapeData(body, physicsClientId=client._id)
     assert drawn[2] == pb.GEOM_BOX
+
+
+def test_what_sleeps_on_something_fixed_costs_no_collision_until_it_wakes() -> None:
+    with Client() as client:
+        client.body(client.box((1.0, 1.0, 1.0)), (0.0, 0.0, 0.0))
+        cube = client.body(client.box((0.1, 0.1, 0.1)), (0.0, 0.0, 0.549), mass_kg=1.0)
+        client.sleep(cube)
+        client.step(3)
+        assert client.contacts() == ()
+        client.wake(cube)
+        client.step(24)
+        assert client.contacts()
+        assert client.pose(cube).position_m[2] == pytest.approx(0.55, abs=0.002)

@@ -149,7 +149,14 @@ class Client:
                 physicsClientId=self._id,
             )
         else:
-            pb.changeDynamics(body, -1, lateralFriction=friction, physicsClientId=self._id)
+            pb.changeDynamics(
+                body,
+                -1,
+                lateralFriction=friction,
+                # Or Bullet collides what sleeps with what it stands on, step by step.
+                activationState=pb.ACTIVATION_STATE_SLEEP,
+                physicsClientId=self._id,
+            )
         return int(body)
 
     def remove(self, body: int) -> None:

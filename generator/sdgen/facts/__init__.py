@@ -7,6 +7,18 @@ claimed. Predicates, graph edges and tags all ask :class:`Facts`, so they cannot
 
 from sdgen.facts.body import Body, bodies_of, drawn
 from sdgen.facts.front import Edge, Facts
+from sdgen.facts.held import in_the_air
+from sdgen.facts.measured import Measured
 from sdgen.facts.rooms import Rooms, room_at
 
-__all__ = ["Body", "Edge", "Facts", "Rooms", "bodies_of", "drawn", "room_at"]
+__all__ = [
+    "Body",
+    "Edge",
+    "Facts",
+    "Measured",
+    "Rooms",
+    "bodies_of",
+    "drawn",
+    "in_the_air",
+    "room_at",
+]

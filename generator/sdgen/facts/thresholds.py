@@ -54,6 +54,9 @@ ON_LEVEL_M = around(1e-3, 5e-4)
 #: A surface tilted more than this, metres of height between its corners, carries nothing: its
 #: owner lies on its side.
 TILTED_M = 0.02
+#: What is no further from a wall or a ceiling hangs on it, metres. Hung things are put 5 mm off;
+#: what stands keeps 2 cm at its sides and 3 cm at its back.
+HUNG_M = 0.015
 #: INSIDE: how far the centre lies within the hollow's box, metres.
 INSIDE_M = around(0.0, 0.003)
 #: CLOSE: the gap between the boxes, metres (VirtualHome).

@@ -32,7 +32,7 @@ def penetrations(
             key = (min(a.owner, b.owner), max(a.owner, b.owner))
             deepest[key] = max(deepest.get(key, 0.0), -point.distance_m)
     return [
-        Violation(check="penetration", objects=pair, measured=round(depth, 6), limit=limit_m)
+        Violation(check="penetrates", objects=pair, measured=round(depth, 6), limit=limit_m)
         for pair, depth in sorted(deepest.items())
         if depth > limit_m
     ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sdgen.facts import Facts
+from sdgen.facts import Facts, in_the_air
 from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
@@ -67,13 +67,13 @@ def come_to_rest(
     offenders = _restless(contents, settled, again)
     offenders |= _off_target(contents, facts, offenders)
     if not offenders:
-        for violation in penetrations(world):
+        for violation in (*penetrations(world), *in_the_air(facts)):
             there = [k for k in violation.objects if k in contents.items]
             for key in [k for k in there if not contents.items[k].fixed] or there[:1]:
                 offenders[key] = contents.objection(
                     key,
                     "physics",
-                    "penetrates",
+                    violation.check,
                     measured=violation.measured,
                     limit=violation.limit,
                 )

@@ -9,6 +9,7 @@ from pathlib import Path
 from sdgen.closing import Closing
 from sdgen.dataset import Dataset, SceneItem
 from sdgen.errors import InputError
+from sdgen.facts import Measured, in_the_air
 from sdgen.library import Library
 from sdgen.physics.checks import penetrations, unsupported
 from sdgen.physics.client import Client
@@ -70,7 +71,7 @@ class _Checker(Closing):
 
 
 def check_scene_physics(item: SceneItem, library: Library, client: Client) -> Iterator[Problem]:
-    """One scene: unpenetrated (all pairs), supported (all that is not fixed), and still."""
+    """One scene: unpenetrated (all pairs), supported (what is fixed may hang), and still."""
     scene, where = item.scene, item.where("scene.json")
     named: dict[int, str] = {s.id: s.category for s in scene.home.structures}
     shell = set(named)
@@ -89,6 +90,10 @@ def check_scene_physics(item: SceneItem, library: Library, client: Client) -> It
     for violation in unsupported(world):
         (key,) = violation.objects
         yield problem(key, f"nothing within {violation.limit * 1000:.0f} mm under it")
+    for violation in in_the_air(Measured(scene, library.infos)):
+        (key,) = violation.objects
+        gap = f"{violation.measured:.2f} m from the nearest wall or ceiling"
+        yield problem(key, f"is fixed in the air: on nothing, {gap}")
     for key, (moved, turned) in moved_by(world, STILL_STEPS).items():
         if moved > MOVED_LIMIT_M:
             yield problem(key, f"moves by {moved * 1000:.0f} mm in {STILL_STEPS} steps")

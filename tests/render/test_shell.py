@@ -3,7 +3,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from sdgen.render.shell import ShellFolder, structure_faces
+from sdgen.render.shell import ShellFolder, ceiling_level_m, structure_faces
 from sdgen.scene import Box, Structure
 
 
@@ -53,6 +53,28 @@ def test_floors_show_their_top_and_ceilings_their_underside() -> None:
     assert (top.normals == [0, 0, 1]).all()
     assert (under.vertices_m[:, 2] == -0.05).all()
     assert under.brightness > top.brightness  # it hangs away from the light
+
+
+def test_a_wall_up_to_the_ceiling_needs_no_top_and_a_sill_does() -> None:
+    ceiling = Structure(
+        id=2,
+        category="ceiling",
+        room_id=1,
+        surface="w",
+        pieces=(Box(center_m=(0, 0, 2.525), size_m=(4, 3, 0.05)),),
+    )
+    level = ceiling_level_m([wall(), ceiling])
+    assert level == pytest.approx(2.5)
+    assert ceiling_level_m([wall()]) == np.inf
+    below = Box(center_m=(1.0, 1.5, 0.4), size_m=(0.06, 1.0, 0.8))
+    sill = wall().model_copy(update={"pieces": (*wall().pieces, below)})
+
+    def numbers(structure: Structure, ceiling_m: float) -> list[int]:
+        return [face.number for face in structure_faces(structure, 1.0, ceiling_m)]
+
+    assert numbers(wall(), level) == [0, 1, 2, 3, 5]
+    assert numbers(sill, level) == numbers(wall(), level + 0.1) == [0, 1, 2, 3, 4, 5]
+    assert numbers(ceiling, level) == [0]
 
 
 def test_files_are_named_by_content_and_share_textures(tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from sdgen.physics.bullet import pb
 from sdgen.render.opengl import depth_from_buffer, projection_matrix, scaled, view_matrix
 from sdgen.render.part_bodies import WITH_LINKS, Part, PartBodies
 from sdgen.render.protocol import Picture
-from sdgen.render.shell import LIGHT_M, ShellFolder, structure_faces
+from sdgen.render.shell import LIGHT_M, ShellFolder, ceiling_level_m, structure_faces
 from sdgen.scene import Camera, ObjectInstance, Scene, Structure
 from sdgen.scratch import scratch_folder
 
@@ -74,8 +74,9 @@ class BulletGraphics:
         self._clear()
         self._shift = drawing_shift(scene)
         parts: list[Part] = []
+        ceiling_m = ceiling_level_m(scene.home.structures)
         for structure in sorted(scene.home.structures, key=lambda s: s.id):
-            parts += self._structure_parts(library, structure)
+            parts += self._structure_parts(library, structure, ceiling_m)
         for item in sorted(scene.objects, key=lambda o: o.id):
             parts += self._object_parts(library, item)
         self._parts.put(parts)
@@ -113,15 +114,17 @@ class BulletGraphics:
             self._shapes = {}
             self._vertices = 0
 
-    def _structure_parts(self, library: Library, structure: Structure) -> Iterator[Part]:
+    def _structure_parts(
+        self, library: Library, structure: Structure, ceiling_m: float
+    ) -> Iterator[Part]:
         surface = library.surfaces[structure.surface]
         texture = library.surface_texture(structure.surface)
         alpha = _CEILING_ALPHA if structure.category == "ceiling" else 1.0
-        for index, face in enumerate(structure_faces(structure, surface.size_m)):
+        for face in structure_faces(structure, surface.size_m, ceiling_m):
             path = self._shell.write(face, texture)
             level = face.brightness if self._face_levels else 1.0
             rgba = (level, level, level, alpha)
-            shape, middle = self._shape(path, rgba, face.vertices_m, index)
+            shape, middle = self._shape(path, rgba, face.vertices_m, face.number)
             yield _placed(structure.id, 0, shape, middle, self._shift)
 
     def _object_parts(self, library: Library, item: ObjectInstance) -> Iterator[Part]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import shutil
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -15,6 +17,7 @@ from sdgen.scene import Structure
 
 #: Outward normals of a box's six faces.
 _NORMALS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+_UP = _NORMALS.index((0, 0, 1))
 
 
 def _corners(index: int) -> Array:
@@ -49,25 +52,34 @@ _DIP = -0.35
 _DIPS_ABOVE_FLOOR = ((0.0, -1.4), (0.07, -0.8), (0.35, _DIP))
 _DIPS_BELOW_CEILING = ((0.5, _DIP), (0.12, -0.55), (0.0, -0.9))
 
+# Homes are planned in millimetres.
+_ROUNDING_M = 1e-4
+
 
 @dataclass(frozen=True)
 class Face:
     """All faces of a structure that look one way, four vertices a quad, and the colour factor
-    that brings them to the brightness they should have under the plugin's shader."""
+    that brings them to the brightness they should have under the plugin's shader.
 
+    ``number`` is the direction's among those that such a structure can show.
+    """
+
+    number: int
     vertices_m: Array
     normals: Array
     uvs: Array
     brightness: float
 
 
-def structure_faces(structure: Structure, tile_m: float) -> list[Face]:
+def structure_faces(structure: Structure, tile_m: float, ceiling_m: float = math.inf) -> list[Face]:
     """Quads of the structure's boxes, grouped by direction.
 
     Texture coordinates are world metres / ``tile_m``, so the pattern runs on across pieces.
-    Floors show their top and ceilings their underside only: nothing sees the rest.
+    Floors show their top and ceilings their underside only, and no camera comes above
+    ``ceiling_m``. Other faces that nothing sees cast shadows: without the feet of walls, light
+    comes in under them.
     """
-    wanted = {"floor": (4,), "ceiling": (5,), "wall": (0, 1, 2, 3, 4, 5)}[structure.category]
+    wanted = {"floor": (_UP,), "ceiling": (5,), "wall": (0, 1, 2, 3, 4, 5)}[structure.category]
     boxes = np.array([(piece.center_m, piece.size_m) for piece in structure.pieces])
     centres, halves = boxes[:, 0], boxes[:, 1] / 2
     low = float((centres - halves)[:, 2].min())
@@ -75,7 +87,9 @@ def structure_faces(structure: Structure, tile_m: float) -> list[Face]:
     slopes = _slopes(low, high)
     sliced = _cut(centres, halves, slopes[:, 0])
     out = []
-    for index in wanted:
+    for number, index in enumerate(wanted):
+        if index == _UP and (centres + halves)[:, 2].min() > ceiling_m - _ROUNDING_M:
+            continue
         side = structure.category == "wall" and index < 4
         middles, reaches = sliced if side else (centres, halves)
         quads = (middles[:, None] + reaches[:, None] * _CORNERS[index]).reshape(-1, 3)
@@ -87,7 +101,7 @@ def structure_faces(structure: Structure, tile_m: float) -> list[Face]:
             middle[2] = _DIP
         across, up = ((1, 2), (0, 2), (0, 1))[index // 2]
         brightness = _LEVEL[structure.category][index] / _shade(middle)
-        out.append(Face(quads, normals, quads[:, [across, up]] / tile_m, brightness))
+        out.append(Face(number, quads, normals, quads[:, [across, up]] / tile_m, brightness))
     return out
 
 
@@ -146,9 +160,16 @@ class ShellFolder:
             mtl.write_text(
                 f"newmtl m\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nmap_Kd {image.name}\n", encoding="utf-8"
             )
-        text = face_obj(face, mtl.name)
-        name = hashlib.sha256(text.encode("utf-8")).hexdigest()[:20]
-        path = self._folder / f"{name}.obj"
+        # By what decides the text, which takes longer to write than this to hash.
+        arrays = (face.vertices_m, face.normals, face.uvs)
+        digest = hashlib.sha256(mtl.name.encode() + b"".join(array.tobytes() for array in arrays))
+        path = self._folder / f"{digest.hexdigest()[:20]}.obj"
         if not path.exists():
-            path.write_text(text, encoding="utf-8")
+            path.write_text(face_obj(face, mtl.name), encoding="utf-8")
         return path
+
+
+def ceiling_level_m(structures: Iterable[Structure]) -> float:
+    """Height of the highest ceiling's underside, infinite without one."""
+    pieces = [piece for s in structures if s.category == "ceiling" for piece in s.pieces]
+    return max((p.center_m[2] - p.size_m[2] / 2 for p in pieces), default=math.inf)

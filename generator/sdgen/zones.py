@@ -44,8 +44,8 @@ HEAT_ABOVE_M = 0.5
 CHILD_ARM_M = 0.5
 #: Width of a door's frame beside its leaf.
 FRAME_M = 0.05
-#: Overlap with a door's sweep that counts as standing in it, square metres.
-SWING_TOUCH_M2 = 1e-3
+#: Overlap with a doorway or a door's sweep that counts as standing in it, square metres.
+TOUCH_M2 = 1e-3
 
 
 def floor_obstacles(bodies: Iterable[Body]) -> list[BaseGeometry]:
@@ -82,14 +82,24 @@ def swing_sectors(bodies: Iterable[Body]) -> list[BaseGeometry]:
 
 def swing_blocked(bodies: Collection[Body]) -> tuple[int, ...]:
     """Ids of things that stand where a door of the home must swing, sorted."""
-    swept = unary_union(swing_sectors(bodies))
-    shapely.prepare(swept)
+    return _standing_in(unary_union(swing_sectors(bodies)), bodies)
+
+
+def doorway_blocked(home: Home, bodies: Iterable[Body]) -> tuple[int, ...]:
+    """Ids of things that stand in a doorway or so close to it that they are in its zone, sorted."""
+    depth = HALF_WALL_M + DOORWAY_DEPTH_M
+    doorways = [opening_rectangle(o, depth) for o in home.openings if o.kind in DOORS]
+    return _standing_in(unary_union(doorways), bodies)
+
+
+def _standing_in(shape: BaseGeometry, bodies: Iterable[Body]) -> tuple[int, ...]:
+    shapely.prepare(shape)
     return tuple(
         sorted(
             body.item.id
             for body in _standing(bodies)
-            if swept.intersects(body.footprint)
-            and swept.intersection(body.footprint).area > SWING_TOUCH_M2
+            if shape.intersects(body.footprint)
+            and shape.intersection(body.footprint).area > TOUCH_M2
         )
     )
 

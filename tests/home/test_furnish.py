@@ -4,6 +4,7 @@ import itertools
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import FurnitureItem
 from sdgen.facts import Body
 from sdgen.freespace import opening_rectangle
 from sdgen.geometry import quat_from_yaw
@@ -13,6 +14,7 @@ from sdgen.home.layout import IN_WALL_M, Layout, within_room
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
+from sdgen.rejection import Cause, Rejection
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
 from sdgen.vocabulary import FLAT_M, OPENINGS, OVERHEAD_M
@@ -48,6 +50,25 @@ def test_base_homes_hold_no_furniture_that_cuts_or_blocks_a_doorway(home):
             flat = body.high[2] <= FLAT_M or body.low[2] >= OVERHEAD_M
             if item.category not in OPENINGS and not flat:
                 assert not any(body.footprint.intersects(d) for d in doorways), item.category
+
+
+def test_a_home_with_a_piece_in_a_doorway_is_rejected():
+    """Beside the way through, clear of the leaf: the hall can be reached all the same."""
+    home = next(home for home in CATALOG.homes if home.id == "apartment_1")
+    bin_ = FurnitureItem(category="trash_bin", position_m=(5.1, 4.9, 0.0))
+    rooms = [
+        room.model_copy(update={"furniture": (*room.furniture, bin_)})
+        if room.name == "hall"
+        else room
+        for room in home.rooms
+    ]
+    home = home.model_copy(update={"rooms": tuple(rooms)})
+    ids = iter(range(1, 65536))
+    rejection = furnished_home(
+        home, CATALOG, LIBRARY, SplitModels(LIBRARY, "train"), ids, lane(3, 0, "furnish")
+    )
+    assert isinstance(rejection, Rejection)
+    assert rejection.cause == Cause("home", "in_doorway", category="trash_bin")
 
 
 @pytest.mark.parametrize("name", ["floor_lamp", "tv"])

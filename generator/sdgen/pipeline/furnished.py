@@ -24,7 +24,7 @@ from sdgen.options import BuildOptions
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
 from sdgen.seeding import Rng, lane
-from sdgen.zones import derive_zones, floor_obstacles, swing_blocked
+from sdgen.zones import derive_zones, doorway_blocked, floor_obstacles, swing_blocked
 
 #: Of the scenes of a mixed build, this many play in base homes.
 BASE_SHARE = 0.25
@@ -135,6 +135,9 @@ def furnished_home(
     in_swing = swing_blocked(bodies)
     if in_swing:
         return reject("home", "in_door_swing", category=layout.items[in_swing[0]].category)
+    in_doorway = doorway_blocked(home, bodies)
+    if in_doorway:
+        return reject("home", "in_doorway", category=layout.items[in_doorway[0]].category)
     start = random_point(free, rng)
     room = None if start is None else room_at(home.rooms, *start)
     if start is None or room is None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import multiprocessing
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import fields
 from pathlib import Path
@@ -197,3 +199,15 @@ def test_a_full_disk_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(AssetError, match="cannot be written: No space left on device; make room"):
         write(cache_root() / "models", {"file": b"x"})
     assert list((cache_root() / "making").iterdir()) == []
+
+
+def test_models_held_leave_half_of_the_files_a_process_may_open() -> None:
+    source = "from sdgen.library import library; print(library._HELD)"
+    limit = "import resource as r; r.setrlimit(r.RLIMIT_NOFILE, (300, 300)); "
+    done = subprocess.run(
+        [sys.executable, "-c", limit + source],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert int(done.stdout) == 150

@@ -14,14 +14,14 @@ from sdgen.library.above import Above, seen_from_above
 from sdgen.library.cache import digest
 from sdgen.library.kept import kept_manifest
 from sdgen.library.meshes import Hull, MeshData, check_extents, read_glb, read_hulls
-from sdgen.library.prepared import Model, Prepared
+from sdgen.library.prepared import Model, Prepared, open_files
 from sdgen.library.records import Asset, AssetInfo, Surface
 from sdgen.library.unpack import cached_texture, check_texture, unpack
 from sdgen.resources import data_path
 
-#: Models held at a time. A scene has 60 to 90, and one that is mapped anew costs 0.2 ms; each
-#: holds a file open, of which macOS gives a process 256.
-_HELD = 128
+#: Models held at a time: 1000, more than are shipped. A scene has 60 to 90, and one that is mapped
+#: anew costs 0.2 ms. But each holds a file open: no more than half of those a process may have.
+_HELD = min(1000, open_files() // 2)
 
 
 class Library:

@@ -11,6 +11,7 @@ import contextlib
 import json
 import mmap
 import struct
+import sys
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -34,6 +35,11 @@ from sdgen.library.meshes import (
     within_meshes,
 )
 from sdgen.library.records import Asset
+
+try:
+    import resource
+except ImportError:  # pragma: no cover - Windows
+    resource = None  # type: ignore[assignment]
 
 #: Arrays begin at multiples of this, as numpy's own do at least.
 _ALIGN = 64
@@ -80,6 +86,14 @@ class Prepared:
         with contextlib.suppress(AssetError):
             write(path.parent, {path.name: made})
         return _mapped(path) or unpacked(memoryview(made))
+
+
+def open_files() -> int:
+    """How many files this process may have open: 256 on macOS, 1024 and more on Linux."""
+    if resource is None:
+        return 256
+    soft, _ = resource.getrlimit(resource.RLIMIT_NOFILE)
+    return sys.maxsize if soft == resource.RLIM_INFINITY else int(soft)
 
 
 def _key(asset: Asset, glb: bytes, hulls: bytes) -> str:

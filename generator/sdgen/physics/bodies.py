@@ -16,8 +16,9 @@ from sdgen.library.states import object_from_part
 from sdgen.physics.client import Client, convex_obj
 from sdgen.scene import Box, ObjectInstance
 
-#: Collision geometry kept a library, 10 kB each; drawn joint values are many.
-_KEPT = 1000
+#: Collision geometry kept a library, 10 kB each: the first 60 scenes have 2,000, as drawn joint
+#: values are many.
+_KEPT = 4000
 
 
 @dataclass(frozen=True)

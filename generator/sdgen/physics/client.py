@@ -23,8 +23,8 @@ STEP_S = 1.0 / 240.0
 MARGIN_M = 0.001
 #: Files of convex pieces whose parsed triangles Bullet may keep, and 0.2 ms to parse one again.
 PARSED = 4000
-#: Files of convex pieces kept; drawn joint values are many.
-WRITTEN = 1000
+#: Files of convex pieces kept, 8 kB each; drawn joint values are many.
+WRITTEN = 4000
 
 
 class BodyPose(NamedTuple):

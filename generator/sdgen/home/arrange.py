@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
+import shapely
 from shapely import prepare
 from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
@@ -23,7 +25,7 @@ from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side, sides_of
 from sdgen.home.context import Models
 from sdgen.home.furnish import has_room, stand_in, top_of
-from sdgen.home.layout import IN_WALL_M, Intent, Layout, footprint
+from sdgen.home.layout import IN_WALL_M, Intent, Layout, corners_of
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
@@ -82,6 +84,12 @@ class _RoomTry:
     prints: Mapping[int, Polygon] = field(default_factory=dict)
     placed: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
     keep: tuple[tuple[int, Polygon], ...] = ()
+
+    @cached_property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """The room's box from above: x0, y0, x1, y1."""
+        x0, y0, x1, y1 = self.inside.bounds
+        return x0, y0, x1, y1
 
     def all(self, categories: Sequence[str]) -> list[int]:
         """Ids of the pieces of these categories, in the order they were placed."""
@@ -255,14 +263,20 @@ def _placed(
     """The room with a piece there; None unless it is in the room, clear of doors, windows and
     others' fronts."""
     x, y, z, yaw = pose
-    shape = footprint(asset, x, y, yaw)
+    corners = corners_of(asset, x, y, yaw)
+    low_x, low_y, high_x, high_y = tried.bounds
+    # Most poses that are not in the room reach beyond its box: told before anything is drawn.
+    if not all(low_x <= u <= high_x and low_y <= v <= high_y for u, v in corners):
+        return None
+    shape = shapely.polygons(corners)
     flat = asset.extents_m[2] <= FLAT_M
     on_floor = z < OVERHEAD_M and not flat and rule.where != "on"
+    # A seat's front is under its table, and a piece before another is that one's business.
+    keeps_front = on_floor and rule.where not in ("around", "before")
     if not tried.inside.contains(shape) or z + asset.extents_m[2] > tried.room.height_m:
         return None
     if _covers_opening(shape, z, z + asset.extents_m[2], tried):
         return None
-    front = _front(asset, pose, rule.front_m)
     if flat and shape.intersects(tried.swings):
         return None
     if on_floor:
@@ -273,9 +287,9 @@ def _placed(
                 continue
             if kept.intersection(shape).area > 1e-3:
                 return None
-        # A seat's front is under its table, and a piece before another is that one's business.
-        if rule.where not in ("around", "before") and not _front_free(front, tried):
-            return None
+    front = _front(asset, pose, rule.front_m) if keeps_front else None
+    if not _front_free(front, tried):
+        return None
     item = stand_in(
         ObjectInstance(
             id=next(tried.layout.ids),
@@ -294,10 +308,7 @@ def _placed(
     intent = Intent("ON", target) if rule.where == "on" and target is not None else None
     if not has_room(item, asset, tried.layout, intent):
         return None
-    keeps_front = on_floor and rule.where not in ("around", "before")
-    return tried.with_piece(
-        item, intent, shape if on_floor else None, front if keeps_front else None
-    )
+    return tried.with_piece(item, intent, shape if on_floor else None, front)
 
 
 def _front(asset: AssetInfo, pose: PlacedAt, front_m: float) -> Polygon | None:
@@ -308,7 +319,7 @@ def _front(asset: AssetInfo, pose: PlacedAt, front_m: float) -> Polygon | None:
     half, wide = asset.extents_m[0] / 2, asset.extents_m[1] / 2 - FRONT_INSET_M
     local = np.array([(half, -wide), (half + front_m, -wide), (half + front_m, wide), (half, wide)])
     turn = np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]])
-    return Polygon(local @ turn.T + (x, y))
+    return shapely.polygons(local @ turn.T + (x, y))
 
 
 def _front_free(front: Polygon | None, tried: _RoomTry) -> bool:

@@ -13,7 +13,7 @@ from shapely.geometry import Polygon
 
 from sdgen.geometry import Array, apply, box_corners
 from sdgen.library import Library
-from sdgen.library.above import Above, seen_from_above
+from sdgen.library.above import Above, box_from_above, seen_from_above
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
 from sdgen.scene import ObjectInstance
@@ -94,7 +94,7 @@ def _boxed(
     """The object's box, and that of each part that stands open."""
     if item.category not in OPENINGS:
         x, y, z = info.extents_m
-        yield seen_from_above([box_corners((-x / 2, -y / 2, 0), (x / 2, y / 2, z))])
+        yield box_from_above((-x / 2, -y / 2, 0.0), (x / 2, y / 2, z))
     for name in drawn:
         joint = info.part(name).joint
         if joint is None or abs(item.joints.get(joint, 0.0)) < AJAR:
@@ -141,11 +141,12 @@ class Table:
             return
         boxes = np.array([block.box for block in blocks])
         whole = np.concatenate([boxes[:, :3].min(axis=0), boxes[:, 3:].max(axis=0)])
-        near = np.flatnonzero(_meet(whole, self.boxes))
-        for mine, its in np.argwhere(_meet(boxes[:, None], self.boxes[near])).tolist():
-            block, other = blocks[mine], self.blocks[near[its]]
-            if other.owner != block.owner and block.shape.intersects(other.shape):
-                yield other.owner
+        for its in _meet(whole, self.boxes).nonzero()[0].tolist():
+            other = self.blocks[its]
+            for mine in _meet(boxes, self.boxes[its]).nonzero()[0].tolist():
+                block = blocks[mine]
+                if other.owner != block.owner and block.shape.intersects(other.shape):
+                    yield other.owner
 
 
 def _meet(a: Array, b: Array) -> npt.NDArray[np.bool_]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from shapely.geometry import Polygon
 
 from sdgen.catalog.records import Abode, Category
+from sdgen.geometry import Array
 from sdgen.home.context import KEEP_CLEAR, HomeContext
 from sdgen.home.layout import Intent, Layout
 from sdgen.library.records import Asset
@@ -27,13 +28,8 @@ def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
     priors give fewer than LEAST_THINGS gets one more on every receptacle, and again.
     """
     types = {t.name: t for t in context.catalog.room_types}
-    small = [
-        (category, abode)
-        for category in context.catalog.categories
-        if category.kind == "small" and context.models(category.name)
-        for abode in category.lives
-    ]
-    receptacles: list[tuple[int, Room, list[Choice]]] = []
+    abodes = _Abodes(context)
+    receptacles: list[tuple[int, Room, _Choices]] = []
     for room in context.home.rooms:
         room_type = types.get(room.type)
         if room_type is None:
@@ -44,14 +40,17 @@ def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
             if not item.fixed or item.room_id != room.id or prior is None:
                 continue
             wanted = int(rng.integers(prior.count_min, prior.count_max + 1))
-            choices = _choices(small, item.category, room)
+            choices = abodes.choices(item.category, room)
+            if choices is None:
+                continue
             receptacles.append((item.id, room, choices))
             for _ in range(wanted):
                 _place(layout, item.id, room, choices, context, rng)
         wanted = int(rng.integers(room_type.floor_clutter_min, room_type.floor_clutter_max + 1))
-        choices = _choices(small, "floor", room)
-        for _ in range(wanted):
-            _place_on_floor(layout, room, choices, context, rng)
+        choices = abodes.choices("floor", room)
+        if choices is not None:
+            for _ in range(wanted):
+                _place_on_floor(layout, room, choices, context, rng)
     for _ in range(EXTRA_ROUNDS):
         for receptacle_id, room, choices in receptacles:
             if _things(layout) >= LEAST_THINGS:
@@ -63,40 +62,56 @@ def _things(layout: Layout) -> int:
     return sum(not item.fixed for item in layout.items.values())
 
 
-#: A category and one of the places it lives in.
-Choice = tuple[Category, Abode]
+@dataclass(frozen=True)
+class _Choices:
+    """What lives in one place: categories with how they lie there, and the sums of their weights
+    up to each, as shares."""
+
+    among: tuple[tuple[Category, Abode], ...]
+    sums: Array
+
+    def pick(self, context: HomeContext, rng: Rng) -> tuple[Asset, Abode]:
+        """A model by the abodes' weights, any of its category's."""
+        # What rng.choice with weights does, without summing them again for every thing.
+        category, abode = self.among[int(self.sums.searchsorted(rng.random(), side="right"))]
+        models = context.models(category.name)
+        return models[int(rng.integers(len(models)))], abode
 
 
-def _choices(small: Sequence[Choice], target: str, room: Room) -> list[Choice]:
-    return [
-        (category, abode)
-        for category, abode in small
-        if target in abode.targets and (not abode.rooms or room.type in abode.rooms)
-    ]
+class _Abodes:
+    """What lives where in a home, by the catalogue and the models at hand."""
 
+    def __init__(self, context: HomeContext) -> None:
+        self._by_target: dict[str, list[tuple[Category, Abode]]] = {}
+        for category in context.catalog.categories:
+            if category.kind == "small" and context.models(category.name):
+                for abode in category.lives:
+                    for target in dict.fromkeys(abode.targets):
+                        self._by_target.setdefault(target, []).append((category, abode))
 
-def _pick(choices: Sequence[Choice], context: HomeContext, rng: Rng) -> tuple[Asset, Abode] | None:
-    """A model by the abodes' weights; None when nothing lives there."""
-    weights = np.array([abode.weight for _, abode in choices])
-    if weights.sum() <= 0:
-        return None
-    category, abode = choices[int(rng.choice(len(choices), p=weights / weights.sum()))]
-    models = context.models(category.name)
-    return models[int(rng.integers(len(models)))], abode
+    def choices(self, target: str, room: Room) -> _Choices | None:
+        """What lives on or in a target in a room; None when nothing does."""
+        among = tuple(
+            (category, abode)
+            for category, abode in self._by_target.get(target, ())
+            if not abode.rooms or room.type in abode.rooms
+        )
+        weights = np.array([abode.weight for _, abode in among])
+        if weights.sum() <= 0:
+            return None
+        sums = (weights / weights.sum()).cumsum()
+        return _Choices(among, sums / sums[-1])
 
 
 def _place(
     layout: Layout,
     receptacle_id: int,
     room: Room,
-    choices: Sequence[Choice],
+    choices: _Choices,
     context: HomeContext,
     rng: Rng,
 ) -> None:
-    picked = _pick(choices, context, rng)
-    if picked is None:
-        return
-    asset, abode = picked
+    asset, abode = choices.pick(context, rng)
     spot = layout.spot_on_object(asset, receptacle_id, abode.relation, rng)
     if spot is not None:
         item = layout.new_item(asset, spot, room.id)
@@ -104,12 +119,9 @@ def _place(
 
 
 def _place_on_floor(
-    layout: Layout, room: Room, choices: Sequence[Choice], context: HomeContext, rng: Rng
+    layout: Layout, room: Room, choices: _Choices, context: HomeContext, rng: Rng
 ) -> None:
-    picked = _pick(choices, context, rng)
-    if picked is None:
-        return
-    asset, _ = picked
+    asset, _ = choices.pick(context, rng)
     outline = Polygon(room.polygon_m)
     spot = layout.spot_on_floor(
         asset,

@@ -31,6 +31,13 @@ class Above:
     high_m: Array
 
 
+def box_from_above(low: Sequence[float], high: Sequence[float]) -> Above:
+    """A box along the axes, from its lowest and highest corner, as it is seen from above."""
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    ring = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)])
+    return Above(ring, np.zeros(1, dtype=np.intp), np.array([z0]), np.array([z1]))
+
+
 def seen_from_above(pieces: Sequence[Array]) -> Above:
     """Convex pieces, each given as corners (N, 3), as they are seen from above."""
     sizes = [len(corners) for corners in pieces]

@@ -97,6 +97,21 @@ def test_models_that_were_let_go_are_mapped_again(
         Library([folder]).mesh("cube_01")
 
 
+def test_boxes_of_parts_are_known_without_mapping_a_model_again(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(library, "_HELD", 1)
+    found = Library([folder])
+    for name in MODELS:
+        boxes = found.bounds(name)
+        assert set(boxes) == set(found.mesh(name))
+        for part, mesh in found.mesh(name).items():
+            assert np.array_equal(boxes[part], mesh.bounds_m)
+    monkeypatch.setattr(Library, "model", None)
+    for name in MODELS:
+        assert set(found.bounds(name)) == {part.name for part in found.assets[name].parts}
+
+
 def _cut(path: Path) -> None:
     path.write_bytes(path.read_bytes()[:-40])
 

@@ -112,15 +112,16 @@ class Facts(Measured):
         return tuple(dict.fromkeys(found))
 
     def edges(self) -> tuple[Edge, ...]:
-        """All relations of the scene, sorted; who is in which room is written as INSIDE."""
+        """All relations of the scene, sorted, each once; who is in which room is INSIDE it."""
         out = [Edge(s.id, s.room_id, "INSIDE") for s in self.structures.values()]
         for object_id in self.bodies:
             out += [
                 Edge(object_id, room, "INSIDE") for room in self.room_ids(object_id)[:1] if room
             ]
             for relation in FINDERS:
-                out += [Edge(object_id, t, relation) for t in self.holds(object_id, relation)]
-        return tuple(sorted(set(out), key=lambda e: (e.from_id, e.relation, e.to_id)))
+                related = self.related(object_id, relation)
+                out += [Edge(object_id, r.target_id, relation) for r in related if r.holds]
+        return tuple(sorted(set(out)))
 
     def tags(self, object_id: int) -> tuple[str, ...]:
         """Unary facts of an object, sorted; none for structures and rooms."""

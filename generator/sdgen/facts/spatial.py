@@ -29,16 +29,20 @@ def close(facts: Measured, object_id: int) -> Iterable[Related]:
     apart = gaps(body.low, body.high, lows, highs)
     mine = facts.room_ids(object_id)
     together: dict[tuple[int, ...], Kleene] = {}
-    for index in np.flatnonzero(apart < CLOSE_M.above).tolist():
+    near = np.flatnonzero(apart < CLOSE_M.above)
+    for index, gap in zip(near.tolist(), apart[near].tolist(), strict=True):
         other = ids[index]
         if other == object_id:
             continue
         rooms = facts.room_ids(other)
-        if rooms not in together:
-            together[rooms] = same_room(mine, rooms)
-        if together[rooms] != NO:
-            holds = all_of((together[rooms], CLOSE_M.less(float(apart[index]))))
-            yield from _related(facts, other, holds)
+        holds = together.get(rooms)
+        if holds is None:
+            holds = together[rooms] = same_room(mine, rooms)
+        # Most are surely near: what the rooms say then holds as it is.
+        if gap > CLOSE_M.below:
+            holds = all_of((holds, CLOSE_M.less(gap)))
+        if holds != NO:
+            yield Related(other, facts.bodies[other].item.category, *holds)
 
 
 def bearing(body: Body, other: Body) -> tuple[float, bool]:

@@ -42,6 +42,9 @@ class Supports:
     def __init__(self, bodies: Mapping[int, Body], home: Home) -> None:
         found = [surface for body in bodies.values() for surface in body.surfaces]
         self.surfaces = [*found, *_floors(home)]
+        self._by_owner: dict[int, list[Surface]] = {}
+        for surface in self.surfaces:
+            self._by_owner.setdefault(surface.owner, []).append(surface)
         self._boxes = rows([(s.z_m, *s.bounds) for s in self.surfaces], 5)
 
     def _below(self, body: Body) -> Iterable[Surface]:
@@ -80,10 +83,9 @@ class Supports:
         """The centre is near the edge of a surface of ``target`` that the object is on."""
         point = Point(body.center[:2])
         return any(
-            surface.owner == target
-            and ON_GAP_M.at_most(abs(float(body.low[2]) - surface.z_m)).value
+            ON_GAP_M.at_most(abs(float(body.low[2]) - surface.z_m)).value
             and surface.outline.exterior.distance(point) < NEAR_EDGE_M
-            for surface in self.surfaces
+            for surface in self._by_owner.get(target, ())
         )
 
     def roofs(self, bodies: Mapping[int, Body]) -> tuple[list[int], Array, Array]:

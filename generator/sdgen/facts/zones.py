@@ -60,6 +60,8 @@ class ZoneIndex:
 
     def blocks(self, body: Body, shares: Sequence[ZoneShare]) -> dict[int, Kleene]:
         """Doors in whose zones a loose thing stands, so high that it must be walked around."""
+        if body.item.fixed:
+            return {}
         tall = BLOCKING_HEIGHT_M.more(float(body.high[2] - body.low[2]))
         found: dict[int, list[Kleene]] = {}
         sources = {zone.name: zone.source_id for zone, _ in self._zones}
@@ -68,22 +70,22 @@ class ZoneIndex:
             if share.kind in _BLOCKED and source is not None:
                 inside = ZONE_SHARE.at_least(share.fraction)
                 found.setdefault(source, []).append(all_of((tall, inside, share.level)))
-        return _loose(body, found)
+        return _said(found)
 
     def near(self, body: Body, relation: str) -> dict[int, Kleene]:
         """Sources of heat or water that a loose thing is near."""
+        if body.item.fixed:
+            return {}
         kind, limit = _NEAR[relation]
         found: dict[int, list[Kleene]] = {}
         for zone, outline, level in self._near(body, limit.above):
             if zone.kind == kind and zone.source_id not in (None, body.item.id):
                 gap = limit.less(outline.distance(body.footprint))
                 found.setdefault(zone.source_id or 0, []).append(all_of((gap, level)))
-        return _loose(body, found)
+        return _said(found)
 
 
-def _loose(body: Body, found: dict[int, list[Kleene]]) -> dict[int, Kleene]:
-    """By source, what any of its zones says; nothing for what is built in."""
-    if body.item.fixed:
-        return {}
+def _said(found: dict[int, list[Kleene]]) -> dict[int, Kleene]:
+    """By source, what any of its zones says."""
     merged = {source: any_of(parts) for source, parts in sorted(found.items())}
     return {source: holds for source, holds in merged.items() if holds != NO}

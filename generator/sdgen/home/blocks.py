@@ -99,7 +99,7 @@ def _boxed(
         joint = info.part(name).joint
         if joint is None or abs(item.joints.get(joint, 0.0)) < AJAR:
             continue
-        low, high = library.mesh(item.asset)[name].bounds_m.tolist()
+        low, high = library.bounds(item.asset)[name].tolist()
         local = object_from_part(info, name, item.joints)
         yield seen_from_above([apply(local, box_corners(low, high))])
 

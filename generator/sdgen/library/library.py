@@ -13,7 +13,7 @@ from sdgen.errors import AssetError
 from sdgen.library.above import Above, seen_from_above
 from sdgen.library.cache import digest
 from sdgen.library.kept import kept_manifest
-from sdgen.library.meshes import Hull, MeshData, check_extents, read_glb, read_hulls
+from sdgen.library.meshes import Floats, Hull, MeshData, check_extents, read_glb, read_hulls
 from sdgen.library.prepared import Model, Prepared, open_files
 from sdgen.library.records import Asset, AssetInfo, Surface
 from sdgen.library.unpack import cached_texture, check_texture, unpack
@@ -57,6 +57,7 @@ class Library:
         self._prepared = Prepared()
         self._held: OrderedDict[str, Model] = OrderedDict()
         self._objs: dict[str, dict[str, Path]] = {}
+        self._bounds: dict[str, Mapping[str, Floats]] = {}
         self._above: dict[tuple[str, tuple[str, ...]], Above | None] = {}
         self._manifest_hash = hasher
         self._sha256 = sha256
@@ -113,6 +114,16 @@ class Library:
         Raises AssetError for a missing or broken file.
         """
         return self.model(asset_id).hulls
+
+    def bounds(self, asset_id: str) -> Mapping[str, Floats]:
+        """Lowest and highest corner of the box of every part, (2, 3).
+
+        Kept for all models that were asked for, so that a model is not mapped for them alone.
+        """
+        if asset_id not in self._bounds:
+            meshes = self.mesh(asset_id)
+            self._bounds[asset_id] = {part: mesh.bounds_m for part, mesh in meshes.items()}
+        return self._bounds[asset_id]
 
     def above(self, asset_id: str, parts: tuple[str, ...]) -> Above | None:
         """The collision pieces of these parts, seen from above; None when they have none.

@@ -127,10 +127,10 @@ class RayWorld:
 
 def _parts(library: Library, scene: Scene) -> Iterator[_Part]:
     for item in sorted(scene.objects, key=lambda o: o.id):
-        info, meshes = library.info(item.asset), library.mesh(item.asset)
+        info, bounds_of = library.info(item.asset), library.bounds(item.asset)
         world_from_object = item.pose.matrix()
         for number, name in enumerate(info.variants[item.variant], start=1):
             pose = world_from_object @ object_from_part(info, name, item.joints)
-            corners = apply(pose, box_corners(*meshes[name].bounds_m.tolist()))
+            corners = apply(pose, box_corners(*bounds_of[name].tolist()))
             bounds = np.array([corners.min(axis=0), corners.max(axis=0)])
             yield _Part((item.id, number), (item.asset, name), pose, bounds)

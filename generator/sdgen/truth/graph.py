@@ -64,13 +64,12 @@ def build_graph(
                 tags=facts.tags(item.id),
             )
         )
-    triples = sorted((e.from_id, e.to_id, e.relation) for e in facts.edges())
     # Thousands of edges: read by pydantic in one call rather than one each.
     return Graph.model_validate(
         {
             "nodes": tuple(sorted(nodes, key=lambda node: node.id)),
             "edges": tuple(
-                {"from_id": a, "to_id": b, "relation_type": name} for a, b, name in triples
+                {"from_id": a, "to_id": b, "relation_type": name} for a, b, name in facts.edges()
             ),
         }
     )

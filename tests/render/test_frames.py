@@ -10,6 +10,7 @@ from sdgen.cameras.pinhole import project
 from sdgen.geometry import Vec3, apply
 from sdgen.library import Library
 from sdgen.render import choose_renderer, open_renderer
+from sdgen.render.egl import EglRenderer
 from sdgen.render.frames import render_frames
 from sdgen.render.protocol import Renderer
 from sdgen.scene import Camera, Frame, Scene
@@ -177,6 +178,22 @@ def test_when_the_vertices_run_out_it_starts_anew(
         assert np.array_equal(before.part, after.part)
 
 
+def test_what_starts_anew_leaves_no_textures_behind(
+    renderer: Renderer, library: Library, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if not isinstance(renderer, EglRenderer):
+        pytest.skip("Bullet's own renderer keeps no textures")
+    scene = box_room([thing(10, "cube_01", (0.3, 0, 0)), thing(11, "cube_02", (-0.3, 0, 0))])
+    view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5))
+    monkeypatch.setattr(bullet_module, "_VERTEX_LIMIT", 0)
+    held = []
+    for _ in range(3):
+        one(renderer, library, scene, view)
+        held.append(renderer._textures.count())
+    assert held == [held[0]] * 3
+    assert held[0] >= 4  # floor, wall, and two cubes
+
+
 def test_the_room_is_bright(renderer: Renderer, library: Library) -> None:
     """Neither ceiling nor walls may put the room in shadow, or shine."""
     frame = one(renderer, library, box_room(), camera((-1.7, -1.7, 1.5), (1, 1, 0.9)))
@@ -193,6 +210,7 @@ import hashlib, sys
 from pathlib import Path
 from sdgen.library import Library
 from sdgen.render import choose_renderer, open_renderer
+from sdgen.render.egl import EglRenderer
 from sdgen.render.frames import render_frames
 from sdgen.render.protocol import Renderer
 from tests.fakes import box_room, camera_at, thing

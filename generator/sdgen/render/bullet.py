@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -32,9 +32,11 @@ _FLOOR_Z_M = 0.4
 # them without writing depth: only ceilings, which nothing stands behind, may be like that.
 _CEILING_ALPHA = 0.999
 
-# The plugin holds 3.7 million vertices and draws nothing, silently, of what comes after; a third
-# is left for the scene that is loaded when the limit is passed.
-_VERTEX_LIMIT = 2_500_000
+# The plugin holds 3.7 million vertices and draws nothing, silently, of what comes after; a scene
+# has up to 0.4 million. It also looks at every shape it holds, those of homes that are gone
+# included, whenever a part is put in or taken out (25 ns each): to start anew less often saves no
+# time, and this often it holds the textures of some 25 scenes, half a gigabyte.
+_VERTEX_LIMIT = 1_500_000
 
 # What origins of parts are moved by, a step each: more than Bullet's rounding, in no direction
 # that two parts of a model have in common.
@@ -47,11 +49,15 @@ class BulletGraphics:
     """A Bullet world that is only looked at.
 
     ``device`` is one of PyBullet's renderers; with ``face_levels`` each face of the shell is
-    drawn at the brightness that undoes the EGL plugin's shader.
+    drawn at the brightness that undoes the EGL plugin's shader. ``on_reset`` is called when the
+    world has been emptied of everything that was ever loaded.
     """
 
-    def __init__(self, device: int, face_levels: bool) -> None:
+    def __init__(
+        self, device: int, face_levels: bool, on_reset: Callable[[], None] | None = None
+    ) -> None:
         self._device = device
+        self._on_reset = on_reset
         self._face_levels = face_levels
         self._held = ExitStack()
         self._shell = ShellFolder(self._held.enter_context(scratch_folder()))
@@ -104,8 +110,8 @@ class BulletGraphics:
     def _clear(self) -> None:
         """Take all bodies away; shapes and textures stay for the next scene.
 
-        ``resetSimulation`` would upload every texture again, which EGL never frees: it is for
-        the day when the vertices run out.
+        ``resetSimulation``, after which every texture is uploaded again, is for the day when the
+        vertices run out.
         """
         self._parts.remove()
         if self._vertices > _VERTEX_LIMIT:
@@ -113,6 +119,8 @@ class BulletGraphics:
             self._parts = self._no_parts()
             self._shapes = {}
             self._vertices = 0
+            if self._on_reset is not None:
+                self._on_reset()
 
     def _structure_parts(
         self, library: Library, structure: Structure, ceiling_m: float
@@ -124,7 +132,9 @@ class BulletGraphics:
             path = self._shell.write(face, texture)
             level = face.brightness if self._face_levels else 1.0
             rgba = (level, level, level, alpha)
-            shape, middle = self._shape(path, rgba, face.vertices_m, face.number)
+            shape, middle = self._shape(
+                path, rgba, face.vertices_m, 3 * len(face.vertices_m) // 2, face.number
+            )
             yield _placed(structure.id, 0, shape, middle, self._shift)
 
     def _object_parts(self, library: Library, item: ObjectInstance) -> Iterator[Part]:
@@ -137,13 +147,19 @@ class BulletGraphics:
             red, green, blue, _ = info.part(name).rgba
             # Opaque always: the plugin gives see-through bodies no depth.
             rgba = (red, green, blue, 1.0)
-            shape, middle = self._shape(objs[name], rgba, meshes[name].vertices, apart[name])
+            mesh = meshes[name]
+            shape, middle = self._shape(
+                objs[name], rgba, mesh.vertices, mesh.faces.size, apart[name]
+            )
             placed = pose @ object_from_part(info, name, item.joints)
             yield _placed(item.id, number, shape, middle, placed)
 
-    def _shape(self, path: Path, rgba: Rgba, vertices_m: Array, apart: int) -> tuple[int, Array]:
+    def _shape(
+        self, path: Path, rgba: Rgba, vertices_m: Array, corners: int, apart: int
+    ) -> tuple[int, Array]:
         """Visual shape that shows an OBJ file, and where its origin lies in the file's frame.
 
+        The plugin makes a vertex of each of the ``corners`` of its triangles.
         The origin is the middle of the mesh, plus a little for each step ``apart``: the plugin
         draws parts in the order of their origins' depth, and where faces coincide the first one
         drawn wins. Parts with one common origin would be drawn in an order that depends on what the
@@ -152,8 +168,7 @@ class BulletGraphics:
         if (path, rgba) not in self._shapes:
             middle = np.round((vertices_m.min(axis=0) + vertices_m.max(axis=0)) / 2, 3)
             middle += apart * _APART_M
-            # Triangles share few vertices once normals and texture coordinates count.
-            self._vertices += 3 * len(vertices_m)
+            self._vertices += corners
             made = pb.createVisualShape(
                 pb.GEOM_MESH,
                 fileName=str(path),

@@ -17,6 +17,7 @@ from sdgen.geometry import Array
 from sdgen.library import Library
 from sdgen.physics.bullet import pb, quiet
 from sdgen.render.bullet import BulletGraphics
+from sdgen.render.gl_textures import PluginTextures
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.shell import LIGHT_M
 from sdgen.scene import Camera, Scene, Structure
@@ -46,11 +47,14 @@ class EglRenderer(Renderer):
     name: ClassVar[str] = "EGL"
 
     def __init__(self) -> None:
-        self._graphics = BulletGraphics(pb.ER_BULLET_HARDWARE_OPENGL, face_levels=True)
+        self._graphics = BulletGraphics(
+            pb.ER_BULLET_HARDWARE_OPENGL, face_levels=True, on_reset=lambda: self._textures.free()
+        )
         self.renderer_string = _load_plugin(self._graphics.client)
         self._ceilings: tuple[Structure, ...] = ()
         with quiet():
             _warm_up(self._graphics.client)
+        self._textures = PluginTextures()
 
     @staticmethod
     def probe() -> Probe:

@@ -54,6 +54,27 @@ def shown(value: Any) -> str:
     return kinds.get(type(value), type(value).__name__)
 
 
+def unknown_key(key: str, known: Sequence[str]) -> str:
+    """What to say of a key that nobody knows."""
+    near = did_you_mean(key, known) or f" (known keys: {', '.join(known)})"
+    return f"unknown key{near}"
+
+
+def missing_key(key: str, wanted: str) -> str:
+    """What to say of a key that is not there."""
+    return f"missing key {key!r}: expected {wanted}"
+
+
+def empty_key(wanted: str) -> str:
+    """What to say of a key with nothing after its colon."""
+    return f"is empty: expected {wanted}"
+
+
+def no_mapping(value: Any) -> str:
+    """What to say of a value that should be a mapping."""
+    return f"expected {_TYPE_ERRORS['model_type']}, got {shown(value)}"
+
+
 def problem(path: Path_, text: str) -> InitErrorDetails:
     """For validators: something wrong at a path below the value under test."""
     error = PydanticCustomError("problem", "{text}", {"text": text})
@@ -110,14 +131,13 @@ def _explain(item: ErrorDetails, model: type[BaseModel], value: Any) -> tuple[Pa
     path = _existing(loc, value)
     context: Mapping[str, Any] = item.get("ctx", {})
     if kind == "missing" and isinstance(loc[-1], str):
-        return path, f"missing key {loc[-1]!r}: expected {_wanted(_field(model, loc))}"
+        return path, missing_key(loc[-1], _wanted(_field(model, loc)))
     if kind == "missing" or kind == "too_long" or kind == "too_short":
         wanted = _wanted(_field(model, loc[:-1] if kind == "missing" else loc))
         return path, f"expected {wanted}, got {len(got)} items"
     if kind == "extra_forbidden":
         known = [name for owner in _owners(model, loc) for name in owner.model_fields]
-        near = did_you_mean(str(loc[-1]), known) or f" (known keys: {', '.join(known)})"
-        return path, f"unknown key{near}"
+        return path, unknown_key(str(loc[-1]), known)
     if kind == "literal_error":
         choices = re.findall(r"'([^']*)'", context["expected"])
         if not isinstance(got, str):
@@ -127,7 +147,7 @@ def _explain(item: ErrorDetails, model: type[BaseModel], value: Any) -> tuple[Pa
     if kind in _TYPE_ERRORS:
         wanted = _expected(_field(model, loc)) or _TYPE_ERRORS[kind]
         if got is None and loc and isinstance(loc[-1], str):
-            return path, f"is empty: expected {wanted}"
+            return path, empty_key(wanted)
         return path, f"expected {wanted}, got {shown(got)}"
     if kind == "unknown":
         return path, f"{context['text']}{did_you_mean(context['word'], context['choices'])}"

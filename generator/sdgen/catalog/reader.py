@@ -1,6 +1,8 @@
 """A cursor over a parsed YAML mapping, for terms of predicates: asks for keys by type.
 
-Values are checked by the validators of all records. After a problem is noted a harmless value
+Values are checked by the validators of all records, and what is wrong is said in the words of
+:mod:`sdgen.strict`: a term is written in another shape than its record has, so that keys are
+asked for one by one, and that is all this adds. After a problem is noted a harmless value
 comes back, so that one pass finds all of them; ``done()`` reports the keys nobody asked for.
 """
 
@@ -13,8 +15,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, TypeAdapter, ValidationError
 
 from sdgen.catalog.words import State, between, names_of
-from sdgen.errors import did_you_mean
-from sdgen.strict import explain, shown
+from sdgen.strict import empty_key, explain, missing_key, no_mapping, unknown_key
 from sdgen.yaml_source import Path_, Source
 
 _REQUIRED: Any = object()
@@ -30,7 +31,7 @@ class Reader:
         self.ok = isinstance(value, dict)
         self.data: dict[str, Any] = value if self.ok else {}
         if not self.ok:
-            source.problem(path, f"expected a mapping (key: value), got {shown(value)}")
+            source.problem(path, no_mapping(value))
 
     def problem(self, message: str, *steps: str | int) -> None:
         """Note a problem at a path below this mapping."""
@@ -46,8 +47,7 @@ class Reader:
         known = list(dict.fromkeys(self.asked))
         for key in self.data:
             if key not in known:
-                near = did_you_mean(key, known) or f" (known keys: {', '.join(known)})"
-                self.problem(f"unknown key{near}", key)
+                self.problem(unknown_key(key, known), key)
 
     def child(self, key: str) -> Reader:
         """A mapping below this one (an empty reader after noting that it is missing)."""
@@ -109,9 +109,9 @@ class Reader:
 
     def _missing(self, key: str, want: str) -> None:
         if key in self.data:
-            self.problem(f"is empty: expected {want}", key)
+            self.problem(empty_key(want), key)
         elif self.ok:
-            self.problem(f"missing key {key!r}: expected {want}")
+            self.problem(missing_key(key, want))
 
 
 _STATE: TypeAdapter[Any] = TypeAdapter(State)

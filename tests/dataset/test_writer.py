@@ -96,7 +96,6 @@ def test_a_killed_build_resumes_to_the_same_bytes(tmp_path: Path) -> None:
         toy.add_scene(writer, 0)
         # Killed while scene 1 is half written.
         half = writer.scene_writer.begin(toy.bundle(1, writer.build.options))
-        half.__enter__()
         half.add(toy.frame(toy.bundle(1, writer.build.options), 0))
     assert not (path / "scenes" / "000001").exists()
     with toy.open_writer(path) as writer:

@@ -6,12 +6,12 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
 
 from pydantic import BaseModel
 
+from sdgen.closing import Closing
 from sdgen.dataset.disk import (
     file_sha256,
     remove_tree,
@@ -131,27 +131,19 @@ class SceneWriter:
             return folder.finish(visibility)
 
 
-@dataclass
-class SceneFolder:
+class SceneFolder(Closing):
     """A scene folder in the making; nothing of it shows in ``scenes/`` before ``finish``."""
 
-    writer: SceneWriter
-    bundle: SceneBundle
-    _hashes: dict[str, str] = field(default_factory=dict)
-
-    def __enter__(self) -> SceneFolder:
-        scene_id = self.bundle.scene.id
-        self._partial = self.writer.root / BUILD_FOLDER / f"{scene_id}.partial"
+    def __init__(self, writer: SceneWriter, bundle: SceneBundle) -> None:
+        self.writer = writer
+        self.bundle = bundle
+        self._hashes: dict[str, str] = {}
+        self._partial = writer.root / BUILD_FOLDER / f"{bundle.scene.id}.partial"
         remove_tree(self._partial)
         self._partial.mkdir(parents=True)
-        return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
+        """Take away what is not in place."""
         remove_tree(self._partial)
 
     def add(self, frame: Frame) -> None:

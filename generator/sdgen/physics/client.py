@@ -7,11 +7,11 @@ import tempfile
 from collections import OrderedDict
 from collections.abc import Sequence
 from pathlib import Path
-from types import TracebackType
 from typing import NamedTuple
 
 import numpy as np
 
+from sdgen.closing import Closing
 from sdgen.geometry import Array, Quat, Vec3, vec3
 from sdgen.physics.bullet import forget_files, pb
 from sdgen.physics.still import Still
@@ -44,7 +44,7 @@ class ContactPoint(NamedTuple):
     distance_m: float
 
 
-class Client:
+class Client(Closing):
     """A Bullet world without graphics. Use as a context manager, one a process, and reuse it:
     :meth:`reset` gives a fresh world whose results do not depend on what ran before. ``still`` is
     a world of its own beside it, for rays."""
@@ -56,17 +56,6 @@ class Client:
         self._written: OrderedDict[str, None] = OrderedDict()
         self._parsed: set[str] = set()
         self.reset()
-
-    def __enter__(self) -> Client:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """Disconnect; a second call does nothing."""

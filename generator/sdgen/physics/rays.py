@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from types import TracebackType
 
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.closing import Closing
 from sdgen.geometry import Array, apply, box_corners, quat_from_matrix, vec3
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
@@ -41,7 +41,7 @@ class _Part:
     bounds: Array
 
 
-class RayWorld:
+class RayWorld(Closing):
     """The drawn triangles of a scene, standing still, for :meth:`cast`.
 
     A part is loaded when the first batch of rays comes near it: cameras look into few rooms.
@@ -94,17 +94,6 @@ class RayWorld:
             vec3(part.pose[:3, 3]),
             quat_from_matrix(part.pose[:3, :3]),
         )
-
-    def __enter__(self) -> RayWorld:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """Let go of the world if it is ours."""

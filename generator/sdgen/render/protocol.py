@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from types import TracebackType
-from typing import ClassVar, Protocol, TypeVar
+from typing import ClassVar, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.closing import Closing
 from sdgen.geometry import Array
 from sdgen.library import Library
 from sdgen.scene import Camera, Scene
-
-R = TypeVar("R", bound="Renderer")
 
 
 @dataclass(frozen=True)
@@ -38,7 +36,7 @@ class Picture:
     part: npt.NDArray[np.uint8]
 
 
-class Renderer(Protocol):
+class Renderer(Closing, Protocol):
     """Draws one scene at a time; a context manager. One a process: EGL allows no more.
 
     ``name`` is for people; ``renderer_string`` goes into ``dataset.json``: pictures are the same
@@ -68,14 +66,3 @@ class Renderer(Protocol):
     def close(self) -> None:
         """Let go of the graphics; a second call does nothing."""
         ...
-
-    def __enter__(self: R) -> R:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()

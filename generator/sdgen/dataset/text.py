@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -39,7 +40,7 @@ def plain(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [plain(item) for item in value]
     if isinstance(value, BaseModel):
-        return {name: plain(getattr(value, name)) for name in type(value).model_fields}
+        return {name: plain(getattr(value, name)) for name in _fields(type(value))}
     if isinstance(value, Mapping):
         return {str(key): plain(value[key]) for key in sorted(value)}
     return value
@@ -50,23 +51,60 @@ def compact(value: Any) -> str:
     return _ENCODER.encode(value)
 
 
-def pretty(value: Any, indent: str = "") -> str:
-    """``value`` with whatever fits a line of ``LINE`` characters kept on one."""
-    short = compact(value)
-    # What fits a line holds only what would fit one, too: it is looked at from the outside in.
-    if not isinstance(value, dict | list) or not value or len(indent) + len(short) <= LINE:
-        return short
-    inner = indent + " "
-    if isinstance(value, dict):
-        items = [f"{inner}{compact(key)}: {pretty(item, inner)}" for key, item in value.items()]
-        return "{\n" + ",\n".join(items) + f"\n{indent}}}"
-    items = [inner + pretty(item, inner) for item in value]
-    return "[\n" + ",\n".join(items) + f"\n{indent}]"
+def pretty(value: Any) -> str:
+    """A record, or dicts, lists and scalars, with whatever fits a line of ``LINE`` characters kept
+    on one."""
+    return _laid_out(value, 0)[0]
+
+
+def _laid_out(value: Any, indent: int) -> tuple[str, bool]:
+    """The text of ``value`` behind ``indent`` characters, and whether it is one line."""
+    kind = type(value)
+    # Numbers and short names are most of a scene: what the encoder makes of them, without it.
+    if kind is float and math.isfinite(value):
+        return float.__repr__(value), True
+    if kind is int:
+        return int.__repr__(value), True
+    deeper = indent + 1
+    one_line = True
+    items = []
+    if isinstance(value, list | tuple):
+        ends = "[]"
+        for item in value:
+            text, short = _laid_out(item, deeper)
+            items.append(text)
+            one_line &= short
+    elif isinstance(value, BaseModel):
+        ends = "{}"
+        for name in _fields(type(value)):
+            text, short = _laid_out(getattr(value, name), deeper)
+            items.append(f'"{name}": {text}')
+            one_line &= short
+    elif isinstance(value, Mapping):
+        ends = "{}"
+        for key in sorted(value):
+            text, short = _laid_out(value[key], deeper)
+            items.append(f"{compact(str(key))}: {text}")
+            one_line &= short
+    else:
+        return compact(value), True
+    if one_line:
+        line = f"{ends[0]}{', '.join(items)}{ends[1]}"
+        if not items or indent + len(line) <= LINE:
+            return line, True
+    inner = " " * deeper
+    lines = f",\n{inner}".join(items)
+    return f"{ends[0]}\n{inner}{lines}\n{' ' * indent}{ends[1]}", False
+
+
+@cache
+def _fields(model: type[BaseModel]) -> tuple[str, ...]:
+    return tuple(model.model_fields)
 
 
 def record_bytes(record: BaseModel) -> bytes:
     """A record as the bytes of its file."""
-    return (pretty(plain(record)) + "\n").encode("utf-8")
+    return (pretty(record) + "\n").encode("utf-8")
 
 
 def line_bytes(record: BaseModel) -> bytes:

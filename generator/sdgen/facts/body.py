@@ -15,6 +15,9 @@ from sdgen.geometry import Array, apply
 from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance
 
+#: A footprint of less area, square metres, has no share in anything: it is a line or a point.
+LEAST_M2 = 1e-9
+
 
 class Body:
     """World geometry of one object: ``corners`` (N, 3) of its outline, ``low`` and ``high`` of its
@@ -46,8 +49,11 @@ class Body:
 
     def covered_by(self, shape: BaseGeometry) -> float:
         """Share (0-1) of the footprint that lies in a shape."""
+        # Nearly all of what is asked for lies wholly within or wholly beside.
+        if shape.covers(self.footprint) and self.footprint.area >= LEAST_M2:
+            return 1.0
         shared = shape.intersection(self.footprint).area
-        return float(shared / max(self.footprint.area, 1e-9))
+        return float(shared / max(self.footprint.area, LEAST_M2))
 
 
 def drawn(bodies: Sequence[Body]) -> Sequence[Body]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
+import shapely
 from shapely.geometry import Polygon
 
 from sdgen.catalog.predicate import ZoneShare
@@ -31,7 +32,7 @@ class ZoneIndex:
     """All zones of a scene."""
 
     def __init__(self, zones: Sequence[Zone]) -> None:
-        self._zones = [(zone, Polygon(zone.polygon_m)) for zone in zones]
+        self._zones = [(zone, shapely.polygons(zone.polygon_m)) for zone in zones]
         self._boxes = rows(
             [
                 (*outline.bounds, zone.z_min_m if zone.z_min_m > 0 else -np.inf, zone.z_max_m)

@@ -116,42 +116,50 @@ def _placed(owner: int, pieces: Above, world: Array) -> Iterator[Block]:
     boxes[:, 2] = pieces.low_m + world[2, 3]
     boxes[:, 3:5] = np.maximum.reduceat(points, pieces.starts)
     boxes[:, 5] = pieces.high_m + world[2, 3]
-    for outline, box in zip(np.split(points, pieces.starts[1:]), boxes, strict=True):
-        yield Block(owner, outline, box)
+    ends = [*pieces.starts[1:].tolist(), len(points)]
+    for start, end, box in zip(pieces.starts.tolist(), ends, boxes, strict=True):
+        yield Block(owner, points[start:end], box)
 
 
 @dataclass(frozen=True)
 class Table:
-    """Blocks in the order they were put, and their boxes (N, 6)."""
+    """Blocks in the order they were put, and their boxes (6, N): a row for each side, as that
+    is what they are searched by."""
 
     blocks: tuple[Block, ...] = ()
-    boxes: Array = field(default_factory=lambda: np.empty((0, 6)))
+    boxes: Array = field(default_factory=lambda: np.empty((6, 0)))
 
     def more(self, blocks: Iterable[Block]) -> Table:
         """The table with these blocks at its end."""
         added = tuple(blocks)
         if not added:
             return self
-        boxes = np.concatenate([self.boxes, [block.box for block in added]])
+        boxes = np.concatenate([self.boxes, _sides(added)], axis=1)
         return Table(self.blocks + added, boxes)
 
     def entered(self, blocks: Sequence[Block]) -> Iterator[int]:
         """Ids of the other objects whose space these blocks enter, once for every pair."""
         if not blocks:
             return
-        boxes = np.array([block.box for block in blocks])
-        whole = np.concatenate([boxes[:, :3].min(axis=0), boxes[:, 3:].max(axis=0)])
+        boxes = _sides(blocks)
+        whole = np.concatenate([boxes[:3].min(axis=1), boxes[3:].max(axis=1)])
         for its in _meet(whole, self.boxes).nonzero()[0].tolist():
             other = self.blocks[its]
-            for mine in _meet(boxes, self.boxes[its]).nonzero()[0].tolist():
+            for mine in _meet(self.boxes[:, its], boxes).nonzero()[0].tolist():
                 block = blocks[mine]
                 if other.owner != block.owner and block.shape.intersects(other.shape):
                     yield other.owner
 
 
-def _meet(a: Array, b: Array) -> npt.NDArray[np.bool_]:
-    """Whether boxes share space."""
-    found = (a[..., 0] < b[..., 3]) & (b[..., 0] < a[..., 3])
-    found &= (a[..., 1] < b[..., 4]) & (b[..., 1] < a[..., 4])
-    found &= (a[..., 2] < b[..., 5] - TOUCH_M) & (b[..., 2] < a[..., 5] - TOUCH_M)
-    return np.asarray(found)
+def _sides(blocks: Sequence[Block]) -> Array:
+    """The boxes of blocks, (6, N)."""
+    return np.column_stack([block.box for block in blocks])
+
+
+def _meet(box: Array, others: Array) -> npt.NDArray[np.bool_]:
+    """Whether a box (6,) shares space with others (6, N)."""
+    x0, y0, low, x1, y1, high = box.tolist()
+    found: npt.NDArray[np.bool_] = (others[3] > x0) & (others[0] < x1)
+    found &= (others[4] > y0) & (others[1] < y1)
+    found &= (others[5] > low + TOUCH_M) & (others[2] < high - TOUCH_M)
+    return found

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from shapely.geometry import Polygon
+import shapely
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.records import Catalog
@@ -46,7 +46,7 @@ class HomeContext:
         if key not in self._drawn:
             self._drawn[key] = union(
                 [
-                    Polygon(zone.polygon_m)
+                    shapely.polygons(zone.polygon_m)
                     for zone in self.zones
                     if zone.kind in kinds and (room_id is None or zone.room_id == room_id)
                 ]

@@ -62,6 +62,9 @@ def test_the_digest_follows_the_content_only(tmp_path: Path) -> None:
     write(a, hazards__wobbly_vase=HAZARD)
     write(b, hazards__wobbly_vase=f"# moved, with a comment\n{HAZARD}")
     assert catalog_sha256(load_catalog([a])) == catalog_sha256(load_catalog([b])) != before
+    changed = (loaded := load_catalog()).model_copy(update={"mixes": ()})
+    assert catalog_sha256(loaded) == before != catalog_sha256(changed)
+    assert catalog_sha256(loaded) == before
     text = load_catalog([a]).model_dump_json()
     assert Catalog.model_validate_json(text) == load_catalog([a])
 

@@ -1,10 +1,22 @@
 """Near views are as many in every scene and fall on benign things too."""
 
 import pytest
-from sdgen.cameras.choice import glance_pixels, high_count, like_anomalies, near_count
+from sdgen.cameras import choice
+from sdgen.cameras.choice import (
+    Sight,
+    glance_pixels,
+    high_count,
+    like_anomalies,
+    near_count,
+    unseen,
+)
 from sdgen.catalog.records import Hazard, SetRecipe
+from sdgen.library import Library
 from sdgen.options import BuildOptions
+from sdgen.scene import Anomaly
 from sdgen.seeding import lane
+
+from tests.fakes import box_room, thing
 
 
 @pytest.mark.parametrize(
@@ -51,3 +63,24 @@ def test_lookalikes_come_before_other_things_and_now_and_then_first_of_their_cat
         for k in range(50)
     }
     assert orders == {(1, 2, 3, 4), (2, 1, 3, 4)}
+
+
+def test_anomalies_are_searched_for_longer_than_other_things(
+    library: Library, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: dict[int, int] = {}
+
+    def none(*arguments: object) -> None:
+        asked[arguments[3].object_id] = arguments[-1]  # type: ignore[attr-defined, assignment]
+
+    monkeypatch.setattr(choice, "best_near_pose", none)
+    sight = Sight(
+        library,
+        box_room([thing(10, "cube_01", (0, 0, 0)), thing(11, "cube_02", (1, 0, 0))]),
+        cast=None,  # type: ignore[arg-type]
+        seed=0,
+    )
+    anomaly = Anomaly.model_construct(object_id=10, evidence_parts=())
+    assert unseen(sight, [anomaly]) is anomaly
+    assert sight.near(11) is None
+    assert asked == {10: choice.ANOMALY_ROUNDS, 11: 1}

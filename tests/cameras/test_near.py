@@ -7,7 +7,7 @@ from sdgen.cameras.overview import room_views
 from sdgen.cameras.parts import part_numbers, part_points
 from sdgen.cameras.pinhole import intrinsics, project
 from sdgen.cameras.sight import estimate_pixels
-from sdgen.cameras.view import to_cameras
+from sdgen.cameras.view import View, to_cameras
 from sdgen.geometry import look_at
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
@@ -138,3 +138,24 @@ def test_no_free_floor_no_views(library: Library, scene: Scene) -> None:
     with RayWorld(library, bare) as world:
         assert room_views(bare, world.cast, 3, lane(5, 0, "views")) == ()
         assert best_near_pose(library, bare, world.cast, Target(11), lane(5, 0, "n")) is None
+
+
+def test_more_rounds_find_what_one_round_missed(library: Library, scene: Scene) -> None:
+    """What the first round finds, it finds the same with more rounds to come."""
+    needed = 3550.0
+
+    def found(seed: int, rounds: int) -> View | None:
+        rng = lane(seed, 0, "near")
+        return best_near_pose(
+            library, scene, world.cast, Target(13), rng, pixels_needed=needed, rounds=rounds
+        )
+
+    with RayWorld(library, scene) as world:
+        one, three = ([found(seed, rounds) for seed in range(16)] for rounds in (1, 3))
+    late = [view for first, view in zip(one, three, strict=True) if first is None and view]
+    assert late
+    assert all(view.estimated_pixels >= needed for view in late)
+    for first, view in zip(one, three, strict=True):
+        if first is not None:
+            assert view is not None
+            assert np.array_equal(first.world_from_camera, view.world_from_camera)

@@ -37,6 +37,9 @@ LOW_M = 1.25
 HIGH_TRIED = 8
 #: Overviews that a scene keeps when it gets that view.
 OVERVIEWS_KEPT = 2
+#: Draws of candidate views of an anomaly before its scene is thrown away, which costs a hundred
+#: times more. Of benign things there are others.
+ANOMALY_ROUNDS = 3
 #: Things looked for: like one class's anomalies, and in all before near views are given up.
 CLASS_TRIED = 4
 BENIGN_TRIED = 40
@@ -94,7 +97,11 @@ class Sight:
             return self
         return Sight(self._library, self._scene, self._cast, self._seed, eye_height_m)
 
-    def near(self, object_id: int, parts: tuple[str, ...] = ()) -> View | None:
+    def anomaly(self, anomaly: Anomaly) -> View | None:
+        """The best near view of an anomaly's evidence, searched for longer than others."""
+        return self.near(anomaly.object_id, anomaly.evidence_parts, ANOMALY_ROUNDS)
+
+    def near(self, object_id: int, parts: tuple[str, ...] = (), rounds: int = 1) -> View | None:
         """The best near view of an object's parts, or None when none shows enough."""
         key = (object_id, parts)
         if key not in self._found:
@@ -106,6 +113,7 @@ class Sight:
                 lane(self._seed, self._scene.index, f"near:{object_id}"),
                 self._eye_height_m,
                 glance_pixels(part_area(self._library, self._scene.object(object_id), parts)),
+                rounds,
             )
         return self._found[key]
 
@@ -118,7 +126,7 @@ def unseen(sight: Sight, anomalies: Sequence[Anomaly]) -> Anomaly | None:
     """The first anomaly that has no near view. ``sight`` at the usual eye height: an option of
     pictures must not decide content."""
     for anomaly in anomalies:
-        if sight.near(anomaly.object_id, anomaly.evidence_parts) is None:
+        if sight.anomaly(anomaly) is None:
             return anomaly
     return None
 
@@ -140,7 +148,7 @@ def choose_views(
     for anomaly in anomalies:
         if len(views) == wanted:
             break
-        view = sight.near(anomaly.object_id, anomaly.evidence_parts)
+        view = sight.anomaly(anomaly)
         if view is not None:
             views.append(view)
     views += _benign_views(sight, catalog, anomalies, lookalikes, wanted - len(views), rng)

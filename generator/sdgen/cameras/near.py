@@ -68,11 +68,13 @@ def best_near_pose(
     rng: Rng,
     eye_height_m: float = EYE_HEIGHT_M,
     pixels_needed: float = PIXELS_NEEDED,
+    rounds: int = 1,
 ) -> View | None:
     """About the best of 32 views 0.8 to 2.2 m from a target, or None when none shows enough of it.
 
-    The target is not quite in the middle of the picture. Only rays decide, so a
-    placement can be rejected on None before any picture exists.
+    The target is not quite in the middle of the picture. Up to ``rounds`` times 32 views are drawn,
+    until some show enough. Only rays decide, so a placement can be rejected on None before any
+    picture exists.
     """
     item = scene.object(target.object_id)
     points = part_points(library, item, target.parts)
@@ -86,28 +88,31 @@ def best_near_pose(
     on_floor = low < _FLOOR_LOW_M and top < _FLOOR_TOP_M and width > _FLOOR_WIDTH_M
     if on_floor:
         further += _FLOOR_FURTHER_M
-    stands = _stands_around(free_area(scene), (float(centre[0]), float(centre[1])), further, rng)
-    if len(stands) == 0:
-        return None
-    heights = eye_height_m + rng.uniform(-HEIGHT_JITTER_M, HEIGHT_JITTER_M, len(stands))
-    aims = rng.uniform(-1.0, 1.0, (len(stands), 2))
-    fade = rng.uniform(*_FADE, len(stands))
-    eyes = np.column_stack([stands, heights])
-    poses = [_aimed(eye, centre, aim) for eye, aim in zip(eyes, aims, strict=True)]
     numbers = part_numbers(library, item, target.parts)
-    rough = estimate_pixels(cast, poses, points, item.id, numbers, _ROUGH_GRID)
-    enough = _FLOOR_ENOUGH_PIXELS if on_floor else max(_ENOUGH_PIXELS, 0.5 * float(rough.max()))
-    worth = np.minimum(rough, enough) * fade
-    shows = np.flatnonzero(worth > 0)
-    worth[shows] *= clear(cast, eyes[shows])
-    for k in np.flatnonzero(worth > 0).tolist():
-        worth[k] *= _framing(poses[k], whole, item)
-    for k in np.argsort(-worth, kind="stable")[:_FINALISTS].tolist():
-        if worth[k] <= 0:
-            break
-        (pixels,) = estimate_pixels(cast, [poses[k]], points, item.id, numbers)
-        if pixels >= pixels_needed:
-            return View("near", _room_at(scene, stands[k], item.room_id), poses[k], float(pixels))
+    free = free_area(scene)
+    for _ in range(rounds):
+        stands = _stands_around(free, (float(centre[0]), float(centre[1])), further, rng)
+        if len(stands) == 0:
+            return None
+        heights = eye_height_m + rng.uniform(-HEIGHT_JITTER_M, HEIGHT_JITTER_M, len(stands))
+        aims = rng.uniform(-1.0, 1.0, (len(stands), 2))
+        fade = rng.uniform(*_FADE, len(stands))
+        eyes = np.column_stack([stands, heights])
+        poses = [_aimed(eye, centre, aim) for eye, aim in zip(eyes, aims, strict=True)]
+        rough = estimate_pixels(cast, poses, points, item.id, numbers, _ROUGH_GRID)
+        enough = _FLOOR_ENOUGH_PIXELS if on_floor else max(_ENOUGH_PIXELS, 0.5 * float(rough.max()))
+        worth = np.minimum(rough, enough) * fade
+        shows = np.flatnonzero(worth > 0)
+        worth[shows] *= clear(cast, eyes[shows])
+        for k in np.flatnonzero(worth > 0).tolist():
+            worth[k] *= _framing(poses[k], whole, item)
+        for k in np.argsort(-worth, kind="stable")[:_FINALISTS].tolist():
+            if worth[k] <= 0:
+                break
+            (pixels,) = estimate_pixels(cast, [poses[k]], points, item.id, numbers)
+            if pixels >= pixels_needed:
+                room = _room_at(scene, stands[k], item.room_id)
+                return View("near", room, poses[k], float(pixels))
     return None
 
 

@@ -9,7 +9,6 @@ from collections.abc import Collection, Mapping
 from sdgen.catalog.records import Catalog, PlaceRecipe, Recipe, UniqueAnomaly
 from sdgen.errors import InputError, did_you_mean
 
-
 #: The catalogue asked for last and its digest: it takes 8 ms, and every scene states it.
 _digested: list[tuple[Catalog, str]] = []
 

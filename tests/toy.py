@@ -26,7 +26,7 @@ from sdgen.hazards.splits import Split, split_of_home
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.library.states import derive_states
 from sdgen.options import BuildOptions
-from sdgen.pipeline.finish import benign_twin, certificate
+from sdgen.pipeline.finish import certificate, check_undone, twin_of
 from sdgen.rejection import Rejection
 from sdgen.scene import (
     AgentStart,
@@ -347,9 +347,9 @@ def build(path: Path, options: BuildOptions | None = None) -> Path:
 
 def twin(made: SceneBundle) -> SceneBundle:
     """The benign twin of a bundle."""
-    benign = benign_twin(made, catalog(), infos())
-    assert not isinstance(benign, Rejection), benign
-    return benign
+    found = check_undone(made, catalog(), infos())
+    assert not isinstance(found, Rejection), found
+    return twin_of(made, catalog(), infos(), *found)
 
 
 def build_with_twins(path: Path, n: int = 4) -> Path:

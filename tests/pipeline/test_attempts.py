@@ -15,7 +15,7 @@ from sdgen.options import BuildOptions
 from sdgen.pipeline import scene as scene_module
 from sdgen.pipeline.attempt import placed
 from sdgen.pipeline.contents import Contents, Reduced, without
-from sdgen.pipeline.finish import benign_twin, with_history
+from sdgen.pipeline.finish import check_undone, with_history
 from sdgen.pipeline.scene import OVERLAP_HOMES, OVERLAP_TRIES, furnish_for, make_scene, overlap_of
 from sdgen.pipeline.spec import draw_spec, node_ids
 from sdgen.rejection import Cause, Rejection, reject
@@ -101,11 +101,11 @@ def test_an_anomaly_or_furniture_at_fault_rejects_the_try(culprit, hazard):
 
 def test_a_twin_that_is_not_benign_is_a_rejection_not_a_crash():
     made = toy.bundle(3)
-    assert not isinstance(benign_twin(made, toy.catalog(), toy.infos()), Rejection)
+    assert not isinstance(check_undone(made, toy.catalog(), toy.infos()), Rejection)
     kept = made.anomalies.anomalies[1:]
     left = made.anomalies.anomalies[0]
     careless = replace(made, anomalies=made.anomalies.model_copy(update={"anomalies": kept}))
-    rejection = benign_twin(careless, toy.catalog(), toy.infos())
+    rejection = check_undone(careless, toy.catalog(), toy.infos())
     assert isinstance(rejection, Rejection)
     assert rejection.cause == Cause("twin", "not_benign", None, left.category, left.hazard)
     assert rejection.objects == (left.object_id,)

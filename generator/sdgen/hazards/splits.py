@@ -34,15 +34,10 @@ def split_of_home(home_id: str) -> Split:
     return "val" if value < TRAIN_SHARE + VAL_SHARE else "test"
 
 
-def withheld_asset(asset_id: str, library: Library) -> bool:
-    """True for an asset that train never shows: at most a third of a category."""
-    peers = library.by_category(library.assets[asset_id].category)
-    return asset_id in _withheld(tuple(peer.id for peer in peers))
-
-
 @cache
 def _withheld(peers: tuple[str, ...]) -> frozenset[str]:
-    """Of the models of a category, those that train never shows; hashed once a process."""
+    """Of the models of a category, those that train never shows, at most a third; hashed once a
+    process."""
     if len(peers) < FEWEST_MODELS:
         return frozenset()
     values = {peer: unit_hash("asset", peer) for peer in peers}

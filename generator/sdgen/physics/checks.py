@@ -10,7 +10,10 @@ from sdgen.physics.client import ContactPoint
 from sdgen.physics.world import Placed, World
 from sdgen.scene import Violation
 
+#: Twice what 16 built scenes had at most: 2 mm, hulls of furniture that reach below their feet;
+#: things at rest had less than half a millimetre.
 PENETRATION_LIMIT_M = 0.004
+#: Up to here a thing is ON another; in 16 scenes all loose things had something within 1 mm.
 GAP_LIMIT_M = 0.01
 
 

@@ -14,6 +14,7 @@ from sdgen.physics.client import BodyPose, Client
 from sdgen.physics.world import World
 from sdgen.scene import Contact, Pose, Scene
 
+#: Two seconds; 16 scenes were still after 24 to 180 steps.
 MAX_STEPS = 480
 #: Looked at every twentieth of a second; still is what moves by less than 1 mm/s and turns by less
 #: than 0.01 rad/s over two such windows: a thing that falls 3 mm and rocks is not still meanwhile.

@@ -68,7 +68,7 @@ def finish(
         return undone_soundly
     if not options.twins:
         return bundle
-    return replace(bundle, twin=_twin(bundle, catalog, library.infos, *undone_soundly))
+    return replace(bundle, twin=twin_of(bundle, catalog, library.infos, *undone_soundly))
 
 
 def certificate(catalog: Catalog, assets_sha256: str, surveyed: Survey) -> Certificate:
@@ -99,14 +99,6 @@ def physics_report(settled: Settled, taken_away: Causes, present: Collection[int
     )
 
 
-def benign_twin(
-    bundle: SceneBundle, catalog: Catalog, infos: Mapping[str, AssetInfo]
-) -> SceneBundle | Rejection:
-    """The scene with its anomalies undone; rejected when some hazard still holds, or may."""
-    found = check_undone(bundle, catalog, infos)
-    return found if isinstance(found, Rejection) else _twin(bundle, catalog, infos, *found)
-
-
 def check_undone(
     bundle: SceneBundle,
     catalog: Catalog,
@@ -127,13 +119,14 @@ def check_undone(
     return facts, surveyed
 
 
-def _twin(
+def twin_of(
     bundle: SceneBundle,
     catalog: Catalog,
     infos: Mapping[str, AssetInfo],
     facts: Facts,
     surveyed: Survey,
 ) -> SceneBundle:
+    """The benign twin, whose facts and survey :func:`check_undone` has found."""
     records = bundle.anomalies
     benign = {
         "anomalies": (),

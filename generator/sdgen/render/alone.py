@@ -37,4 +37,4 @@ class AlonePixels:
         local = apply(camera_from_world, self._triangles[node_id].reshape(-1, 3)).reshape(-1, 3, 3)
         k = np.asarray(camera.K)
         mask, rows, columns = coverage(local, k, camera.width, camera.height, camera.near_m)
-        return int((mask & (instance[rows, columns] != node_id)).sum())
+        return int(np.count_nonzero(mask & (instance[rows, columns] != node_id)))

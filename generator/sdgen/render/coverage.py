@@ -62,17 +62,19 @@ def coverage(
     x, y = x[front], y[front]
     top = np.maximum(np.ceil(y.min(axis=1, initial=np.inf)), 0)
     bottom = np.minimum(np.floor(y.max(axis=1, initial=-np.inf)), height - 1)
-    # Most triangles of a small thing lie between two rows of pixels.
-    met = bottom >= top
+    # Most triangles of a small thing lie between two rows or two columns of pixels.
+    first = np.maximum(np.ceil(x.min(axis=1, initial=np.inf)), 0)
+    last = np.minimum(np.floor(x.max(axis=1, initial=-np.inf)), width - 1)
+    met = (bottom >= top) & (last >= first)
     x, y, top = x[met], y[met], top[met].astype(np.int64)
     rows = bottom[met].astype(np.int64) - top + 1
-    owner = np.repeat(np.arange(len(rows)), rows)
-    row = np.arange(len(owner)) - np.repeat(np.cumsum(rows) - rows, rows) + top[owner]
-    left, right = _span(x[owner], y[owner], row.astype(np.float64))
-    start = np.maximum(np.ceil(left), 0).astype(np.int64)
-    stop = np.minimum(np.floor(right), width - 1).astype(np.int64) + 1
-    kept = stop > start
-    row, start, stop = row[kept], start[kept], stop[kept]
+    before = np.cumsum(rows) - rows
+    row = np.arange(rows.sum()) + np.repeat(top - before, rows)
+    left, right = _span(x, y, rows, row.astype(np.float64))
+    left, right = np.maximum(np.ceil(left), 0), np.minimum(np.floor(right), width - 1)
+    kept = right >= left
+    row = row[kept]
+    start, stop = left[kept].astype(np.int64), right[kept].astype(np.int64) + 1
     if len(row) == 0:
         return np.zeros((0, 0), dtype=bool), slice(0, 0), slice(0, 0)
     first_row, first_column = int(row.min()), int(start.min())
@@ -82,21 +84,23 @@ def coverage(
     cells = down * (across + 1)
     change = np.bincount(base + start, minlength=cells)
     change -= np.bincount(base + stop, minlength=cells)
-    mask = change.reshape(down, across + 1).cumsum(axis=1)[:, :across] > 0
+    mask = (change.cumsum() > 0).reshape(down, across + 1)[:, :across]
     rows_cut = slice(first_row, first_row + down)
     return np.asarray(mask), rows_cut, slice(first_column, first_column + across)
 
 
-def _span(x: Array, y: Array, row: Array) -> tuple[Array, Array]:
-    """Where the line y = ``row`` enters and leaves each triangle."""
+def _span(x: Array, y: Array, rows: Ints, row: Array) -> tuple[Array, Array]:
+    """Where each line y = ``row`` enters and leaves its triangle; the first triangle has the first
+    ``rows[0]`` lines, and so on. The line leaves before it enters where it meets no edge."""
     left = np.full(len(row), np.inf)
     right = np.full(len(row), -np.inf)
     for a, b in ((0, 1), (1, 2), (2, 0)):
         rise = y[:, b] - y[:, a]
-        level = np.abs(rise) < 1e-12
-        share = (row - y[:, a]) / np.where(level, 1.0, rise)
-        meets = ~level & (share >= 0) & (share <= 1)
-        at = x[:, a] + share * (x[:, b] - x[:, a])
-        left = np.where(meets, np.minimum(left, at), left)
-        right = np.where(meets, np.maximum(right, at), right)
-    return np.where(np.isfinite(left), left, 1.0), np.where(np.isfinite(right), right, 0.0)
+        # A level edge is met nowhere: its ends belong to the other two.
+        rise[np.abs(rise) < 1e-12] = np.nan
+        share = (row - np.repeat(y[:, a], rows)) / np.repeat(rise, rows)
+        at = np.repeat(x[:, a], rows) + share * np.repeat(x[:, b] - x[:, a], rows)
+        at[~((share >= 0) & (share <= 1))] = np.nan
+        np.fmin(left, at, out=left)
+        np.fmax(right, at, out=right)
+    return left, right

@@ -208,7 +208,9 @@ class BulletGraphics:
                     physicsClientId=self.client,
                 )
                 rows, columns = slice(y0, y0 + h), slice(x0, x0 + w)
-                rgb[rows, columns] = np.asarray(image[2], dtype=np.uint8).reshape(h, w, 4)[..., :3]
+                rgba = np.asarray(image[2], dtype=np.uint8).reshape(h, w, 4)
+                for channel in range(3):  # twice as fast as all at once
+                    rgb[rows, columns, channel] = rgba[..., channel]
                 depth[rows, columns] = np.asarray(image[3], dtype=np.float32).reshape(h, w)
                 if mask:
                     owner[rows, columns] = np.asarray(image[4], dtype=np.int32).reshape(h, w)

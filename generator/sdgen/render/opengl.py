@@ -42,8 +42,8 @@ def depth_from_buffer(buffer: npt.NDArray[np.floating], near_m: float, far_m: fl
 def to_millimetres(depth_m: Array, seen: npt.NDArray[np.bool_]) -> npt.NDArray[np.uint16]:
     """16-bit millimetres; 0 where nothing was ``seen`` or beyond 65.535 m."""
     millimetres = np.rint(depth_m * 1000.0)
-    kept = seen & (millimetres > 0) & (millimetres <= 65535)
-    return np.where(kept, millimetres, 0).astype(np.uint16)
+    millimetres[~(seen & (millimetres > 0) & (millimetres <= 65535))] = 0
+    return millimetres.astype(np.uint16)
 
 
 def scaled(k: Array, factor: int) -> Array:

@@ -88,8 +88,9 @@ class PartBodies:
         self, mask: npt.NDArray[np.int32]
     ) -> tuple[npt.NDArray[np.uint16], npt.NDArray[np.uint8]]:
         """Node id and part number of every pixel of a mask drawn with ``WITH_LINKS``."""
-        row = (mask & (_BODIES - 1)) * (_LINKS + 1) + (mask >> _LINK_SHIFT)
-        return self._node_of.ravel()[row], self._part_of.ravel()[row]
+        row = (mask & (_BODIES - 1)) * (_LINKS + 1)
+        row += mask >> _LINK_SHIFT
+        return np.take(self._node_of, row), np.take(self._part_of, row)
 
     def _name_nobody(self) -> None:
         self._node_of = np.zeros((_BODIES, _LINKS + 1), dtype=np.uint16)

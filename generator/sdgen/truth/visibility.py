@@ -53,19 +53,23 @@ def measure_masks(
         key |= part
     flat = key.reshape(-1)
     # A mask is a few thousand runs of equal pixels (cut at row ends): count those, not pixels.
-    breaks = np.flatnonzero(flat[1:] != flat[:-1]) + 1
-    starts = np.union1d(breaks, np.arange(0, height * width, width))
+    begins = np.empty(flat.size, dtype=bool)
+    np.not_equal(flat[1:], flat[:-1], out=begins[1:])
+    begins[::width] = True
+    starts = np.flatnonzero(begins)
     lengths = np.diff(starts, append=height * width)
     owners, parts = flat[starts] >> 8, flat[starts] & 0xFF
     y, x = np.divmod(starts, width)
-    ids, rank = np.unique(owners, return_inverse=True)
+    ids = np.flatnonzero(np.bincount(owners))
+    rank = np.searchsorted(ids, owners)
     pixels = np.bincount(rank, weights=lengths).astype(np.int64)
-    by_part = np.zeros((len(ids), 256), dtype=np.int64)
-    np.add.at(by_part, (rank, parts), lengths)
-    low = np.full((len(ids), 2), max(height, width), dtype=np.int64)
-    high = np.zeros((len(ids), 2), dtype=np.int64)
-    np.minimum.at(low, rank, np.stack([x, y], axis=1))
-    np.maximum.at(high, rank, np.stack([x + lengths, y + 1], axis=1))
+    cells = np.bincount(rank * 256 + parts, weights=lengths, minlength=256 * len(ids))
+    by_part = cells.astype(np.int64).reshape(len(ids), 256)
+    # Runs of one id together, for the corners of its box.
+    order = np.argsort(rank, kind="stable")
+    first = np.searchsorted(rank[order], np.arange(len(ids)))
+    low = np.stack([np.minimum.reduceat(v[order], first) for v in (x, y)], axis=1)
+    high = np.stack([np.maximum.reduceat(v[order], first) for v in (x + lengths, y + 1)], axis=1)
     out: dict[int, tuple[Box, int, dict[str, int]]] = {}
     for k, node_id in enumerate(ids.tolist()):
         if node_id == 0:

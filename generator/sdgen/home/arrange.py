@@ -23,6 +23,7 @@ from sdgen.freespace import ROBOT_RADIUS_M, opening_rectangle, polygons, union
 from sdgen.geometry import quat_from_yaw, round_position, round_quat
 from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side, sides_of
+from sdgen.home.clearances import Sight, front_of, sight_of
 from sdgen.home.context import Models
 from sdgen.home.furnish import has_room, stand_in, top_of
 from sdgen.home.layout import IN_WALL_M, Intent, Layout, corners_of
@@ -43,16 +44,10 @@ DOOR_CLEAR_M = 0.85
 ROW_GAP_M = 0.012
 #: Bounds the search, with other models or the other way round each time.
 ROWS_TRIED = 6
-#: The floor kept clear before a piece is narrower than the piece by this on both sides, so that
-#: neighbours in a row do not touch it; a twentieth of it may lie beyond the room's outline (a
-#: corner cut off), and shapes that share less than 10 cm² only touch.
-FRONT_INSET_M = 0.02
+#: A twentieth of the floor before a piece may lie beyond the room's outline (a corner cut off), and
+#: shapes that share less than 10 cm² only touch.
 FRONT_OUTSIDE = 0.05
 TOUCH_M2 = 1e-3
-#: Heights an opening must stay clear in start this much above its sill, and the floor before it
-#: reaches this far to both sides of the middle of its wall: pieces against the wall stand in it.
-SILL_SLACK_M = 0.02
-WINDOW_SIGHT_M, DOOR_SIGHT_M = 0.32, 0.52
 #: What a person in a room must be able to get to: this far from every doorway's middle.
 NEAR_DOOR_M = 0.2
 
@@ -65,8 +60,8 @@ class _RoomTry:
     nothing behind.
 
     ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
-    No furniture stands before ``sights``, the (low, high) of each opening and the floor at it, nor
-    on ``doors``; leaves swing over ``swings``, where no rug lies either.
+    No furniture stands before ``sights`` nor on ``doors``; leaves swing over ``swings``, where no
+    rug lies either.
     """
 
     room: Room
@@ -77,7 +72,7 @@ class _RoomTry:
     outline: Polygon
     sides: tuple[Side, ...]
     openings: tuple[Opening, ...]
-    sights: tuple[tuple[float, float, Polygon], ...]
+    sights: tuple[Sight, ...]
     doors: BaseGeometry
     swings: BaseGeometry
     inside: Polygon
@@ -180,7 +175,7 @@ def _empty(
         outline=outline,
         sides=sides_of(room.polygon_m),
         openings=mine,
-        sights=tuple(map(_sight, mine)),
+        sights=tuple(map(sight_of, mine)),
         doors=union(doors),
         swings=union(swings),
         inside=inside,
@@ -275,7 +270,7 @@ def _placed(
     keeps_front = on_floor and rule.where not in ("around", "before")
     if not tried.inside.contains(shape) or z + asset.extents_m[2] > tried.room.height_m:
         return None
-    if _covers_opening(shape, z, z + asset.extents_m[2], tried):
+    if any(sight.hidden_by(shape, z, z + asset.extents_m[2]) for sight in tried.sights):
         return None
     if flat and shape.intersects(tried.swings):
         return None
@@ -285,9 +280,9 @@ def _placed(
         for owner, kept in tried.keep:
             if owner == target or not kept.intersects(shape):
                 continue
-            if kept.intersection(shape).area > 1e-3:
+            if kept.intersection(shape).area > TOUCH_M2:
                 return None
-    front = _front(asset, pose, rule.front_m) if keeps_front else None
+    front = front_of(asset, pose, rule.front_m) if keeps_front else None
     if not _front_free(front, tried):
         return None
     item = stand_in(
@@ -311,17 +306,6 @@ def _placed(
     return tried.with_piece(item, intent, shape if on_floor else None, front)
 
 
-def _front(asset: AssetInfo, pose: PlacedAt, front_m: float) -> Polygon | None:
-    """The floor before a piece that stays clear."""
-    if front_m <= 0:
-        return None
-    x, y, _, yaw = pose
-    half, wide = asset.extents_m[0] / 2, asset.extents_m[1] / 2 - FRONT_INSET_M
-    local = np.array([(half, -wide), (half + front_m, -wide), (half + front_m, wide), (half, wide)])
-    turn = np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]])
-    return shapely.polygons(local @ turn.T + (x, y))
-
-
 def _front_free(front: Polygon | None, tried: _RoomTry) -> bool:
     if front is None:
         return True
@@ -330,22 +314,6 @@ def _front_free(front: Polygon | None, tried: _RoomTry) -> bool:
     return all(
         not front.intersects(shape) or front.intersection(shape).area <= TOUCH_M2
         for shape in tried.prints.values()
-    )
-
-
-def _sight(opening: Opening) -> tuple[float, float, Polygon]:
-    """Heights from which to which an opening must not be covered, and the floor before it."""
-    sill = opening.center_m[2]
-    depth = WINDOW_SIGHT_M if opening.kind == "window" else DOOR_SIGHT_M
-    before = opening_rectangle(opening, depth)
-    prepare(before)
-    return sill + SILL_SLACK_M, sill + opening.height_m, before
-
-
-def _covers_opening(shape: Polygon, low: float, high: float, tried: _RoomTry) -> bool:
-    """True when a piece against a wall stands before a window or a door in it."""
-    return any(
-        high > sill and low < top and before.intersects(shape) for sill, top, before in tried.sights
     )
 
 

@@ -25,7 +25,7 @@ from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side, sides_of
 from sdgen.home.clearances import Sight, front_of, sight_of
 from sdgen.home.context import Models
-from sdgen.home.furnish import has_room, stand_in, top_of
+from sdgen.home.furnish import put_piece, stand_in, top_of
 from sdgen.home.layout import IN_WALL_M, Intent, Layout, corners_of
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
@@ -93,13 +93,12 @@ class _RoomTry:
     def with_piece(
         self,
         item: ObjectInstance,
-        intent: Intent | None,
+        layout: Layout,
         shape: Polygon | None,
         front: Polygon | None,
     ) -> _RoomTry:
-        """The room with one piece more, which takes ``shape`` of the floor and keeps ``front``."""
-        layout = self.layout.copy()
-        layout.put(item, intent)
+        """The room with one piece more, put into ``layout``; it takes ``shape`` of the floor and
+        keeps ``front`` clear."""
         alike = (*self.placed.get(item.category, ()), item.id)
         return replace(
             self,
@@ -301,9 +300,10 @@ def _placed(
         tried.rng,
     )
     intent = Intent("ON", target) if rule.where == "on" and target is not None else None
-    if not has_room(item, asset, tried.layout, intent):
+    layout = tried.layout.copy()
+    if not put_piece(item, asset, layout, intent):
         return None
-    return tried.with_piece(item, intent, shape if on_floor else None, front)
+    return tried.with_piece(item, layout, shape if on_floor else None, front)
 
 
 def _front_free(front: Polygon | None, tried: _RoomTry) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -10,6 +11,7 @@ from shapely.geometry import Polygon
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec, RoomSpec
 from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_quat
+from sdgen.home.blocks import Block
 from sdgen.home.context import Models
 from sdgen.home.layout import Intent, Layout, within_room
 from sdgen.home.shell import frame_size
@@ -171,13 +173,16 @@ def put_piece(
     item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Intent | None
 ) -> bool:
     """Add a piece if there is room for it; False, and no change, otherwise."""
-    if not has_room(item, asset, layout, intent):
+    blocks = layout.blocks_of(item)
+    if not _has_room(blocks, asset, layout, intent):
         return False
-    layout.put(item, intent)
+    layout.put(item, intent, blocks)
     return True
 
 
-def has_room(item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Intent | None) -> bool:
+def _has_room(
+    blocks: Sequence[Block], asset: AssetInfo, layout: Layout, intent: Intent | None
+) -> bool:
     """True unless a piece clashes with another; flat things (rugs) lie under others, but not
     under the open leaf of a door."""
     flat = asset.extents_m[2] <= FLAT_M
@@ -190,7 +195,7 @@ def has_room(item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Int
             or layout.info(other_id).extents_m[2] <= FLAT_M
         )
 
-    return all(map(passes, layout.entered(layout.blocks_of(item))))
+    return all(map(passes, layout.entered(blocks)))
 
 
 def _nearest(layout: Layout, ids: list[int], x: float, y: float) -> int | None:

@@ -76,9 +76,15 @@ class Layout:
         """Asset record of a placed object."""
         return self.library.info(self.items[object_id].asset)
 
-    def put(self, item: ObjectInstance, intent: Intent | None = None) -> None:
-        """Add an object, or replace the one of the same id."""
-        blocks = self.blocks_of(item)
+    def put(
+        self,
+        item: ObjectInstance,
+        intent: Intent | None = None,
+        blocks: list[Block] | None = None,
+    ) -> None:
+        """Add an object, or replace the one of the same id; ``blocks`` are its space, if known."""
+        if blocks is None:
+            blocks = self.blocks_of(item)
         if self._table is not None:
             new = item.id not in self.items
             self._table = self._table.more(blocks) if new else None

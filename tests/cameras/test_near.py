@@ -159,3 +159,23 @@ def test_more_rounds_find_what_one_round_missed(library: Library, scene: Scene) 
         if first is not None:
             assert view is not None
             assert np.array_equal(first.world_from_camera, view.world_from_camera)
+
+
+def test_poses_together_count_as_each_alone(library: Library, scene: Scene) -> None:
+    """One that looks away, and one with some of the points behind it, among them."""
+    eyes = [(0.5, -0.5, 1.2), (0.0, -1.5, 1.1), (0.5, -0.5, 1.2), (0.9, 0.8, 1.0), (1.5, 0, 1.3)]
+    aims = [(0.9, 0.9, 0.7), (0.9, 0.9, 0.7), (0.5, -1.5, 1.2), (0.9, 1.4, 0.7), (0.5, 1.2, 0.9)]
+    poses = [look_at(eye, aim) for eye, aim in zip(eyes, aims, strict=True)]
+    item = scene.object(10)
+    points, numbers = part_points(library, item, ()), part_numbers(library, item, ())
+    with RayWorld(library, scene) as world:
+        together = estimate_pixels(world.cast, poses, points, 10, numbers)
+        alone = [estimate_pixels(world.cast, [p], points, 10, numbers)[0] for p in poses]
+        nothing = estimate_pixels(world.cast, [poses[2]], points, 10, numbers)
+        ahead = points[(points - eyes[3]) @ poses[3][:3, 2] > 0.05]
+        (of_those,) = estimate_pixels(world.cast, [poses[3]], ahead, 10, numbers)
+    assert together.tolist() == alone
+    assert [count > 0 for count in alone] == [True, True, False, True, True]
+    assert nothing.tolist() == [0.0]
+    assert 0 < len(ahead) < len(points)
+    assert of_those == alone[3]

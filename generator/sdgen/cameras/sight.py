@@ -73,28 +73,37 @@ def in_picture(world_from_camera: Array, points_m: Array) -> npt.NDArray[np.bool
 
 def target_rays(
     world_from_camera: Array, points_m: Array, grid: int = GRID
-) -> tuple[Array, Array, float]:
-    """Rays over the picture's rectangle around ``points_m``, and pixels each ray stands for.
+) -> tuple[Array, Array, Array]:
+    """Rays over each picture's rectangle around ``points_m``, grid² a camera, for (N, 4, 4) poses.
 
-    No rays when the points are not in the picture.
+    Origins and targets, (M, 3), and the pixels that each ray of a camera stands for, (N,); cameras
+    whose picture the points are not in have no rays, and 0.
     """
-    seen = apply(inverse(world_from_camera), points_m)
-    seen = seen[seen[:, 2] > _NEAREST_M]
-    nothing = np.empty((0, 3))
-    if len(seen) == 0:
-        return nothing, nothing, 0.0
+    eyes, turns = world_from_camera[:, :3, 3], world_from_camera[:, :3, :3]
+    seen = points_m @ turns - eyes[:, None] @ turns
+    depth = seen[..., 2]
+    ahead = depth > _NEAREST_M
     k = np.asarray(intrinsics(WIDTH, HEIGHT))
-    u = k[0, 0] * seen[:, 0] / seen[:, 2] + k[0, 2]
-    v = k[1, 1] * seen[:, 1] / seen[:, 2] + k[1, 2]
-    left, right = max(float(u.min()), -0.5), min(float(u.max()), WIDTH - 0.5)
-    top, bottom = max(float(v.min()), -0.5), min(float(v.max()), HEIGHT - 0.5)
-    if right <= left or bottom <= top:
-        return nothing, nothing, 0.0
+    sides = []
+    for axis, size in ((0, WIDTH), (1, HEIGHT)):
+        along = k[axis, axis] * seen[..., axis] / np.where(ahead, depth, 1.0) + k[axis, 2]
+        low = np.where(ahead, along, np.inf).min(axis=1)
+        high = np.where(ahead, along, -np.inf).max(axis=1)
+        sides.append((np.maximum(low, -0.5), np.minimum(high, size - 0.5)))
+    (left, right), (top, bottom) = sides
+    shown = (right > left) & (bottom > top)
+    pixels = np.where(shown, (right - left) * (bottom - top), 0.0) / grid**2
+    left, right, top, bottom = (side[shown, None, None] for side in (left, right, top, bottom))
+    reach = np.where(ahead, depth, 0.0).max(axis=1)[shown, None, None] + _BEYOND_M
     steps = (np.arange(grid) + 0.5) / grid
-    grid_u, grid_v = np.meshgrid(left + steps * (right - left), top + steps * (bottom - top))
-    pixels = np.stack([grid_u.ravel(), grid_v.ravel()], axis=1)
-    origins, targets = pixel_rays(world_from_camera, pixels, float(seen[:, 2].max()) + _BEYOND_M)
-    return origins, targets, (right - left) * (bottom - top) / grid**2
+    local = np.empty((len(reach), grid, grid, 3))
+    local[..., 0] = (left + steps * (right - left) - k[0, 2]) / k[0, 0] * reach
+    local[..., 1] = (top + steps[:, None] * (bottom - top) - k[1, 2]) / k[1, 1] * reach
+    local[..., 2] = reach
+    ends = (
+        local.reshape(len(reach), grid**2, 3) @ turns[shown].transpose(0, 2, 1) + eyes[shown, None]
+    )
+    return np.repeat(eyes[shown], grid**2, axis=0), ends.reshape(-1, 3), pixels
 
 
 def estimate_pixels(
@@ -109,14 +118,14 @@ def estimate_pixels(
 
     ``points_m`` are the parts' vertices. All rays go in one cast.
     """
-    rays = [target_rays(pose, points_m, grid) for pose in poses]
-    if not any(len(r[0]) for r in rays):
-        return np.zeros(len(poses))
-    hits = cast(np.concatenate([r[0] for r in rays]), np.concatenate([r[1] for r in rays]))
+    origins, targets, pixels = target_rays(np.asarray(poses), points_m, grid)
+    if len(origins) == 0:
+        return pixels
+    hits = cast(origins, targets)
     wanted = (hits.object_id == object_id) & np.isin(hits.part, parts)
-    ends = np.cumsum([len(r[0]) for r in rays])
-    counts = [int(part.sum()) for part in np.split(wanted, ends[:-1])]
-    return np.array([n * r[2] for n, r in zip(counts, rays, strict=True)])
+    counts = np.zeros(len(pixels))
+    counts[pixels > 0] = wanted.reshape(-1, grid**2).sum(axis=1)
+    return counts * pixels
 
 
 def overview_rays(world_from_camera: Array, across: int = _ACROSS) -> tuple[Array, Array]:

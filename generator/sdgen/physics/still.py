@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import itemgetter
 from pathlib import Path
 from typing import NamedTuple
 
@@ -137,10 +138,11 @@ class Still:
             found = pb.rayTestBatch(
                 origins_m[chunk], targets_m[chunk], numThreads=1, physicsClientId=self._id
             )
-            hits = np.array([hit[:3] for hit in found])
-            body, link = hits[:, 0].astype(np.int64), hits[:, 1].astype(np.int64)
+            body, link = (
+                np.fromiter(map(itemgetter(k), found), np.int64, len(found)) for k in (0, 1)
+            )
             piece[chunk] = np.where(body >= 0, self._first[body] + link, -1)
-            fraction[chunk] = hits[:, 2]
+            fraction[chunk] = np.fromiter(map(itemgetter(2), found), np.float64, len(found))
         return RayHits(piece, fraction)
 
     def _unseen_shape(self) -> int:

@@ -70,7 +70,6 @@ def report(**changes: Any) -> BuildReport:
         "--hazards 5-2",
         "--hazards -1-2",
         "--hazards many",
-        "--hazards 0-500",
         "--views -1",
         "--sensors rgb,lidar",
         "--sensors none,rgb",

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.errors import UsageError
-from sdgen.hazards.draw import block_size, draw
+from sdgen.hazards.draw import block_size, check_range, draw
 
 SIX = ["spill", "stove_on", "fridge_open", "sharp_object", "tripping_hazard", "food_out"]
 
@@ -47,3 +47,12 @@ def test_iid_covers_all_counts():
 def test_a_range_that_cannot_be_drawn_is_a_usage_error(low, high):
     with pytest.raises(UsageError):
         draw(0, 0, SIX, low, high, "balanced")
+
+
+def test_more_than_the_enabled_classes_is_refused_with_what_can_be_had():
+    check_range(0, 6, 6)
+    for low, high in ((0, 7), (0, 500)):
+        with pytest.raises(
+            UsageError, match=r"a scene shows each class once and 6 are enabled.*0-6"
+        ):
+            check_range(low, high, 6)

@@ -23,7 +23,10 @@ class AlonePixels:
     def __call__(self, camera: Camera, instance: npt.NDArray[np.uint16]) -> dict[int, int]:
         """Pixels alone of the objects seen in ``instance`` (H, W), by id: those they are seen in,
         and those they would cover besides."""
-        pixels = np.bincount(instance.ravel())
+        # Runs of equal pixels are a hundredth as many as pixels.
+        flat = instance.ravel()
+        starts = np.flatnonzero(np.append(True, flat[1:] != flat[:-1]))
+        pixels = np.bincount(flat[starts], weights=np.diff(starts, append=flat.size))
         return {
             node_id: int(pixels[node_id]) + self._hidden(camera, instance, node_id)
             for node_id in np.flatnonzero(pixels).tolist()

@@ -84,7 +84,7 @@ def coverage(
     cells = down * (across + 1)
     change = np.bincount(base + start, minlength=cells)
     change -= np.bincount(base + stop, minlength=cells)
-    mask = (change.cumsum() > 0).reshape(down, across + 1)[:, :across]
+    mask = (np.cumsum(change, out=change) > 0).reshape(down, across + 1)[:, :across]
     rows_cut = slice(first_row, first_row + down)
     return np.asarray(mask), rows_cut, slice(first_column, first_column + across)
 

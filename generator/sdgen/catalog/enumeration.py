@@ -9,18 +9,9 @@ from collections.abc import Collection, Mapping
 from sdgen.catalog.records import Catalog, PlaceRecipe, Recipe, UniqueAnomaly
 from sdgen.errors import InputError, did_you_mean
 
-#: The catalogue asked for last and its digest: it takes 8 ms, and every scene states it.
-_digested: list[tuple[Catalog, str]] = []
-
 
 def catalog_sha256(catalog: Catalog) -> str:
     """SHA-256 of the resolved catalogue's canonical JSON (sorted keys, no white space)."""
-    if not any(known is catalog for known, _ in _digested):
-        _digested[:] = [(catalog, _sha256(catalog))]
-    return _digested[0][1]
-
-
-def _sha256(catalog: Catalog) -> str:
     data = catalog.model_dump(mode="json")
     text = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
     return hashlib.sha256(text.encode("ascii")).hexdigest()

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -32,11 +35,11 @@ def test_files_of_pieces_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     sizes = [1.0 + 0.1 * k for k in range(8)]
     with Client() as client:
         first = [top_of(client, box(size)) for size in sizes]
-        folder = Path(client._folder.name)
-        assert len(list(folder.iterdir())) == 3
+        folder = client._folder
+        assert len(list(folder.glob("*.obj"))) == 3
         client.reset()
         assert [top_of(client, box(size)) for size in sizes] == first
-        assert len(list(folder.iterdir())) == 3
+        assert len(list(folder.glob("*.obj"))) == 3
     assert not folder.exists()
     assert first == pytest.approx([size / 2 for size in sizes], abs=0.01)
 
@@ -45,7 +48,7 @@ def test_what_bullet_parsed_is_let_go_with_a_world(monkeypatch: pytest.MonkeyPat
     """Seen from outside: a file that changed is read again once it was let go, and only then."""
     with Client() as client:
         client.convex(box(1.0))
-        (path,) = Path(client._folder.name).iterdir()
+        (path,) = client._folder.glob("*.obj")
         path.write_text(box(2.0))
         for parsed, height in ((1, 0.5), (0, 1.0)):
             monkeypatch.setattr(client_module, "PARSED", parsed)
@@ -71,3 +74,14 @@ def test_what_sleeps_on_something_fixed_costs_no_collision_until_it_wakes() -> N
         client.step(24)
         assert client.contacts()
         assert client.pose(cube).position_m[2] == pytest.approx(0.55, abs=0.002)
+
+
+def test_what_a_killed_simulator_left_the_next_one_takes_away(tmp_path: Path) -> None:
+    begin = "import os, signal; from sdgen.physics.client import Client; client = Client();"
+    killed, closed = begin + "os.kill(os.getpid(), signal.SIGKILL)", begin + "client.close()"
+    environment = {**os.environ, "TMPDIR": str(tmp_path)}
+    for _ in range(2):
+        subprocess.run([sys.executable, "-c", killed], env=environment, check=False)
+        assert len(list(tmp_path.iterdir())) == 1
+    subprocess.run([sys.executable, "-c", closed], env=environment, check=True)
+    assert list(tmp_path.iterdir()) == []

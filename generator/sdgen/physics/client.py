@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-import tempfile
 from collections import OrderedDict
 from collections.abc import Sequence
+from contextlib import ExitStack
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,6 +15,7 @@ from sdgen.closing import Closing
 from sdgen.geometry import Array, Quat, Vec3, vec3
 from sdgen.physics.bullet import forget_files, pb
 from sdgen.physics.still import Still
+from sdgen.scratch import scratch_folder
 
 #: On earth; steps as Bullet is tuned for (its default).
 GRAVITY_M_S2 = 9.81
@@ -52,7 +53,8 @@ class Client(Closing):
     def __init__(self) -> None:
         self._id: int = pb.connect(pb.DIRECT)
         self.still = Still()
-        self._folder = tempfile.TemporaryDirectory(prefix="sdgen-shapes-")
+        self._held = ExitStack()
+        self._folder = self._held.enter_context(scratch_folder())
         self._written: OrderedDict[str, None] = OrderedDict()
         self._parsed: set[str] = set()
         self.reset()
@@ -63,7 +65,7 @@ class Client(Closing):
         if self._id >= 0:
             pb.disconnect(physicsClientId=self._id)
             self._id = -1
-            self._folder.cleanup()
+            self._held.close()
 
     def reset(self) -> None:
         """Empty the world. Parameters are set anew, since Bullet forgets them."""
@@ -196,7 +198,7 @@ class Client(Closing):
 
     def _file(self, name: str, raw: bytes) -> Path:
         """The file of this name and content, among those used last."""
-        path = Path(self._folder.name) / f"{name}.obj"
+        path = self._folder / f"{name}.obj"
         if name not in self._written:
             path.write_bytes(raw)
         self._written[name] = None

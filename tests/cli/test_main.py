@@ -30,12 +30,12 @@ def raising(error: BaseException) -> click.Command:
         (UsageError("no such cellar"), 2, "error: no such cellar\n"),
         (BuildIncomplete("2 of 9"), 3, "error: 2 of 9\n"),
         (InputError(["a.yaml:1: x", "a.yaml:2: y"]), 1, "error: a.yaml:1: x\nerror: a.yaml:2: y\n"),
-        (KeyboardInterrupt(), 130, "interrupted: resume with the same command\n"),
+        (KeyboardInterrupt(), 130, "interrupted\n"),
         (
             OSError(errno.ENOSPC, "No space left on device", "/x/y"),
             1,
             "error: /x/y: No space left on device; "
-            "free some space, then resume with the same command\n",
+            "free some space, then run the same command again\n",
         ),
     ],
 )

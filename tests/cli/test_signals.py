@@ -19,7 +19,7 @@ def slow(args=None, **rest):
         print("ready", flush=True)
         time.sleep(30)
     finally:
-        if sys.argv[1] == "stubborn":
+        if "stubborn" in sys.argv:
             print("cleaning", flush=True)
             time.sleep(30)
 
@@ -28,10 +28,10 @@ module.main()
 """
 
 
-def start(manner: str) -> subprocess.Popen[str]:
-    """A command that waits for its end, and for long after it where it is ``stubborn``."""
+def start(*words: str) -> subprocess.Popen[str]:
+    """A command that waits for its end, and for long after it told to be ``stubborn``."""
     return subprocess.Popen(
-        [sys.executable, "-c", SLOW_COMMAND, manner],
+        [sys.executable, "-c", SLOW_COMMAND, *words],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
@@ -40,18 +40,24 @@ def start(manner: str) -> subprocess.Popen[str]:
 
 
 @pytest.mark.parametrize(
+    ("command_line", "advice"),
+    [(("build", "--n", "2"), ": resume with the same command"), (("validate", "build"), "")],
+)
+@pytest.mark.parametrize(
     ("name", "word"), [("SIGTERM", "terminated"), ("SIGINT", "interrupted"), ("SIGHUP", "hung up")]
 )
-def test_a_signal_is_one_line_and_an_exit_code(name: str, word: str) -> None:
+def test_a_signal_is_one_line_and_an_exit_code(
+    name: str, word: str, command_line: tuple[str, ...], advice: str
+) -> None:
     number = getattr(signal, name)
     if signal.getsignal(number) is signal.SIG_IGN:
         pytest.skip(f"{name} is ignored here, and stays so in what is started from here")
-    command = start("quick")
+    command = start(*command_line)
     assert command.stdout is not None
     assert command.stdout.readline() == "ready\n"
     command.send_signal(number)
     _, said = command.communicate(timeout=10)
-    assert said == f"{word}: resume with the same command\n"
+    assert said == f"{word}{advice}\n"
     assert command.returncode == 128 + number
 
 

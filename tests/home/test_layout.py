@@ -89,9 +89,7 @@ def test_floor_spots_keep_to_their_area(layout):
     ball = LIBRARY.by_category("toy_ball")[0]
     rng = lane(0, 3, "layout")
     for _ in range(20):
-        spot = layout.spot_on_floor(
-            ball, area, outline, rng, keep_share=0.7, avoid=avoid, avoid_share=0.2
-        )
+        spot = layout.spot_on_floor(ball, area, outline, rng, keep_share=0.7, avoid=avoid)
         if spot is not None:
             print_ = footprint(ball, spot[0][0], spot[0][1], spot[1])
             assert outline.covers(print_)

@@ -7,6 +7,7 @@ import io
 import os
 import re
 import select
+import signal
 import sys
 import traceback
 from collections.abc import Sequence
@@ -97,10 +98,10 @@ def run(args: Sequence[str] | None = None) -> int:
         _say(f"error: {message}{_help_hint(error)}")
         return error.exit_code
     except Stopped as stopped:
-        _say(signals.in_words(stopped))
+        _say(signals.in_words(stopped.number, _resumable(args)))
         return stopped.exit_code
     except (click.Abort, KeyboardInterrupt):
-        _say("interrupted: resume with the same command")
+        _say(signals.in_words(signal.SIGINT, _resumable(args)))
         return EXIT_INTERRUPTED
     except (BrokenPipeError, SystemExit):  # click and rich turn the one into the other
         if not _reader_gone():
@@ -113,6 +114,12 @@ def run(args: Sequence[str] | None = None) -> int:
             traceback.print_exc()
         _say(describe(error))
         return error.exit_code if isinstance(error, SdgenError) else 1
+
+
+def _resumable(args: Sequence[str] | None) -> bool:
+    """True for a command that goes on where it was stopped: a build."""
+    words = sys.argv[1:] if args is None else args
+    return next((word for word in words if not word.startswith("-")), "") == "build"
 
 
 def describe(error: Exception) -> str:
@@ -158,7 +165,7 @@ def _help_hint(error: click.ClickException) -> str:
 
 def _os_advice(error: OSError) -> str:
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
-        return "; free some space, then resume with the same command"
+        return "; free some space, then run the same command again"
     if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
         return "; choose a place you may write to and read from"
     return ""

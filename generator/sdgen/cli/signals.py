@@ -10,6 +10,7 @@ from sdgen.errors import Stopped
 
 #: A signal and what happened, in a word.
 WORDS = {"SIGINT": "interrupted", "SIGTERM": "terminated", "SIGHUP": "hung up"}
+#: For commands that go on where they were stopped.
 ADVICE = "resume with the same command"
 
 
@@ -26,10 +27,11 @@ def listen() -> None:
             signal.signal(number, _stop)
 
 
-def in_words(stopped: Stopped) -> str:
-    """``terminated: resume with the same command``."""
+def in_words(number: int, resumable: bool) -> str:
+    """``terminated``, or ``terminated: resume with the same command``."""
     words = {getattr(signal, name, None): word for name, word in WORDS.items()}
-    return f"{words.get(stopped.number, 'stopped')}: {ADVICE}"
+    word = words.get(number, "stopped")
+    return f"{word}: {ADVICE}" if resumable else word
 
 
 def _stop(number: int, frame: FrameType | None) -> None:

@@ -10,7 +10,7 @@ from shapely.geometry import Polygon
 from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
-from sdgen.home.context import KEEP_CLEAR, HomeContext
+from sdgen.home.context import HomeContext
 from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, within_room
 from sdgen.library.records import Asset
 from sdgen.scene import ObjectInstance
@@ -162,10 +162,8 @@ def _place_on_floor(
             area = context.zone_shape(recipe.zone, room.id).intersection(inner)
             spot = layout.spot_on_floor(asset, area, outline, rng, keep_share=ZONE_KEEP_SHARE)
         else:
-            barred = recipe.avoid_zones or KEEP_CLEAR
-            avoid = context.zone_shape(barred)
-            share = 0.2 if recipe.avoid_zones else 1.0
-            spot = layout.spot_on_floor(asset, inner, outline, rng, avoid=avoid, avoid_share=share)
+            avoid = context.zone_shape(recipe.avoid_zones) if recipe.avoid_zones else None
+            spot = layout.spot_on_floor(asset, inner, outline, rng, avoid=avoid)
         if spot is not None:
             return _put(
                 candidate,

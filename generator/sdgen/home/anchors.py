@@ -115,7 +115,7 @@ def in_corners(sides: Sequence[Side], size: Vec2, rng: Rng) -> list[PlacedAt]:
         turn = before.along[0] * side.along[1] - before.along[1] * side.along[0]
         if turn <= 0:
             continue
-        gap = BACK_GAP_M + 0.02
+        gap = BACK_GAP_M + SIDE_GAP_M
         out.append((*side.at(width / 2 + gap, depth / 2 + gap), 0.0, side.yaw))
     return out
 

@@ -50,6 +50,12 @@ FRONT_OUTSIDE = 0.05
 TOUCH_M2 = 1e-3
 #: What a person in a room must be able to get to: this far from every doorway's middle.
 NEAR_DOOR_M = 0.2
+#: Floor that a robot's middle has in a room: a small bathroom has little more than a spot to turn.
+SMALL_ROOM_M2, LEAST_FREE_SMALL_M2, LEAST_FREE_M2 = 8.0, 0.3, 1.0
+#: A piece in the middle of a room leaves so much to others: one squeezes past sideways.
+AROUND_M = 0.3
+#: What hangs above a piece may be wider by so much: a hood over a stove of the same nominal width.
+ABOVE_WIDER_M = 0.03
 
 
 @dataclass(frozen=True)
@@ -208,7 +214,7 @@ def _with_one(rule: FurnitureRule, target: int | None, tried: _RoomTry) -> _Room
     for k in tried.rng.permutation(len(candidates)).tolist()[:MODELS_TRIED]:
         asset = candidates[k]
         if rule.where == "above" and target is not None:
-            wide = tried.layout.info(target).extents_m[1] + 0.03
+            wide = tried.layout.info(target).extents_m[1] + ABOVE_WIDER_M
             if asset.extents_m[1] > wide:
                 continue
         for pose in _poses(rule, asset, target, tried):
@@ -247,7 +253,7 @@ def _poses(
 
 def _taken(tried: _RoomTry) -> BaseGeometry:
     shapes: list[BaseGeometry] = [tried.doors]
-    shapes += [shape.buffer(0.3) for shape in tried.prints.values()]
+    shapes += [shape.buffer(AROUND_M) for shape in tried.prints.values()]
     return unary_union(shapes)
 
 
@@ -374,8 +380,7 @@ def _passable(tried: _RoomTry) -> bool:
         for opening in tried.openings
         if opening.kind != "window"
     ]
-    # Floor for a robot's middle, m2: a small bathroom has little more than a spot to turn on.
-    least = 0.3 if tried.outline.area < 8.0 else 1.0
+    least = LEAST_FREE_M2 if tried.outline.area >= SMALL_ROOM_M2 else LEAST_FREE_SMALL_M2
     return any(
         part.area >= least and all(part.distance(end) <= NEAR_DOOR_M for end in ends)
         for part in parts

@@ -129,7 +129,6 @@ def _place_on_floor(
         outline,
         rng,
         avoid=context.zone_shape(KEEP_CLEAR),
-        avoid_share=0.15,
     )
     if spot is not None:
         item = layout.new_item(asset, spot, room.id)

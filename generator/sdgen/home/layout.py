@@ -46,6 +46,11 @@ FLOOR_GAP_M = 0.03
 #: Spots drawn for a thing on one target; of 2,100 spots found two fifths were the first, one in a
 #: hundred the twelfth.
 TRIES = 12
+#: Of a footprint on the floor, what may reach into a zone to be avoided: a thing at the edge of a
+#: walkway is in nobody's way, and zones taken whole would leave small rooms bare.
+AVOID_SHARE = 0.2
+#: Left above a thing on a shelf: a hand gets it in and out.
+HEADROOM_LEFT_M = 0.015
 #: What may reach into a wall: less than physics calls a penetration.
 IN_WALL_M = 0.003
 #: A hole in a wall reaches this far to both sides of its middle, past half a wall.
@@ -139,7 +144,7 @@ class Layout:
         for _ in range(TRIES):
             surface = surfaces[bisect_right(shares, rng.random() * shares[-1])]
             headroom = surface.support.headroom_m
-            if headroom is not None and asset.extents_m[2] > headroom - 0.015:
+            if headroom is not None and asset.extents_m[2] > headroom - HEADROOM_LEFT_M:
                 continue
             spot = self._try_surface(asset, target, surface, rng)
             if spot is not None:
@@ -188,11 +193,10 @@ class Layout:
         rng: Rng,
         keep_share: float = 0.0,
         avoid: BaseGeometry | None = None,
-        avoid_share: float = 0.25,
     ) -> Vec3Yaw | None:
         """A free spot on the floor with its centre in ``area``, all within the outline.
 
-        At least ``keep_share`` of the footprint lies in ``area``, at most ``avoid_share`` in
+        At least ``keep_share`` of the footprint lies in ``area``, at most ``AVOID_SHARE`` in
         ``avoid``.
         """
         shapely.prepare(area)
@@ -212,7 +216,7 @@ class Layout:
             if (
                 avoid is not None
                 and avoid.intersects(print_)
-                and print_.intersection(avoid).area > avoid_share * print_.area
+                and print_.intersection(avoid).area > AVOID_SHARE * print_.area
             ):
                 continue
             spot = (*point, 0.0), yaw

@@ -105,8 +105,8 @@ def read(source: Source, path: Path_, value: Any, model: type[M], names: Any = N
     try:
         return _record(model, value_there, names)
     except ValidationError as error:
-        for below, told in explain(error, model, value):
-            source.problem((*path, *below), told)
+        for below, text in explain(error, model, value):
+            source.problem((*path, *below), text)
         source.more += max(0, error.error_count() - SHOWN)
     return None
 

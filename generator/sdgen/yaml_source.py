@@ -65,11 +65,11 @@ class Source:
     def problems(self) -> list[str]:
         """What is wrong, by line, each ``file:line: key path: problem``; at most ``SHOWN``."""
         ordered = sorted(self.noted, key=lambda item: item[0])
-        told = [
+        lines = [
             f"{self.file}:{line}: {text}" if line else f"{self.file}: {text}"
             for line, text in ordered
         ]
-        return [*told, f"{self.file}: and {self.more} more problems"] if self.more else told
+        return [*lines, f"{self.file}: and {self.more} more problems"] if self.more else lines
 
     def line(self, path: Path_) -> int:
         """Line of the path, or of the nearest thing above it that has one."""

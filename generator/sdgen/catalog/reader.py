@@ -103,8 +103,8 @@ class Reader:
         try:
             return kind.validate_python(value, strict=True)
         except ValidationError as error:
-            for path, told in explain(error, BaseModel, value):
-                self.problem(told, key, *path)
+            for path, text in explain(error, BaseModel, value):
+                self.problem(text, key, *path)
         return harmless
 
     def _missing(self, key: str, want: str) -> None:

@@ -23,7 +23,7 @@ def stats(dataset: Path, as_json: bool) -> None:
     info, counts = data.info, count(data.entries)
     hazards = {name: counts.anomalies_by_hazard.get(name, 0) for name in info.hazards_enabled}
     if as_json:
-        told = {
+        record = {
             "format_version": info.format_version,
             "seed": info.seed,
             "n": info.n,
@@ -32,7 +32,7 @@ def stats(dataset: Path, as_json: bool) -> None:
             "failed": sorted(info.failed),
             "renderers": list(info.renderers),
         }
-        click.echo(json.dumps(told, indent=1))
+        click.echo(json.dumps(record, indent=1))
         return
     from rich.table import Table
 

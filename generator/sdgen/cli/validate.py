@@ -121,10 +121,10 @@ def _print(dataset: Path, problems: Sequence[Problem], made: int, note: str) -> 
         scenes = len(Dataset(dataset, partial=True).entries)
     except InputError:
         scenes = None
-    told = {
+    record = {
         "scenes": scenes,
         "made_again": made,
         "note": note,
         "problems": [{"check": problem.check, "text": problem.text} for problem in problems],
     }
-    click.echo(json.dumps(told, indent=1, ensure_ascii=False))
+    click.echo(json.dumps(record, indent=1, ensure_ascii=False))

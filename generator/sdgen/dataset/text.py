@@ -175,11 +175,11 @@ def to_record(model: type[T], data: bytes, where: str) -> T:
         return model.model_validate_json(data, strict=True)
     except ValidationError as error:
         problems = explain(error, model, value)
-        told = [
+        lines = [
             f"{where}: {show_path(path)}: {text}" if path else f"{where}: {text}"
             for path, text in problems
         ]
-        raise InputError(told) from None
+        raise InputError(lines) from None
 
 
 def read_record(model: type[T], path: Path, where: str) -> T:

@@ -147,9 +147,9 @@ def with_history(
     """The bundle with the tries it took; a twin does not tell why they failed."""
     twin = bundle.twin
     history = {"home_attempts": home_attempts, "placement_attempts": placement_attempts}
-    told = {**history, "rejections": cause_counts(rejections)}
+    whole_history = {**history, "rejections": cause_counts(rejections)}
     return replace(
         bundle,
-        physics=bundle.physics.model_copy(update=told),
+        physics=bundle.physics.model_copy(update=whole_history),
         twin=twin and replace(twin, physics=twin.physics.model_copy(update=history)),
     )

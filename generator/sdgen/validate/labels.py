@@ -32,8 +32,8 @@ def check_scene(
     def problem(text: str) -> Problem:
         return Problem("scene", f"{where}: {text}")
 
-    told = (scene.id, scene.index, scene.twin_of, scene.home.id, len(scene.objects))
-    if told != (entry.id, entry.index, entry.twin_of, entry.home, entry.objects):
+    stated = (scene.id, scene.index, scene.twin_of, scene.home.id, len(scene.objects))
+    if stated != (entry.id, entry.index, entry.twin_of, entry.home, entry.objects):
         yield problem("id, index, home or number of objects are not the manifest's")
     if scene.format_version != FORMAT_VERSION:
         yield problem(f"format_version: {scene.format_version!r}, expected {FORMAT_VERSION!r}")
@@ -254,9 +254,9 @@ def _lookalikes(
 
 def _entry(item: SceneItem) -> Iterator[Problem]:
     entry, records = item.entry, item.anomalies
-    told = (entry.anomalies, dict(entry.hazards), entry.lookalikes)
+    stated = (entry.anomalies, dict(entry.hazards), entry.lookalikes)
     counted = Counter(anomaly.hazard for anomaly in records.anomalies)
-    if told != (len(records.anomalies), dict(counted), len(records.lookalikes)):
+    if stated != (len(records.anomalies), dict(counted), len(records.lookalikes)):
         where = f"manifest.jsonl: scene {entry.id}"
         yield Problem("count", f"{where}: anomalies, hazards or lookalikes are not its files'")
 

@@ -42,8 +42,8 @@ def check_physics(
         return [Problem("physics", text)]
     problems: list[Problem] = []
     total = len(data.entries)
-    told = (data.path, library.folders, library.sha256)
-    for done, found in enumerate(scene_by_scene(_Checker, told, data.entries, workers), start=1):
+    setup = (data.path, library.folders, library.sha256)
+    for done, found in enumerate(scene_by_scene(_Checker, setup, data.entries, workers), start=1):
         problems += found
         if on_scene is not None:
             on_scene(done, total)

@@ -1,10 +1,12 @@
 """Scratch folders: gone at the end, whatever the end was; nobody else's are touched."""
 
+import errno
 import os
 import tempfile
 from pathlib import Path
 
 import pytest
+from sdgen import locks
 from sdgen.locks import FileLock
 from sdgen.scratch import PREFIX, clear_dead, scratch_folder
 
@@ -74,6 +76,34 @@ def test_a_folder_taken_for_dead_while_it_was_born_is_replaced(
     monkeypatch.setattr("sdgen.scratch.tempfile.mkdtemp", stolen_once)
     with scratch_folder() as folder:
         assert str(folder) == born[1]
+
+
+@pytest.mark.parametrize("why", [errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP])
+def test_on_a_disk_without_locks_folders_come_and_only_their_owners_end_them(
+    place: Path, monkeypatch: pytest.MonkeyPatch, why: int
+) -> None:
+    asked = []
+
+    def refused(handle: int, how: int) -> None:
+        asked.append(handle)
+        assert len(asked) < 10, "folder after folder is made"
+        raise OSError(why, os.strerror(why))
+
+    monkeypatch.setattr(locks.fcntl, "flock", refused)
+    with scratch_folder() as first, scratch_folder() as second:
+        clear_dead()
+        assert first.is_dir()
+        assert second.is_dir()
+    assert list(place.iterdir()) == []
+
+
+def test_without_locks_no_living_folder_is_taken_for_dead(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(locks, "fcntl", None)
+    with scratch_folder() as first, scratch_folder():
+        assert first.is_dir()
+    assert list(place.iterdir()) == []
 
 
 def test_a_lock_is_held_by_one_until_it_is_let_go(tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ The operating system keeps it (flock), so nothing is left to clean up after a ki
 
 from __future__ import annotations
 
+import errno
 import os
 from pathlib import Path
 
@@ -14,12 +15,20 @@ try:
 except ImportError:  # pragma: no cover - Windows: data sets can be read there, locks are POSIX's
     fcntl = None  # type: ignore[assignment]
 
+#: What flock says on disks that keep no locks: Lustre and NFS as some clusters mount them.
+_NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP)
+
 
 class FileLock:
-    """A lock that is held; made by :meth:`take`."""
+    """A lock that is held; made by :meth:`take`.
 
-    def __init__(self, handle: int) -> None:
+    ``kept`` is False where the system or the disk keeps no locks: then anybody may take it, and
+    having it proves nothing.
+    """
+
+    def __init__(self, handle: int, kept: bool = True) -> None:
         self._handle = handle
+        self.kept = kept
 
     @classmethod
     def take(cls, path: Path) -> FileLock | None:
@@ -30,10 +39,12 @@ class FileLock:
         while True:
             handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
             if fcntl is None:
-                return cls(handle)
+                return cls(handle, kept=False)
             try:
                 fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
+            except OSError as error:
+                if error.errno in _NO_LOCKS:
+                    return cls(handle, kept=False)
                 os.close(handle)
                 return None
             # Whoever held it before may have removed the file meanwhile: then this lock is void.

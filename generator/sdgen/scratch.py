@@ -2,7 +2,8 @@
 
 Its owner holds a lock in it for as long as it lives, so a folder whose lock is free belongs to
 nobody any more, however its owner ended; the next build takes such folders away. (A process
-number would not do: it is used again, and means another process in another container.)
+number would not do: it is used again, and means another process in another container.) Where no
+locks are kept, nobody's folder is taken away but by its owner.
 """
 
 from __future__ import annotations
@@ -58,5 +59,6 @@ def clear_dead(within: Path | None = None) -> None:
         except OSError:
             continue
         if lock is not None:
-            shutil.rmtree(folder, ignore_errors=True)
+            if lock.kept:
+                shutil.rmtree(folder, ignore_errors=True)
             lock.release()

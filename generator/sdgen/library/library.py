@@ -19,8 +19,8 @@ from sdgen.library.records import Asset, AssetInfo, Surface
 from sdgen.library.unpack import cached_texture, check_texture, unpack
 from sdgen.resources import data_path
 
-#: Models held at a time: 1000, more than are shipped. A scene has 60 to 90, and one that is mapped
-#: anew costs 0.2 ms. But each holds a file open: no more than half of those a process may have.
+#: Models held at a time, of 1,800 shipped. A scene has 60 to 90, and one that is mapped anew costs
+#: 0.2 ms. But each holds a file open: no library takes more than half of those a process may have.
 _HELD = min(1000, open_files() // 2)
 
 

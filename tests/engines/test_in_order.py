@@ -77,5 +77,5 @@ def test_whoever_stops_listening_stops_the_workers(place: Path) -> None:
     assert next(running).job == 0
     assert [path.name.startswith(PREFIX) for path in place.iterdir()] == [True]
     begin = time.monotonic()
-    running.close()  # type: ignore[attr-defined]
+    running.close()
     assert time.monotonic() - begin < 5

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import closing
 from typing import Any
 
@@ -11,12 +11,15 @@ from sdgen.engines.protocol import Factory, Outcome
 from sdgen.engines.supervise import Supervised
 
 
-def in_order(factory: Factory, args: tuple[Any, ...], jobs: int, workers: int) -> Iterator[Outcome]:
+def in_order(
+    factory: Factory, args: tuple[Any, ...], jobs: int, workers: int
+) -> Generator[Outcome, None, None]:
     """How each of the jobs 0 .. ``jobs`` - 1 ended, in this order.
 
     With one worker (or job) one ``factory(*args)`` does them here, and every error is raised.
     Processes tell of errors that concern one job (see :class:`Outcome`) and raise the others;
-    they end with the iterator, whatever ends it.
+    they end with the iterator, whatever ends it: close it, since an error of who listens keeps it
+    alive for as long as anybody keeps the error.
     """
     if min(workers, jobs) <= 1:
         with closing(factory(*args)) as work:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import closing
 from pathlib import Path
 
 from sdgen.catalog.records import Catalog, Category
@@ -42,18 +43,19 @@ def check_assets(
     problems: list[str] = []
     done = 0
     work = (tuple(folders), categories, chunks)
-    for outcome in in_order(_Checker, work, len(chunks), workers):
-        chunk = chunks[outcome.job]
-        if isinstance(outcome.error, SceneRejected):
-            why = causes_in_words(outcome.error.causes)
-            problems.append(f"{chunk[0]} to {chunk[-1]}: workers end at one of these ({why})")
-        elif outcome.error is not None:
-            raise outcome.error
-        else:
-            problems += outcome.result
-        done += len(chunk)
-        if on_model is not None:
-            on_model(done, len(wanted))
+    with closing(in_order(_Checker, work, len(chunks), workers)) as outcomes:
+        for outcome in outcomes:
+            chunk = chunks[outcome.job]
+            if isinstance(outcome.error, SceneRejected):
+                why = causes_in_words(outcome.error.causes)
+                problems.append(f"{chunk[0]} to {chunk[-1]}: workers end at one of these ({why})")
+            elif outcome.error is not None:
+                raise outcome.error
+            else:
+                problems += outcome.result
+            done += len(chunk)
+            if on_model is not None:
+                on_model(done, len(wanted))
     return problems
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
 
 from sdgen.closing import Closing
@@ -43,10 +44,11 @@ def check_physics(
     problems: list[Problem] = []
     total = len(data.entries)
     setup = (data.path, library.folders, library.sha256)
-    for done, found in enumerate(scene_by_scene(_Checker, setup, data.entries, workers), start=1):
-        problems += found
-        if on_scene is not None:
-            on_scene(done, total)
+    with closing(scene_by_scene(_Checker, setup, data.entries, workers)) as scenes:
+        for done, found in enumerate(scenes, start=1):
+            problems += found
+            if on_scene is not None:
+                on_scene(done, total)
     return problems
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from pathlib import Path
 
 from sdgen.catalog.records import Catalog
@@ -38,11 +39,12 @@ def validate(
     except InputError as error:
         return [Problem("file", text) for text in error.problems]
     total = len(data.entries)
-    found = scene_by_scene(_Checker, (str(data.path), catalog), data.entries, workers)
-    for done, more in enumerate(found, start=1):
-        problems += more
-        if on_scene is not None:
-            on_scene(done, total)
+    args = (str(data.path), catalog)
+    with closing(scene_by_scene(_Checker, args, data.entries, workers)) as found:
+        for done, more in enumerate(found, start=1):
+            problems += more
+            if on_scene is not None:
+                on_scene(done, total)
     return problems
 
 

@@ -7,7 +7,7 @@ claimed. Predicates, graph edges and tags all ask :class:`Facts`, so they cannot
 
 from sdgen.facts.body import Body, bodies_of, drawn
 from sdgen.facts.front import Edge, Facts
-from sdgen.facts.held import in_the_air
+from sdgen.facts.held import in_the_air, unheld
 from sdgen.facts.measured import Measured
 from sdgen.facts.rooms import Rooms, room_at
 
@@ -21,4 +21,5 @@ __all__ = [
     "drawn",
     "in_the_air",
     "room_at",
+    "unheld",
 ]

@@ -20,13 +20,16 @@ class Containers:
         self._frames = rows([h.box_from_world for h in self._hollows], 4, 4)
         self._halves = rows([h.half for h in self._hollows], 3)
 
+    def part_around(self, body: Body, owner: int) -> str | None:
+        """The part of ``owner`` in whose hollow the object is deepest; None when in none."""
+        there = [(depth, k) for k, depth in self._near(body) if self._hollows[k].owner == owner]
+        return self._hollows[max(there)[1]].part if there else None
+
     def inside(self, body: Body) -> Iterable[Related]:
         """Hollows the object is INSIDE, or nearly: by owner, deepest first."""
-        local = np.abs(self._frames[:, :3, :3] @ body.center + self._frames[:, :3, 3])
-        depths = (self._halves - local).min(axis=1, initial=math.inf)
-        near = [int(k) for k in np.flatnonzero(depths > INSIDE_M.below)]
-        for index in sorted(near, key=lambda k: (self._hollows[k].owner, -depths[k])):
-            hollow, depth = self._hollows[index], float(depths[index])
+        near = sorted(self._near(body), key=lambda one: (self._hollows[one[0]].owner, -one[1]))
+        for index, depth in near:
+            hollow = self._hollows[index]
             if hollow.owner != body.item.id:
                 yield Related(
                     hollow.owner,
@@ -36,3 +39,9 @@ class Containers:
                     hollow.states,
                     hollow.undecided,
                 )
+
+    def _near(self, body: Body) -> list[tuple[int, float]]:
+        """The hollows that the object's centre is in, or nearly, and how deep."""
+        local = np.abs(self._frames[:, :3, :3] @ body.center + self._frames[:, :3, 3])
+        depths = (self._halves - local).min(axis=1, initial=math.inf)
+        return [(int(k), float(depths[k])) for k in np.flatnonzero(depths > INSIDE_M.below)]

@@ -1,4 +1,4 @@
-"""What holds a fixed thing: what it stands on, or the wall or ceiling it hangs on."""
+"""What holds a thing: what it is on or in; a fixed one also the wall or ceiling it hangs on."""
 
 from __future__ import annotations
 
@@ -11,6 +11,15 @@ from sdgen.facts.measured import Measured
 from sdgen.facts.thresholds import HUNG_M
 from sdgen.scene import Violation
 from sdgen.vocabulary import OPENINGS
+
+
+def unheld(measured: Measured) -> Iterator[int]:
+    """Things that are not fixed and are surely ON or INSIDE nothing."""
+    for key, body in measured.bodies.items():
+        if not body.item.fixed and not any(
+            held.holds and held.sure for held in (*measured.on(key), *measured.inside(key))
+        ):
+            yield key
 
 
 def in_the_air(measured: Measured) -> Iterator[Violation]:

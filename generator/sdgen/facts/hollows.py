@@ -18,7 +18,8 @@ from sdgen.scene import ObjectInstance
 
 
 class Hollow(NamedTuple):
-    """A box in the world that things can be in, and the states of the leaf that shuts it."""
+    """A box in the world that things can be in, the part that has it, and the states of the leaf
+    that shuts it."""
 
     owner: int
     category: str
@@ -26,6 +27,7 @@ class Hollow(NamedTuple):
     half: Array
     states: tuple[str, ...]
     undecided: tuple[str, ...]
+    part: str
 
 
 def hollows_of(item: ObjectInstance, info: AssetInfo, world_from_object: Array) -> Iterator[Hollow]:
@@ -37,7 +39,7 @@ def hollows_of(item: ObjectInstance, info: AssetInfo, world_from_object: Array) 
             moved[:3, 3] = apply(moved, [container.center_m])[0]
             half = np.asarray(container.size_m) / 2
             leaf = _leaf_states(item, info, container.closed_by)
-            yield Hollow(item.id, item.category, inverse(moved), half, *leaf)
+            yield Hollow(item.id, item.category, inverse(moved), half, *leaf, container.part)
 
 
 def _leaf_states(

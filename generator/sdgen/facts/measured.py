@@ -90,6 +90,12 @@ class Measured:
             self._on[object_id] = tuple(self.supports.on(self.bodies[object_id], inside))
         return self._on[object_id]
 
+    def part_holding(self, object_id: int, owner: int) -> str | None:
+        """The part of ``owner`` that the object stands on or, if on none, is in the hollow of."""
+        body = self.bodies[object_id]
+        under = self.supports.part_under(body, owner)
+        return under or self.containers.part_around(body, owner)
+
     def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
         """Zones the object's footprint touches, where its height range meets the zone's."""
         body = self.bodies[object_id]

@@ -79,6 +79,13 @@ class Supports:
                 evidence = {"gap_m": one.gap_m, "overlap": min(one.share, 1.0)}
                 yield Related(one.surface.owner, one.surface.category, *holds, evidence)
 
+    def part_under(self, body: Body, owner: int) -> str | None:
+        """The part of ``owner`` whose surface carries the object, whatever it is INSIDE too."""
+        for one in self._carriers(body):
+            if one.surface.owner == owner:
+                return one.surface.part
+        return None
+
     def near_edge(self, body: Body, target: int) -> bool:
         """The centre is near the edge of a surface of ``target`` that the object is on."""
         point = Point(body.center[:2])

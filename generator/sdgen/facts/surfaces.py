@@ -16,13 +16,15 @@ from sdgen.scene import ObjectInstance
 
 
 class Surface(NamedTuple):
-    """An upward surface in the world: whose, how high, its outline from above and its box."""
+    """An upward surface in the world: whose, how high, its outline from above and its box, and
+    the part it is of (None for a floor)."""
 
     owner: int
     category: str
     z_m: float
     outline: BaseGeometry
     bounds: tuple[float, float, float, float]
+    part: str | None = None
 
 
 def surfaces_of(
@@ -43,4 +45,5 @@ def surfaces_of(
                 float(points[:, 2].mean()),
                 shapely.polygons(points[:, :2]),
                 (float(low[0]), float(low[1]), float(high[0]), float(high[1])),
+                support.part,
             )

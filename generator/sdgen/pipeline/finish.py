@@ -8,16 +8,18 @@ from dataclasses import replace
 from sdgen.cameras import Sight, choose_views, unseen
 from sdgen.catalog.load import catalog_sha256
 from sdgen.catalog.records import Catalog
-from sdgen.facts import Facts
+from sdgen.facts import Facts, unheld
 from sdgen.hazards.certify import Survey, facts_of, survey
 from sdgen.hazards.labels import anomaly_records, lookalike_records
 from sdgen.hazards.twin import physics_of_twin, undone
 from sdgen.library import Library
 from sdgen.library.records import AssetInfo
 from sdgen.options import BuildOptions
+from sdgen.physics.checks import penetrations, unsupported
 from sdgen.physics.client import Client
 from sdgen.physics.rays import RayWorld
 from sdgen.physics.settle import Settled
+from sdgen.physics.world import standing
 from sdgen.pipeline.attempt import Proved
 from sdgen.pipeline.spec import SceneSpec
 from sdgen.rejection import Causes, Rejection, reject
@@ -25,6 +27,7 @@ from sdgen.scene import (
     Anomalies,
     Certificate,
     PhysicsReport,
+    Scene,
     SceneBundle,
     cause_counts,
 )
@@ -66,6 +69,9 @@ def finish(
     undone_soundly = check_undone(bundle, catalog, library.infos, facts)
     if isinstance(undone_soundly, Rejection):
         return undone_soundly
+    broken = check_standing(scene, undone_soundly[0], library, client)
+    if broken is not None:
+        return broken
     if not options.twins:
         return bundle
     return replace(bundle, twin=twin_of(bundle, catalog, library.infos, *undone_soundly))
@@ -106,8 +112,9 @@ def check_undone(
     known: Facts | None = None,
 ) -> tuple[Facts, Survey] | Rejection:
     """Facts and survey of the scene with its anomalies undone; rejected when some hazard still
-    holds, or may. ``known`` are the facts of the bundle's own scene."""
-    scene = undone(bundle.scene, bundle.anomalies.anomalies, catalog, infos)
+    holds, or may, or when something has lost what it stood on. ``known`` are the facts of the
+    bundle's own scene."""
+    scene = undone(bundle.scene, bundle.anomalies.anomalies, catalog, infos, known)
     facts = facts_of(scene, infos, catalog, known)
     surveyed = survey(facts, catalog)
     for left in surveyed.positives:
@@ -116,7 +123,42 @@ def check_undone(
         return reject(
             "twin", check, category=category, other=left.hazard, objects=(left.object_id,)
         )
+    for key in unheld(facts):
+        category = facts.category(key)
+        return reject("twin", "lost_its_support", category=category, objects=(key,))
     return facts, surveyed
+
+
+def check_standing(
+    scene: Scene, benign: Facts, library: Library, client: Client
+) -> Rejection | None:
+    """Why the twin of a scene cannot stand where undoing moved things; None when it can.
+
+    What is not as it was (a part was shut, and things travelled with it) must cut into nothing,
+    and what is loose of it must have something under it. ``benign`` are the twin's facts.
+    """
+    before = {item.id: item for item in scene.objects}
+    after = [body.item for body in benign.bodies.values()]
+    moved = {
+        item.id
+        for item in after
+        if (item.pose, item.joints) != (before[item.id].pose, before[item.id].joints)
+    }
+    if not moved:
+        return None
+    with standing(library, benign.scene, client) as world:
+        for violation in (*penetrations(world, moved), *unsupported(world, moved)):
+            there = [k for k in violation.objects if k in moved]
+            culprit = min(there, key=lambda k: benign.bodies[k].item.fixed)
+            return reject(
+                "twin",
+                violation.check,
+                category=benign.category(culprit),
+                objects=violation.objects,
+                measured=violation.measured,
+                limit=violation.limit,
+            )
+    return None
 
 
 def twin_of(
@@ -128,8 +170,18 @@ def twin_of(
 ) -> SceneBundle:
     """The benign twin, whose facts and survey :func:`check_undone` has found."""
     records = bundle.anomalies
+    hazards = {hazard.id: hazard for hazard in catalog.hazards}
     benign = {
         "anomalies": (),
+        # What is near them may be gone or have moved: measured again, as validate does.
+        "lookalikes": tuple(
+            one.model_copy(
+                update={
+                    "evidence": hazards[one.near_miss_of].predicate.measure(one.object_id, facts)
+                }
+            )
+            for one in records.lookalikes
+        ),
         "certificate": certificate(catalog, records.certificate.assets_sha256, surveyed),
     }
     return replace(

@@ -35,8 +35,8 @@ def made_scenes(
     found: dict[object, int] = {}
     near = Sight.near
 
-    def noted(sight: Sight, object_id: int, parts: tuple[str, ...] = ()) -> object:
-        view = near(sight, object_id, parts)
+    def noted(sight: Sight, object_id: int, parts: tuple[str, ...] = (), rounds: int = 1) -> object:
+        view = near(sight, object_id, parts, rounds)
         if view is not None:
             found[matrix4(view.world_from_camera)] = object_id
         return view

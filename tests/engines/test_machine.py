@@ -92,8 +92,9 @@ def test_peak_memory_is_that_since_the_last_call():
     held = b"x" * 200_000_000
     before = held_mb()
     del held
-    assert peak_mb() >= before - 5  # the kernel counts in batches
-    assert peak_mb() < before - 100 + 120  # libraries' pages count in the peak
+    most = peak_mb()
+    assert most >= before - 5  # the kernel counts in batches
+    assert peak_mb() < most - 150
 
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="Linux only")

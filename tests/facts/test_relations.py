@@ -154,3 +154,34 @@ def test_room_at_reaches_half_a_wall():
     assert room_at(rooms, 3.99, 1).id == ROOM
     assert room_at(rooms, 4.02, 1).id == ROOM
     assert room_at(rooms, 9, 9) is None
+
+
+def test_a_relation_that_holds_has_its_measurement():
+    heat = Zone(
+        name="heat:a",
+        kind="heat",
+        polygon_m=((1.7, 1.7), (2.3, 1.7), (2.3, 2.3), (1.7, 2.3)),
+        z_min_m=0.9,
+        z_max_m=1.5,
+        room_id=ROOM,
+        source_id=1,
+    )
+    f = facts(thing(1, "stove", 2, 2), thing(2, "apple", 2.54, 2, 0.9), zones=[heat])
+    (near,) = f.related(2, "NEAR_HEAT")
+    assert near.evidence == {"gap_m": pytest.approx(0.2)}
+    (close,) = (r for r in f.related(2, "CLOSE") if r.target_id == 1)
+    assert close.evidence == {"gap_m": pytest.approx(0.2)}
+    f = facts(thing(1, "sofa", 1, 2), thing(2, "tv", 3, 3), thing(3, "table", 1, 1))
+    (seen,) = f.related(1, "FACING")
+    assert seen.evidence == {"facing_deg": pytest.approx(26.565, abs=1e-3)}
+    f = facts(thing(1, "table", 2, 2), thing(2, "apple", 2, 2))
+    (under,) = f.related(2, "UNDER")
+    assert under.evidence == {"overlap": pytest.approx(1.0), "below_m": pytest.approx(0.67)}
+
+
+def test_what_is_fixed_is_not_inside_the_loose_vessel_that_stands_on_it():
+    vessel = thing(1, "fridge", 2, 2, room=ROOM).model_copy(update={"fixed": False})
+    middle = thing(2, "table", 2, 2, 0.5)
+    assert facts(vessel, middle).related(2, "INSIDE") == ()
+    loose = middle.model_copy(update={"fixed": False})
+    assert facts(vessel, loose).holds(2, "INSIDE") == (1,)

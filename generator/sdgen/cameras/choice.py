@@ -84,7 +84,7 @@ class Sight:
         self._cast = cast
         self._seed = seed
         self._eye_height_m = eye_height_m
-        self._found: dict[tuple[int, tuple[str, ...]], View | None] = {}
+        self._found: dict[tuple[int, tuple[str, ...], int], View | None] = {}
 
     @property
     def scene(self) -> Scene:
@@ -102,8 +102,9 @@ class Sight:
         return self.near(anomaly.object_id, anomaly.evidence_parts, ANOMALY_ROUNDS)
 
     def near(self, object_id: int, parts: tuple[str, ...] = (), rounds: int = 1) -> View | None:
-        """The best near view of an object's parts, or None when none shows enough."""
-        key = (object_id, parts)
+        """The best near view of an object's parts, or None when ``rounds`` of candidates show too
+        little."""
+        key = (object_id, parts, rounds)
         if key not in self._found:
             self._found[key] = best_near_pose(
                 self._library,

@@ -30,7 +30,8 @@ class Containers:
         near = sorted(self._near(body), key=lambda one: (self._hollows[one[0]].owner, -one[1]))
         for index, depth in near:
             hollow = self._hollows[index]
-            if hollow.owner != body.item.id:
+            # A shelf's middle may lie in the jar that stands on it.
+            if hollow.owner != body.item.id and (hollow.fixed or not body.item.fixed):
                 yield Related(
                     hollow.owner,
                     hollow.category,

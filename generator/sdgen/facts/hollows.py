@@ -23,6 +23,7 @@ class Hollow(NamedTuple):
 
     owner: int
     category: str
+    fixed: bool
     box_from_world: Array
     half: Array
     states: tuple[str, ...]
@@ -39,7 +40,9 @@ def hollows_of(item: ObjectInstance, info: AssetInfo, world_from_object: Array) 
             moved[:3, 3] = apply(moved, [container.center_m])[0]
             half = np.asarray(container.size_m) / 2
             leaf = _leaf_states(item, info, container.closed_by)
-            yield Hollow(item.id, item.category, inverse(moved), half, *leaf, container.part)
+            inner = inverse(moved)
+            part = container.part
+            yield Hollow(item.id, item.category, item.fixed, inner, half, *leaf, part)
 
 
 def _leaf_states(

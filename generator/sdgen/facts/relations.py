@@ -32,8 +32,8 @@ def _blocks(facts: Measured, object_id: int) -> Iterable[Related]:
 
 def _near(relation: str) -> Callable[[Measured, int], Iterable[Related]]:
     def find(facts: Measured, object_id: int) -> Iterable[Related]:
-        for target, holds in facts.zone_index.near(facts.bodies[object_id], relation).items():
-            yield Related(target, facts.category(target), *holds)
+        for target, near in facts.zone_index.near(facts.bodies[object_id], relation).items():
+            yield Related(target, facts.category(target), *near.holds, {"gap_m": near.gap_m})
 
     return find
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -42,7 +42,8 @@ def close(facts: Measured, object_id: int) -> Iterable[Related]:
         if gap > CLOSE_M.below:
             holds = all_of((holds, CLOSE_M.less(gap)))
         if holds != NO:
-            yield Related(other, facts.bodies[other].item.category, *holds)
+            category = facts.bodies[other].item.category
+            yield Related(other, category, *holds, {"gap_m": max(gap, 0.0)})
 
 
 def bearing(body: Body, other: Body) -> tuple[float, bool]:
@@ -71,7 +72,9 @@ def facing(facts: Measured, object_id: int) -> Iterable[Related]:
         for found in bearings(facts, object_id, facts.having("LOOKABLE")):
             ahead = FACING_RAD.less(found.angle_rad)
             ahead = Kleene(ahead.value, ahead.sure and found.clear)
-            yield from _related(facts, found.target_id, all_of((found.together, ahead)))
+            holds = all_of((found.together, ahead))
+            angle = {"facing_deg": math.degrees(found.angle_rad)}
+            yield from _related(facts, found.target_id, holds, angle)
 
 
 def under(facts: Measured, object_id: int) -> Iterable[Related]:
@@ -89,11 +92,14 @@ def under(facts: Measured, object_id: int) -> Iterable[Related]:
         if other is body:
             continue
         off = on.get(ids[index], NO).negated()
-        share = UNDER_SHARE.more(body.covered_by(other.footprint))
-        holds = all_of((*free, off, UNDER_M.at_least(float(room[index])), share))
-        yield from _related(facts, ids[index], holds)
+        share, below = body.covered_by(other.footprint), float(room[index])
+        holds = all_of((*free, off, UNDER_M.at_least(below), UNDER_SHARE.more(share)))
+        measured = {"overlap": min(share, 1.0), "below_m": below}
+        yield from _related(facts, ids[index], holds, measured)
 
 
-def _related(facts: Measured, target: int, holds: Kleene) -> Iterable[Related]:
+def _related(
+    facts: Measured, target: int, holds: Kleene, evidence: Mapping[str, float]
+) -> Iterable[Related]:
     if holds != NO:
-        yield Related(target, facts.category(target), *holds)
+        yield Related(target, facts.category(target), *holds, evidence)

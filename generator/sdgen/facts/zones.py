@@ -7,6 +7,7 @@ A zone that starts at the floor has no lower limit: nothing is below the floor.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 import shapely
@@ -26,6 +27,13 @@ from sdgen.scene import Zone
 
 _NEAR = {"NEAR_HEAT": ("heat", NEAR_HEAT_M), "NEAR_WATER": ("water", NEAR_WATER_M)}
 _BLOCKED = ("doorway", "swing")
+
+
+class Near(NamedTuple):
+    """Whether a thing is near a source, and the gap from its footprint to the nearest zone."""
+
+    holds: Kleene
+    gap_m: float
 
 
 class ZoneIndex:
@@ -73,17 +81,19 @@ class ZoneIndex:
                 found.setdefault(source, []).append(all_of((tall, inside, share.level)))
         return _said(found)
 
-    def near(self, body: Body, relation: str) -> dict[int, Kleene]:
-        """Sources of heat or water that a loose thing is near."""
+    def near(self, body: Body, relation: str) -> dict[int, Near]:
+        """Sources of heat or water that a loose thing is near, by id."""
         if body.item.fixed:
             return {}
         kind, limit = _NEAR[relation]
         found: dict[int, list[Kleene]] = {}
+        gaps: dict[int, float] = {}
         for zone, outline, level in self._near(body, limit.above):
             if zone.kind == kind and zone.source_id not in (None, body.item.id):
-                gap = limit.less(outline.distance(body.footprint))
-                found.setdefault(zone.source_id or 0, []).append(all_of((gap, level)))
-        return _said(found)
+                source, gap = zone.source_id or 0, float(outline.distance(body.footprint))
+                found.setdefault(source, []).append(all_of((limit.less(gap), level)))
+                gaps[source] = min(gap, gaps.get(source, gap))
+        return {source: Near(holds, gaps[source]) for source, holds in _said(found).items()}
 
 
 def _said(found: dict[int, list[Kleene]]) -> dict[int, Kleene]:

@@ -33,6 +33,7 @@ from sdgen.scene import (
     Anomalies,
     Box,
     Camera,
+    Contact,
     Frame,
     Home,
     Household,
@@ -280,8 +281,16 @@ def bundle(
         ),
         household=who,
         physics=PhysicsReport(
-            settled_drift_m={str(item.id): 0.001 for item in made.objects},
-            contacts=(),
+            settled_drift_m={str(item.id): 0.001 for item in made.objects if not item.fixed},
+            contacts=tuple(
+                Contact(a=a, b=b, distance_m=0.0)
+                for a, b in sorted(
+                    tuple(sorted((item.id, held.target_id)))
+                    for item in made.objects
+                    if not item.fixed
+                    for held in (*facts.on(item.id), *facts.inside(item.id))
+                )
+            ),
             steps=60,
             home_attempts=1,
             placement_attempts=1,

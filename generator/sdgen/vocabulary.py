@@ -45,3 +45,7 @@ CHILD_REACH_M = 1.3
 #: What hangs higher than this, metres, is walked under or past: wall cabinets and shelves hang at
 #: 1.3 m or more in our homes, over furniture or against the wall.
 OVERHEAD_M = 1.3
+
+#: What moved further than this while the scene came to rest is not where it was put (Habitat 2.0,
+#: SceneSmith).
+DRIFT_LIMIT_M = 0.1

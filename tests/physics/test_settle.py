@@ -5,7 +5,8 @@ from sdgen.geometry import quat_from_axis_angle, rotation_matrix
 from sdgen.library import Library
 from sdgen.physics.bodies import collision_of
 from sdgen.physics.client import GRAVITY_M_S2, STEP_S, Client
-from sdgen.physics.settle import DRIFT_LIMIT_M, settle_scene
+from sdgen.physics.settle import settle_scene
+from sdgen.vocabulary import DRIFT_LIMIT_M
 
 from tests.fakes import box_room, thing
 

@@ -81,13 +81,14 @@ def _put(path: str, value: Any) -> Edit:
     """An edit that sets ``a.b.0.c`` (``-`` deletes)."""
 
     def edit(data: Any) -> None:
-        *steps, last = [int(s) if s.lstrip("-").isdigit() else s for s in path.split(".")]
+        *steps, last = path.split(".")
         for step in steps:
-            data = data[step]
+            data = data[int(step) if isinstance(data, list) else step]
+        key = int(last) if isinstance(data, list) else last
         if value == "-":
-            del data[last]
+            del data[key]
         else:
-            data[last] = value
+            data[key] = value
 
     return edit
 
@@ -112,6 +113,23 @@ def _node(node_id: int, path: str, value: Any) -> Edit:
 EDITS: list[tuple[str, Edit, str, str]] = [
     # physics.json names nothing that is not there
     ("physics.json", _put("settled_drift_m", {"64999": 0.0}), "scene", "64999 is no object"),
+    ("physics.json", _put("contacts.0.a", 1), "scene", "contacts[0]: 1 is no object"),
+    # it speaks of every loose thing and of no other, within the limit
+    ("physics.json", _put("settled_drift_m.512", "-"), "scene", "nothing of object 512 (knife)"),
+    ("physics.json", _put("settled_drift_m.11", 0.0), "scene", "11 is no object of the scene that"),
+    ("physics.json", _put("settled_drift_m.512", 0.5), "scene", "_m.512: 0.5 is not in 0 to 0.1"),
+    ("physics.json", _put("settled_drift_m.512", -0.5), "scene", "_m.512: -0.5 is not in 0"),
+    ("physics.json", _put("contacts", []), "scene", "contacts: object 512 (knife) touches nothing"),
+    ("physics.json", _put("contacts.0.b", 1), "scene", "contacts: not one a pair, sorted"),
+    # the agent begins on free floor
+    (
+        "scene.json",
+        _put("agent_start.position_m", [2.5, -3.0, 0.0]),
+        "scene",
+        "agent_start.position_m: 3.25 m outside the free space",
+    ),
+    ("scene.json", _put("agent_start.position_m.2", 0.5), "scene", "0.5 m high, not on the floor"),
+    ("scene.json", _put("agent_start.room_id", 101), "scene", "room_id: 101 stored, 100 derived"),
     # scene.json on its own
     ("scene.json", _put("index", 4), "scene", "are not the manifest's"),
     ("scene.json", _put("format_version", "0.9"), "scene", "format_version"),
@@ -378,8 +396,58 @@ def test_twins_are_sound_and_held_to_their_scenes(tmp_path: Path) -> None:
     reseal(path)
     found = validate(path)
     assert [p.text for p in found] == [
-        "manifest.jsonl: scene 000003-twin: household.json is not that of 000003"
+        "manifest.jsonl: scenes/000003/household.json and scenes/000003-twin/household.json "
+        "differ; a twin has its scene's"
     ]
     lines = (path / "manifest.jsonl").read_bytes().splitlines(keepends=True)
     (path / "manifest.jsonl").write_bytes(b"".join(line for line in lines if b"3-twin" not in line))
     assert any("000003: has no twin" in p.text for p in validate(path))
+
+
+@pytest.fixture(scope="module")
+def sound_twins(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return toy.build_with_twins(tmp_path_factory.mktemp("twins") / "d", 4)
+
+
+@pytest.mark.parametrize(
+    ("name", "edit", "words"),
+    [
+        (
+            "scene.json",
+            _object(512, "pose.position_m.0", 0.302),
+            "object 512 (knife).pose.position_m[0]: 0.302 stored, 0.3 derived from 000003 with",
+        ),
+        ("scene.json", _object(512, "pose.quat_xyzw", [0, 0, 0, 1]), "512 (knife).pose.quat_xyzw"),
+        ("scene.json", _object(305, "joints.door", 0.01), "object 305 (fridge).joints.door: 0.01"),
+        ("scene.json", _object(65535, "fixed", True), "object 65535 (cushion).fixed: true stored"),
+        ("scene.json", _put("agent_start.yaw_rad", 0.6), "agent_start.yaw_rad: 0.6 stored, 0.5"),
+        ("physics.json", _put("settled_drift_m.512", 0.002), "settled_drift_m.512: 0.002 stored"),
+        ("physics.json", _put("contacts", []), "physics.json: contacts: [] stored"),
+        ("physics.json", _put("steps", 61), "physics.json: steps: 61 stored, 60 derived"),
+        ("anomalies.json", _put("lookalikes", []), "anomalies.json: lookalikes: [] stored"),
+    ],
+)
+def test_a_twin_is_its_scene_undone(
+    sound_twins: Path, tmp_path: Path, name: str, edit: Edit, words: str
+) -> None:
+    import shutil
+
+    path = Path(shutil.copytree(sound_twins, tmp_path / "d"))
+    edit_json(path / LAST.replace("000003", "000003-twin") / name, edit)
+    reseal(path)
+    found = [p.text for p in validate(path) if p.check == "scene"]
+    assert any(words in text for text in found), found
+    assert all("000003-twin" in text for text in found), found
+
+
+def test_a_twin_of_a_scene_that_is_not_sound_is_left_alone(
+    sound_twins: Path, tmp_path: Path
+) -> None:
+    import shutil
+
+    path = Path(shutil.copytree(sound_twins, tmp_path / "d"))
+    edit_json(path / LAST / "scene.json", _object(512, "asset", "sword_01"))
+    reseal(path)
+    found = [p.text for p in validate(path)]
+    assert found
+    assert not any("000003-twin" in text for text in found), found

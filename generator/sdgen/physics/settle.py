@@ -13,6 +13,7 @@ from sdgen.library import Library
 from sdgen.physics.client import BodyPose, Client
 from sdgen.physics.world import World
 from sdgen.scene import Contact, Pose, Scene
+from sdgen.vocabulary import DRIFT_LIMIT_M
 
 #: Two seconds; 16 scenes were still after 24 to 180 steps.
 MAX_STEPS = 480
@@ -23,8 +24,7 @@ _QUIET_WINDOWS = 2
 _STILL_M = 5e-5
 _STILL_RAD = 5e-4
 
-#: Moved or tilted further than this is not where it was put (Habitat 2.0, SceneSmith).
-DRIFT_LIMIT_M = 0.1
+#: Tilted further than this is not where it was put, as with the limit of drift.
 TILT_LIMIT_RAD = math.radians(45)
 
 

@@ -102,7 +102,8 @@ def _twin(twin: ManifestEntry, scene: ManifestEntry, where: str) -> Iterator[Pro
         yield Problem("count", f"{where}: a twin with {twin.anomalies} anomalies")
     for name in ("household.json", *(n for n in scene.files if n.endswith("view.json"))):
         if twin.files.get(name) != scene.files.get(name):
-            yield Problem("count", f"{where}: {name} is not that of {scene.id}")
+            both = f"scenes/{scene.id}/{name} and scenes/{twin.id}/{name}"
+            yield Problem("count", f"manifest.jsonl: {both} differ; a twin has its scene's")
 
 
 def check_files(data: Dataset, item: SceneItem) -> Iterator[Problem]:

@@ -10,7 +10,7 @@ from itertools import islice
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
 from sdgen.dataset.reader import SceneItem
-from sdgen.facts import Facts, bodies_of
+from sdgen.facts import Facts, bodies_of, unheld
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import QUATERNION_STEP, round_position
 from sdgen.hazards.certify import Survey, facts_of, survey
@@ -129,7 +129,7 @@ def check_labels(
     facts = facts_of(item.scene, infos, catalog)
     yield from _housed(item, facts)
     yield from _carried(item, facts)
-    yield from _physics(item, facts)
+    yield from _swings(item, facts)
     yield from _graph(item, infos, catalog, facts)
     result = survey(facts, catalog)
     yield from _anomalies(item, catalog, facts, result)
@@ -162,24 +162,13 @@ def _housed(item: SceneItem, facts: Facts) -> Iterator[Problem]:
 
 def _carried(item: SceneItem, facts: Facts) -> Iterator[Problem]:
     """Whatever is not fixed rests on or in something, twins' things too."""
-    for thing in item.scene.objects:
-        if not thing.fixed and not any(
-            found.holds and found.sure
-            for relation in ("ON", "INSIDE")
-            for found in facts.related(thing.id, relation)
-        ):
-            text = f"object {thing.id} ({thing.category}): rests on nothing"
-            yield Problem("scene", f"{item.where('scene.json')}: {text}")
+    for key in unheld(facts):
+        text = f"object {key} ({facts.category(key)}): rests on nothing"
+        yield Problem("scene", f"{item.where('scene.json')}: {text}")
 
 
-def _physics(item: SceneItem, facts: Facts) -> Iterator[Problem]:
-    """``physics.json`` names nothing that is not there, and every door swings free."""
-    scene, where = item.scene, item.where("physics.json")
-    known = known_ids(scene)
-    named = {int(key) for key in item.physics.settled_drift_m if key.isdigit()}
-    named |= {body for contact in item.physics.contacts for body in (contact.a, contact.b)}
-    for node_id in sorted(named - known):
-        yield Problem("scene", f"{where}: {node_id} is no object of the scene")
+def _swings(item: SceneItem, facts: Facts) -> Iterator[Problem]:
+    """Every door swings free of what is benign."""
     guilty = {anomaly.object_id for anomaly in item.anomalies.anomalies}
     benign = [body for key, body in facts.bodies.items() if key not in guilty]
     for node_id in swing_blocked(benign):

@@ -13,7 +13,9 @@ from sdgen.errors import InputError
 from sdgen.validate.files import check_files, check_whole
 from sdgen.validate.labels import check_labels, check_scene, check_zones
 from sdgen.validate.problems import Problem
+from sdgen.validate.report import check_report, check_start
 from sdgen.validate.scenes import scene_by_scene
+from sdgen.validate.twins import check_twin
 from sdgen.validate.views import check_views
 
 OnScene = Callable[[int, int], None]
@@ -80,5 +82,8 @@ def _scene(data: Dataset, item: SceneItem, catalog: Catalog) -> list[Problem]:
 
 def _deeper(data: Dataset, item: SceneItem, catalog: Catalog) -> Iterator[Iterator[Problem]]:
     yield check_zones(item, data.infos, catalog)
+    yield check_start(item)
+    yield check_report(item)
     yield check_labels(data, item, data.infos, catalog)
+    yield check_twin(data, item)
     yield check_views(data, item, data.infos)

@@ -98,6 +98,19 @@ def test_an_incomplete_data_set_is_an_error_that_names_what_is_missing(
     assert "000001" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("command", ["detect", "export", "evaluate"])
+def test_another_catalogue_is_neither_used_nor_passed_on(
+    tmp_path: Path, capsys: Captured, command: str
+) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1, sensors=()))
+    (tmp_path / "out").mkdir()
+    _edit(path / "catalogue.json", lambda data: data["hazards"][0].update(title="Another"))
+    assert _call(command, path, tmp_path / "out") == 1
+    told = capsys.readouterr().err
+    assert told == "error: catalogue.json: not the catalogue whose digest dataset.json has\n"
+    assert os.listdir(tmp_path / "out") == ["none.jsonl"]
+
+
 def test_scenes_that_could_not_be_made_are_not_missing(tmp_path: Path) -> None:
     path = tmp_path / "d"
     with toy.open_writer(path, toy.small(n=3, sensors=())) as writer:

@@ -7,9 +7,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.dataset import Dataset
 from sdgen.dataset.merge import merge
 from sdgen.dataset.scene_folder import BUILD_FOLDER
+from sdgen.dataset.text import record_bytes
 from sdgen.dataset.transfer import pack, unpack
 from sdgen.errors import InputError, UsageError
 from sdgen.rejection import Cause
@@ -104,11 +106,20 @@ def test_pieces_of_other_builds_are_refused_and_nothing_is_written(
 
 def test_other_catalogues_assets_and_models_are_refused(tmp_path: Path, pieces: list[Path]) -> None:
     info = json.loads((pieces[1] / "dataset.json").read_text())
-    changed = {**info, "catalogue_sha256": "1" * 64, "assets_sha256": "2" * 64}
-    (pieces[1] / "dataset.json").write_text(json.dumps(changed))
+    catalog = toy.catalog()
+    fewer = catalog.model_copy(update={"hazards": catalog.hazards[1:]})
+    other = {"catalogue_sha256": catalog_sha256(fewer), "assets_sha256": "2" * 64}
+    (pieces[1] / "dataset.json").write_text(json.dumps({**info, **other}))
+    (pieces[1] / "catalogue.json").write_bytes(record_bytes(fewer))
     with pytest.raises(InputError, match="of another build: another catalogue; other assets"):
         merge(pieces, tmp_path / "m")
     (pieces[1] / "dataset.json").write_text(json.dumps(info))
+    with pytest.raises(InputError) as caught:
+        merge(pieces, tmp_path / "m")
+    assert caught.value.problems == (
+        f"{pieces[1]}: catalogue.json: not the catalogue whose digest dataset.json has",
+    )
+    (pieces[1] / "catalogue.json").write_bytes(record_bytes(catalog))
     lines = (pieces[1] / "assets.jsonl").read_text().splitlines()
     first = json.loads(lines[0])
     first["mass_kg"] = 77.5

@@ -109,10 +109,12 @@ def _anomalies(data: Dataset, item: SceneItem) -> tuple[Anomaly, ...]:
 def evaluate(data: Dataset | str | Path, predictions: Predictions | str | Path) -> Evaluation:
     """Score predictions (or their file) against a data set (or its folder).
 
-    Scenes without a prediction count as silence. Raises InputError for a bad file, located.
+    Scenes without a prediction count as silence. Raises InputError for a bad file, located, and for
+    a catalogue that is not the data set's.
     """
     if isinstance(data, str | Path):
         data = Dataset(data)
+    _ = data.catalog  # refused where it is not the one of the labels
     if isinstance(predictions, str | Path):
         predictions = read_predictions(predictions, data)
     scenes = [score_scene(_anomalies(data, item), predictions.get(item.id, ())) for item in data]

@@ -7,7 +7,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.dataset.origin import differences
 from sdgen.dataset.reader import Dataset
 from sdgen.dataset.records import DatasetInfo, ManifestEntry
@@ -42,7 +41,9 @@ def merge(pieces: Sequence[Path], out: Path, on_scene: OnScene | None = None) ->
     problems: list[str] = []
     for piece in pieces:
         with _located(piece, problems):
-            data_sets.append(Dataset(piece))
+            data = Dataset(piece)
+            _ = data.catalog  # refused where it is not the one of the piece's labels
+            data_sets.append(data)
     if problems:
         raise InputError(problems)
     scenes, assets = _joined(data_sets)
@@ -95,8 +96,6 @@ def _joined(
     scenes: dict[str, tuple[Dataset, ManifestEntry]] = {}
     assets: dict[str, tuple[Dataset, AssetInfo]] = {}
     problems: list[str] = []
-    if catalog_sha256(first.catalog) != first.info.catalogue_sha256:
-        problems.append(f"{first.path}: catalogue.json is not the one it was built with")
     for data in data_sets:
         others = differences(data.info.build(), first.info.build(), f"{first.path} has")
         if data.info.vocabularies != first.info.vocabularies:

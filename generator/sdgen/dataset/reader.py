@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.images import read_gray, read_rgb
 from sdgen.dataset.opening import open_info, read_manifest, refuse_incomplete
@@ -159,7 +160,8 @@ class Dataset(Sequence[SceneItem]):
     ``split`` keeps one of ``train``, ``val``, ``test``; ``twins`` gives each scene's benign twin
     instead; ``graph_view`` says what the scenes' ``.graph`` shows. Works as a map-style data set
     of PyTorch; picklable. Raises InputError for a folder that is no data set, or one that lacks
-    scenes it was finished with (``partial`` opens what is left of it).
+    scenes it was finished with (``partial`` opens what is left of it, and takes its catalogue for
+    what it is).
     """
 
     def __init__(
@@ -174,6 +176,7 @@ class Dataset(Sequence[SceneItem]):
         self.split = split
         self.twins = twins
         self.graph_view = graph_view
+        self.partial = partial
         self.info = open_info(self.path)
         if split is not None and split not in self.info.splits:
             known = list(self.info.splits)
@@ -224,8 +227,12 @@ class Dataset(Sequence[SceneItem]):
 
     @cached_property
     def catalog(self) -> Catalog:
-        """The catalogue the build used."""
-        return read_record(Catalog, self.path / "catalogue.json", "catalogue.json")
+        """The catalogue the build used. Raises InputError for another one: labels would not follow
+        from it."""
+        catalog = read_record(Catalog, self.path / "catalogue.json", "catalogue.json")
+        if not self.partial and catalog_sha256(catalog) != self.info.catalogue_sha256:
+            raise InputError(["catalogue.json: not the catalogue whose digest dataset.json has"])
+        return catalog
 
     @cached_property
     def infos(self) -> Mapping[str, AssetInfo]:

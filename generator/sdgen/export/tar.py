@@ -31,7 +31,8 @@ def export_tar(
     """Write ``output`` (``.tar``, or ``.tar.gz`` compressed); whole or not at all.
 
     Raises SdgenError for another ending, a place inside the data set or one that holds no plain
-    file, InputError for a file of the data set that is missing, changed or no plain file.
+    file, InputError for a file of the data set that is missing, changed or no plain file, or a
+    catalogue that is not the data set's.
     """
     if not output.name.endswith(ENDINGS):
         raise SdgenError(f"{output}: name it .tar, or .tar.gz to compress it")
@@ -52,6 +53,7 @@ def _compressed(raw: IO[bytes], output: Path) -> Iterator[IO[bytes]]:
 
 
 def _write(data: Dataset, stream: IO[bytes], on_scene: Callable[[int, int], None] | None) -> None:
+    _ = data.catalog  # refused where it is not the one of the labels
     # "w|" writes front to back: nothing is kept in memory but one file.
     root = f"sdgen-n{data.info.n}-s{data.info.seed}"
     with tarfile.open(fileobj=stream, mode="w|", format=tarfile.USTAR_FORMAT) as archive:

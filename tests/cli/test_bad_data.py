@@ -187,6 +187,24 @@ def test_a_reader_that_has_left_ends_quietly(tmp_path: Path, command: list[str])
     assert (done.returncode, done.stderr) == (141, "")
 
 
+@pytest.mark.parametrize("command", ["stats SET", "catalog list", "doctor", "--help"])
+def test_a_closed_output_is_a_reader_that_has_left(tmp_path: Path, command: str) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1, sensors=()))
+    line = f"{sys.executable} -m sdgen {command.replace('SET', str(path))} >&-"
+    done = subprocess.run(line, shell=True, stderr=subprocess.PIPE, text=True)
+    assert (done.returncode, done.stderr) == (141, "")
+
+
+def test_no_file_takes_the_place_of_a_closed_stream() -> None:
+    code = (
+        "import os; from sdgen.cli import main as m\n"
+        "m.run = lambda: os.open(os.devnull, os.O_RDONLY)\n"
+        "m.main()"
+    )
+    line = f"{sys.executable} -c '{code}' <&- >&- 2>&-"
+    assert subprocess.run(line, shell=True).returncode > 2
+
+
 def test_none_is_no_sensor_among_others(tmp_path: Path, capsys: Captured) -> None:
     assert run(["build", "--sensors", "none,rgb", "--out", str(tmp_path / "d")]) == 2
     assert "none stands alone" in capsys.readouterr().err

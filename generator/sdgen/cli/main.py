@@ -158,6 +158,24 @@ def _reader_gone() -> bool:
     return any(event & (select.POLLERR | select.POLLHUP) for _, event in poll.poll(0))
 
 
+def _open_what_is_closed() -> None:
+    """Give closed standard streams (``>&-``) a place; a closed output is a reader that has left.
+
+    Otherwise the next file opened would be number 1 or 2, and a library's print end up in it.
+    """
+    filled = set()
+    while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
+        os.set_inheritable(number, True)
+        filled.add(number)
+    os.close(number)
+    if 1 in filled:
+        reader, writer = os.pipe()
+        os.dup2(writer, 1)
+        os.close(writer)
+        os.close(reader)
+        sys.stdout = sys.__stdout__ = open(1, "w", closefd=False)  # type: ignore[misc]  # noqa: SIM115
+
+
 def _help_hint(error: click.ClickException) -> str:
     ctx = error.ctx if isinstance(error, click.UsageError) else None
     return f" (see '{ctx.command_path} --help')" if ctx is not None else ""
@@ -177,6 +195,7 @@ def _say(text: str) -> None:
 
 def main() -> None:
     """Entry point of the ``sdgen`` script."""
+    _open_what_is_closed()
     for stream in (sys.stdout, sys.stderr):
         # A terminal that can't show a degree sign shows a question mark instead of failing.
         if isinstance(stream, io.TextIOWrapper):

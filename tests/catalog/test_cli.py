@@ -12,6 +12,8 @@ from sdgen.cli.catalog import catalog
 from sdgen.cli.main import run
 from sdgen.resources import data_path
 
+from tests.engines.worlds import write_hazard
+
 from .worlds import HAZARD, write
 
 
@@ -110,6 +112,39 @@ def test_validate_tries_what_it_has_read(
     output = capsys.readouterr()
     assert "good" not in output.out
     assert [told in line for line in output.err.splitlines()] == [True]
+
+
+@pytest.mark.parametrize(
+    ("predicate", "anomaly", "code", "told"),
+    [
+        (
+            "{category: door, state: OPEN, relation: BETWEEN, target: bathroom}",
+            "{set: door, state: OPEN, rooms: bathroom}",
+            1,
+            "error: hazard 'mine' is true of furniture (door) in 9 of 10 homes",
+        ),
+        (
+            "{category: tv, state: ON}",
+            "{set: tv, state: ON}",
+            0,
+            "warning: hazard 'mine' is true of furniture (tv) in ",
+        ),
+    ],
+    ids=["most homes", "some homes"],
+)
+def test_validate_says_what_is_true_of_homes_as_they_stand(
+    predicate: str,
+    anomaly: str,
+    code: int,
+    told: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    folder = write_hazard(tmp_path, predicate, anomaly)
+    assert run(["catalog", "validate", str(folder)]) == code
+    output = capsys.readouterr()
+    assert ("good: " in output.out) == (code == 0)
+    assert output.err.startswith(told)
 
 
 def test_every_subcommand_has_help_with_an_example() -> None:

@@ -58,6 +58,10 @@ def test_failures_for_other_reasons_blame_no_hazard():
     ("cause", "hint"),
     [
         (Cause("hazards", "no_place", "spill"), "zones and heights of its recipes"),
+        (
+            Cause("hazards", "already_open", "spill", "door"),
+            "no door there that is not OPEN already",
+        ),
         (Cause("views", "unseen", "spill"), "no camera sees enough"),
         (
             Cause("proof", "accidental", "spill", "puddle", "tripping_hazard"),

@@ -3,10 +3,12 @@
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.engines import build as building
-from sdgen.engines.fit import misfits
+from sdgen.engines.fit import Misfits, misfits
+from sdgen.engines.report import Note
 from sdgen.errors import InputError, SdgenError
 from sdgen.options import BuildOptions
 
+from tests.engines.worlds import with_hazard
 from tests.shipped import shipped_library
 
 pytestmark = pytest.mark.slow
@@ -27,7 +29,7 @@ def changed(catalog, hazard_id, **changes):
 
 
 def test_every_shipped_hazard_fits_somewhere(tools):
-    assert misfits(**tools, options=BuildOptions(seed=1)) == []
+    assert misfits(**tools, options=BuildOptions(seed=1)) == Misfits()
 
 
 def test_a_hazard_without_a_target_is_named_before_anything_is_written(
@@ -43,7 +45,7 @@ def test_a_hazard_without_a_target_is_named_before_anything_is_written(
 
 def test_a_hazard_whose_spot_never_fits_is_named(tools):
     catalog = changed(tools["catalog"], "sharp_object", rooms=("ballroom",))
-    (problem,) = misfits(catalog, tools["library"], BuildOptions(seed=1))
+    (problem,) = misfits(catalog, tools["library"], BuildOptions(seed=1)).problems
     assert "sharp_object" in problem
     assert "nothing fits" in problem
 
@@ -76,7 +78,53 @@ def test_overlapping_hazards_are_named_together_before_anything_is_built(tools):
     shipped = catalog.hazard("poison_medication")
     mine = shipped.model_copy(update={"id": "pills_by_bed"})
     both = catalog.model_copy(update={"hazards": (*catalog.hazards, mine)})
-    problems = misfits(both, tools["library"], BuildOptions(seed=1))
+    problems = misfits(both, tools["library"], BuildOptions(seed=1)).problems
     assert len(problems) == 2
     assert "'pills_by_bed' overlaps 'poison_medication'" in problems[0]
     assert "'poison_medication' overlaps 'pills_by_bed'" in problems[1]
+
+
+def test_what_is_true_of_most_homes_as_they_stand_is_a_problem(tools, tmp_path):
+    """Inner doors stand open: a scene of such a catalogue is proved in a tenth of the homes."""
+    catalog = with_hazard(
+        tmp_path,
+        "{category: door, state: OPEN, relation: BETWEEN, target: bathroom}",
+        "{set: door, state: OPEN, rooms: bathroom}",
+    )
+    (problem,) = misfits(catalog, tools["library"], BuildOptions()).problems
+    assert "'mine' is true of furniture (door) in 9 of 10 homes before anything" in problem
+
+
+def test_what_is_true_of_some_homes_is_a_warning_that_a_build_tells(tools, tmp_path):
+    """A third of the televisions stands switched on."""
+    catalog = with_hazard(tmp_path, "{category: tv, state: ON}", "{set: tv, state: ON}")
+    found = misfits(catalog, tools["library"], BuildOptions())
+    (warning,) = found.warnings
+    assert found.problems == ()
+    assert "'mine' is true of furniture (tv) in" in warning
+    events = []
+    building._check(BuildOptions(n=2), tmp_path / "set", catalog, tools["library"], events.append)
+    assert events == [Note(warning)]
+
+
+def test_homes_in_doubt_count_as_lost(tools, tmp_path):
+    """What stands on the floor is neither below nor above 0 m."""
+    catalog = with_hazard(
+        tmp_path,
+        "{category: fridge, state: CLOSED, height: {min_m: 0.0}}",
+        "{set: fridge, state: CLOSED}",
+    )
+    (problem,) = misfits(catalog, tools["library"], BuildOptions()).problems
+    assert "'mine' is in doubt of furniture (fridge) in 10 of 10 homes" in problem
+
+
+def test_a_state_that_all_have_already_is_said(tools, tmp_path):
+    """Nothing is true of the homes, and nothing is left to be set."""
+    catalog = with_hazard(
+        tmp_path,
+        "{category: fridge, state: CLOSED, relation: CLOSE, target: knife}",
+        "{set: fridge, state: CLOSED}",
+    )
+    (problem,) = misfits(catalog, tools["library"], BuildOptions()).problems
+    assert "'mine' fits nowhere" in problem
+    assert "no fridge there that is not CLOSED already" in problem

@@ -85,3 +85,22 @@ def test_a_hazard_without_a_place_is_named(home):
     )
     made = inject(["spill"], home.layout.copy(), context, False, lane(3, 0, "inject"))
     assert made == Rejection(Cause("hazards", "no_place", "spill"))
+
+
+@pytest.mark.parametrize(
+    ("rooms", "state", "category"),
+    [((), "already_closed", "fridge"), (("ballroom",), "no_place", None)],
+)
+def test_a_state_that_all_have_already_is_named(home, rooms, state, category):
+    """Fridges are shut from the start; where there is none, none is."""
+    hazard = CATALOG.hazard("fridge_open")
+    (recipe,) = [r for r in hazard.anomalies if r.kind == "set"][:1]
+    shut = recipe.model_copy(update={"categories": ("fridge",), "state": "CLOSED", "rooms": rooms})
+    context = type(home.context)(
+        home.context.home,
+        home.context.zones,
+        CATALOG.model_copy(update={"hazards": (hazard.model_copy(update={"anomalies": (shut,)}),)}),
+        home.context.models,
+    )
+    made = inject(["fridge_open"], home.layout.copy(), context, False, lane(3, 0, "inject"))
+    assert made == Rejection(Cause("hazards", state, "fridge_open", category))

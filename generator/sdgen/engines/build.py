@@ -43,14 +43,15 @@ def build(
     """Build scenes ``index_range`` (all by default) of a data set into ``out``, or go on with it.
 
     Raises SdgenError for a folder that cannot be used, a catalogue that does not fit the library,
-    a hazard that fits nowhere, a renderer that does not start, a full disk. A scene whose
-    attempts are spent is in ``failed``, never silently missing. ``workers`` processes (None: as
-    many as there is room for), by the engine that ``engine`` names (this machine when None).
+    a hazard that fits nowhere or that most homes hold, a renderer that does not start, a full
+    disk. A scene whose attempts are spent is in ``failed``, never silently missing. ``workers``
+    processes (None: as many as there is room for), by the engine that ``engine`` names (this
+    machine when None).
     """
     start = time.monotonic()
     engine = engine or EngineOptions()
     check_engine(engine)
-    _check(options, out, catalog, library)
+    _check(options, out, catalog, library, on_event)
     first, end = index_range if index_range is not None else (0, options.n)
     wanted = {f"{index:06d}": index for index in range(first, end)}
     choice = _renderer(options, on_event)
@@ -128,14 +129,18 @@ def _run(
             )
 
 
-def _check(options: BuildOptions, out: Path, catalog: Catalog, library: Library) -> None:
+def _check(
+    options: BuildOptions, out: Path, catalog: Catalog, library: Library, on_event: OnEvent
+) -> None:
     """Raise SdgenError, before anything is written, for what can never be built."""
     check_against_library(catalog, library.states_by_category())
     check_range(options.hazards_min, options.hazards_max, len(catalog.hazards))
     if options.hazards_max and not (out / "scenes").exists():
-        problems = misfits(catalog, library, options)
-        if problems:
-            raise InputError(problems)
+        found = misfits(catalog, library, options)
+        if found.problems:
+            raise InputError(list(found.problems))
+        for line in found.warnings:
+            on_event(Note(line))
 
 
 def _renderer(options: BuildOptions, on_event: OnEvent) -> Choice | None:

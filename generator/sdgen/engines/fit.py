@@ -3,6 +3,7 @@
 Each hazard is tried in some furnished homes without physics: seconds, and it finds the hazard
 whose target no home has, and the one whose recipe always makes what another hazard's predicate
 claims too (a scene shows each drawn hazard once and nothing else, so no such try is ever kept).
+Homes in which the furniture satisfies a hazard as it stands are counted, too (``untouched``).
 """
 
 from __future__ import annotations
@@ -12,14 +13,16 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 
 from sdgen.catalog.records import Catalog, Hazard, SetRecipe
+from sdgen.engines.early_stop import none_left
+from sdgen.engines.untouched import Untouched
 from sdgen.hazards.certify import facts_of
-from sdgen.hazards.inject import inject
+from sdgen.hazards.inject import ALREADY, inject
 from sdgen.hazards.splits import SplitModels
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.pipeline.spec import node_ids
-from sdgen.rejection import Rejection, reject
+from sdgen.rejection import Cause, Rejection, most_frequent, reject
 from sdgen.seeding import lane
 
 #: 240 tries in all: of hazards that fit once in fifty tries, one in a hundred is missed.
@@ -40,6 +43,7 @@ class _Trial:
     placed: int = 0
     claimed: Counter[str] = field(default_factory=Counter)
     alone: int = 0
+    causes: Counter[Cause] = field(default_factory=Counter)
 
     @property
     def fits(self) -> bool:
@@ -52,31 +56,43 @@ class _Trial:
         return not self.fits and self.placed < ENOUGH_PLACED
 
 
-def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> list[str]:
-    """One line a hazard that found no place in any of some homes, or none of its own."""
+@dataclass(frozen=True)
+class Misfits:
+    """What a build would meet: ``problems`` that no build should start with, one line a hazard,
+    and ``warnings`` of hazards that cost it some homes."""
+
+    problems: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+
+def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfits:
+    """Hazards that found no place in any of some homes, or none of their own, or that are true of
+    the homes as they stand."""
     trials = {hazard.id: _Trial() for hazard in catalog.hazards}
+    untouched = Untouched(catalog, library)
     seen: set[str] = set()
     homes = 0
     for index in range(HOMES_TRIED):
-        left = [name for name, trial in trials.items() if trial.open]
-        if not left:
+        left = {name for name, trial in trials.items() if trial.open}
+        if not left and not untouched.at_risk:
             break
         home = _home(index, catalog, library, options)
         if isinstance(home, Rejection):
             continue
         homes += 1
         seen.update(item.category for item in home.layout.items.values())
-        for name in left:
+        # In a home that is rejected for its sake, no placement of a hazard is ever kept.
+        for name in sorted(left - untouched.look(home)):
             _try(trials[name], name, index, home, library, options)
     # Without a single home, the homes are at fault; the build says how.
-    return (
-        []
-        if homes == 0
-        else [
-            _problem(catalog.hazard(name), trial, homes, seen, library)
-            for name, trial in sorted(trials.items())
-            if not trial.fits
-        ]
+    if homes == 0:
+        return Misfits()
+    problems = untouched.problems()
+    for name, trial in trials.items():
+        if not trial.fits and name not in problems:
+            problems[name] = _problem(catalog.hazard(name), trial, homes, seen, library)
+    return Misfits(
+        tuple(problems[name] for name in sorted(problems)), tuple(untouched.warnings().values())
     )
 
 
@@ -106,9 +122,12 @@ def _try(
         injected = inject([hazard], layout, home.context, False, rng)
         trial.tries += 1
         if isinstance(injected, Rejection):
+            trial.causes[injected.cause] += 1
             continue
         trial.placed += 1
-        facts = facts_of(home.scene(index, layout.items), library.infos, home.context.catalog)
+        facts = facts_of(
+            home.scene(index, layout.items), library.infos, home.context.catalog, home.facts
+        )
         others = [
             other.id
             for other in home.context.catalog.hazards
@@ -127,7 +146,7 @@ def _problem(
     if trial.placed == 0:
         return (
             f"hazard {hazard.id!r} fits nowhere: no place found in {trial.tries} tries in {homes} "
-            f"homes; {_missing(hazard, seen, library)}"
+            f"homes; {_missing(hazard, trial, seen, library)}"
         )
     other, count = max(trial.claimed.items(), key=lambda pair: (pair[1], pair[0]))
     return (
@@ -137,7 +156,7 @@ def _problem(
     )
 
 
-def _missing(hazard: Hazard, seen: Collection[str], library: Library) -> str:
+def _missing(hazard: Hazard, trial: _Trial, seen: Collection[str], library: Library) -> str:
     """What the homes or the library lack, or what else to look at."""
     targets: set[str] = set()
     things: set[str] = set()
@@ -151,6 +170,10 @@ def _missing(hazard: Hazard, seen: Collection[str], library: Library) -> str:
         return f"no home has {_any_of(targets)}: give rooms one of them, or choose other targets"
     if things and not things & set(library.categories):
         return f"the library has no model of {_any_of(things)}"
+    if trial.causes:
+        cause = most_frequent(trial.causes)[0][0]
+        if cause.check.startswith(ALREADY):
+            return none_left(cause)
     return (
         "its targets are there, but nothing fits: look at the sizes, rooms, zones and heights of "
         "its recipes"

@@ -45,7 +45,7 @@ def survey(facts: Facts, catalog: Catalog) -> Survey:
     them on the category, is surely false of others.
     """
     positives = []
-    limits = [(hazard, _categories(hazard.predicate)) for hazard in catalog.hazards]
+    limits = [(hazard, categories_of(hazard.predicate)) for hazard in catalog.hazards]
     for item in sorted(facts.scene.objects, key=lambda o: o.id):
         for hazard, concerned in limits:
             if concerned is not None and item.category not in concerned:
@@ -56,12 +56,12 @@ def survey(facts: Facts, catalog: Catalog) -> Survey:
     return Survey(tuple(positives), len(facts.scene.objects) * len(catalog.hazards))
 
 
-def _categories(predicate: Term) -> frozenset[str] | None:
+def categories_of(predicate: Term) -> frozenset[str] | None:
     """The only categories a predicate can be other than surely false of; None for any."""
     if isinstance(predicate, CategoryTerm):
         return frozenset(predicate.any_of)
     if isinstance(predicate, AllTerm):
-        found = [names for term in predicate.terms if (names := _categories(term)) is not None]
+        found = [names for term in predicate.terms if (names := categories_of(term)) is not None]
         return frozenset.intersection(*found) if found else None
     return None
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
-from sdgen.hazards.placing import Injected, inject_candidate
+from sdgen.hazards.placing import Injected, already_set, inject_candidate
 from sdgen.hazards.splits import withheld_anomaly
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
@@ -17,6 +17,8 @@ CANDIDATES_TRIED = 20
 #: Of the hazards, this many have a near miss in a scene, so that having one says little.
 LOOKALIKE_SHARE = 0.85
 LOOKALIKE_CANDIDATES_TRIED = 6
+#: How the check of a state that all have from the start begins: ``already_open``.
+ALREADY = "already_"
 
 
 def inject(
@@ -33,9 +35,22 @@ def inject(
         order = weighted_order(allowed, rng)[:CANDIDATES_TRIED]
         injected = _inject_first(order, layout, context, taken, rng)
         if injected is None:
-            return reject("hazards", "no_place", hazard=hazard_id)
+            return _no_place(hazard_id, allowed, layout, context)
         anomalies.append(injected)
     return tuple(anomalies)
+
+
+def _no_place(
+    hazard_id: str, allowed: Sequence[Candidate], layout: Layout, context: HomeContext
+) -> Rejection:
+    """``already_open`` (or the like) with what is so, where all recipes ask for what there is
+    already; else ``no_place``."""
+    already = [already_set(one, layout, context) for one in allowed]
+    if True in already and False not in already:
+        unique = allowed[already.index(True)].unique
+        check = f"{ALREADY}{(unique.state or '').lower()}"
+        return reject("hazards", check, hazard=hazard_id, category=unique.category)
+    return reject("hazards", "no_place", hazard=hazard_id)
 
 
 def add_lookalikes(

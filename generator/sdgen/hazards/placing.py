@@ -66,11 +66,8 @@ def _set(
 ) -> Injected | None:
     found = [
         item
-        for item in layout.items.values()
-        if item.category == candidate.unique.category
-        and item.id not in taken
-        and recipe.state not in item.states
-        and (not recipe.rooms or context.room_type(item.room_id) in recipe.rooms)
+        for item in _concerned(candidate, recipe, layout, context)
+        if item.id not in taken and recipe.state not in item.states
     ]
     for k in rng.permutation(len(found)).tolist()[:TARGETS_TRIED]:
         before = found[k]
@@ -91,6 +88,28 @@ def _set(
         layout.put(after)
         return Injected(candidate.unique.hazard, before.id, before)
     return None
+
+
+def _concerned(
+    candidate: Candidate, recipe: SetRecipe, layout: Layout, context: HomeContext
+) -> list[ObjectInstance]:
+    """What of its category stands in the rooms of a recipe that sets a state."""
+    return [
+        item
+        for item in layout.items.values()
+        if item.category == candidate.unique.category
+        and (not recipe.rooms or context.room_type(item.room_id) in recipe.rooms)
+    ]
+
+
+def already_set(candidate: Candidate, layout: Layout, context: HomeContext) -> bool | None:
+    """True when all that the candidate could set is in its state already; None when there is
+    nothing of the kind in its rooms. Always False for a recipe that places something."""
+    recipe = candidate.recipe
+    if not isinstance(recipe, SetRecipe):
+        return False
+    found = _concerned(candidate, recipe, layout, context)
+    return all(recipe.state in item.states for item in found) if found else None
 
 
 def _place(

@@ -7,14 +7,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from typing import Annotated
 
 import numpy as np
 import numpy.typing as npt
+from pydantic import Field
 
 Array = npt.NDArray[np.float64]
-Vec2 = tuple[float, float]
-Vec3 = tuple[float, float, float]
-Quat = tuple[float, float, float, float]
+
+#: No coordinate of a home is further out, metres (or radians): what is computed of such numbers
+#: stays exact to a tenth of a nanometre and overflows nowhere.
+FARTHEST_M = 1e6
+Coordinate = Annotated[float, Field(ge=-FARTHEST_M, le=FARTHEST_M)]
+Vec2 = tuple[Coordinate, Coordinate]
+Vec3 = tuple[Coordinate, Coordinate, Coordinate]
+Quat = tuple[Coordinate, Coordinate, Coordinate, Coordinate]
 
 #: The grid of quaternions: a thing 1 m long is turned by 2 µm at its end, below that of positions.
 QUATERNION_STEP = 1e-6

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import BaseModel, ConfigDict, Field
 
-from sdgen.geometry import Array, Quat, Vec2, Vec3, matrix
+from sdgen.geometry import Array, Coordinate, Quat, Vec2, Vec3, matrix
 from sdgen.rejection import Cause, Causes
 from sdgen.rejection import Stage as PipelineStage
 from sdgen.vocabulary import OpeningKind, ZoneKind
@@ -57,7 +57,7 @@ class Room(Record):
     name: str
     type: str
     polygon_m: tuple[Vec2, ...]
-    height_m: float
+    height_m: Coordinate
 
 
 class Structure(Record):
@@ -83,8 +83,8 @@ class Opening(Record):
     room_ids: tuple[int, ...]
     center_m: Vec3
     along: Literal["x", "y"]
-    width_m: float
-    height_m: float
+    width_m: Coordinate
+    height_m: Coordinate
 
 
 class Zone(Record):
@@ -93,8 +93,8 @@ class Zone(Record):
     name: str
     kind: ZoneKind
     polygon_m: tuple[Vec2, ...]
-    z_min_m: float
-    z_max_m: float
+    z_min_m: Coordinate
+    z_max_m: Coordinate
     room_id: int
     source_id: int | None = None
 
@@ -117,7 +117,7 @@ class ObjectInstance(Record):
     asset: str
     pose: Pose
     room_id: int
-    joints: dict[str, float] = Field(default_factory=dict)
+    joints: dict[str, Coordinate] = Field(default_factory=dict)
     variant: str = "default"
     states: tuple[str, ...] = ()
     parts: tuple[str, ...] = ()
@@ -128,7 +128,7 @@ class AgentStart(Record):
     """Where an agent begins: a point of the free space and a heading."""
 
     position_m: Vec3
-    yaw_rad: float
+    yaw_rad: Coordinate
     room_id: int
 
 
@@ -237,13 +237,13 @@ class Camera(Record):
     height: int
     K: tuple[Vec3, Vec3, Vec3]
     world_from_camera: tuple[
-        tuple[float, float, float, float],
-        tuple[float, float, float, float],
-        tuple[float, float, float, float],
-        tuple[float, float, float, float],
+        Quat,
+        Quat,
+        Quat,
+        Quat,
     ]
-    near_m: float
-    far_m: float
+    near_m: Coordinate
+    far_m: Coordinate
 
 
 class VisibleObject(Record):
@@ -341,7 +341,7 @@ class Contact(Record):
 
     a: int
     b: int
-    distance_m: float
+    distance_m: Coordinate
 
 
 class CauseCount(Record):
@@ -377,7 +377,7 @@ class PhysicsReport(Record):
     lookalikes that the last one lost.
     """
 
-    settled_drift_m: dict[str, float]
+    settled_drift_m: dict[str, Coordinate]
     contacts: tuple[Contact, ...]
     steps: int
     home_attempts: int

@@ -89,6 +89,12 @@ def test_not_a_number_is_never_written() -> None:
         (b'{"role": "a", "age": 3, "age": 4}', "where: key 'age' appears twice"),
         (b'{"role": "a", "age": NaN}', "where: NaN is not a number"),
         (b'{"role": "a", "age": 1e999}', "where: 1e999 is too large"),
+        (b'{"role": "a",\n"age": 1e999}', "where:2: 1e999 is too large"),
+        (
+            b'{"role": "a",\n"age":\n' + b"7" * 5001 + b"}",
+            "where:3: 77777777777777777777... is too",
+        ),
+        (b'{"role": "a", "age": ' + b"7" * 5001 + b"}", "where: 77777777777777777777... is too"),
         (b'{"role": "a", "age": "3"}', "where: age: expected a whole number, got text '3'"),
         (b'{"role": "a", "age": 300}', "where: age: input should be less than"),
         (b'{"role": "a", "age": 3, "agee": 1}', "where: agee: unknown key (did you mean 'age'?)"),

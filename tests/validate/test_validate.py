@@ -153,6 +153,16 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("scene.json", _put("free_space.0.0.0", 0.123), "scene", "free_space: not what"),
     ("scene.json", _put("extra", 1), "file", "scene.json: extra: unknown key"),
     ("scene.json", _object(600, "pose.position_m", [1, 2]), "file", "pose.position_m"),
+    # numbers that no home has are told where they are read, before anything is computed of them
+    (
+        "scene.json",
+        _object(600, "pose.position_m.0", 1e308),
+        "file",
+        "pose.position_m[0]: input should be less than or equal to 1000000 (got the number 1e+308)",
+    ),
+    ("scene.json", _object(305, "joints.door", -1e308), "file", "joints.door: input should be"),
+    ("scene.json", _put("zones.0.z_max_m", 10**30), "file", "zones[0].z_max_m: input should be"),
+    ("physics.json", _put("settled_drift_m.512", 1e308), "file", "settled_drift_m.512: input"),
     # what follows from it
     ("scene.json", _object(600, "pose.position_m.2", 0.75), "graph", "nodes.600"),
     ("scene.json", _object(600, "pose.position_m.2", 1.5), "scene", "600 (knife): rests on"),

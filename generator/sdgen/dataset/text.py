@@ -114,6 +114,10 @@ def line_bytes(record: BaseModel) -> bytes:
 
 # --- reading, strictly ---------------------------------------------------------------------------
 
+#: Python itself reads whole numbers of up to 4,300 digits; no number of ours has more than 20.
+_DIGITS = 40
+_SHOWN_DIGITS = 20
+
 
 def _refuse_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     out: dict[str, Any] = {}
@@ -124,15 +128,30 @@ def _refuse_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return out
 
 
+class _BadNumberError(ValueError):
+    """A number that is none of ours; ``text`` is how it is written."""
+
+    def __init__(self, text: str, what: str) -> None:
+        shown = text if len(text) <= _SHOWN_DIGITS else f"{text[:_SHOWN_DIGITS]}..."
+        super().__init__(f"{shown} is {what}")
+        self.text = text
+
+
 def _refuse_constant(name: str) -> Any:
-    raise ValueError(f"{name} is not a number of JSON")
+    raise _BadNumberError(name, "not a number of JSON")
 
 
 def _finite(text: str) -> float:
     value = float(text)
     if not math.isfinite(value):
-        raise ValueError(f"{text} is too large a number")
+        raise _BadNumberError(text, "too large a number")
     return value
+
+
+def _whole(text: str) -> int:
+    if len(text) > _DIGITS:
+        raise _BadNumberError(text, f"too large a number ({len(text)} digits)")
+    return int(text)
 
 
 def parse(data: bytes, where: str) -> Any:
@@ -144,12 +163,17 @@ def parse(data: bytes, where: str) -> Any:
             object_pairs_hook=_refuse_duplicates,
             parse_constant=_refuse_constant,
             parse_float=_finite,
+            parse_int=_whole,
         )
     except UnicodeDecodeError as error:
         raise InputError([f"{where}: not UTF-8 text (byte {error.start})"]) from None
     except json.JSONDecodeError as error:
         line = f":{error.lineno}" if b"\n" in data.strip() else ""
         raise InputError([f"{where}{line}: not JSON: {error.msg}"]) from None
+    except _BadNumberError as error:
+        number = text.count("\n", 0, text.find(error.text)) + 1
+        line = f":{number}" if b"\n" in data.strip() else ""
+        raise InputError([f"{where}{line}: {error}"]) from None
     except RecursionError:
         raise InputError([f"{where}: nested too deeply"]) from None
     except ValueError as error:

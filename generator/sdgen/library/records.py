@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field
 from shapely import Polygon
 
-from sdgen.geometry import Array, Vec2, Vec3, box_corners
+from sdgen.geometry import Array, Coordinate, Vec2, Vec3, box_corners
 from sdgen.scene import Record
 
 Rgba = tuple[float, float, float, float]
@@ -25,8 +25,8 @@ class Joint(Record):
     type: Literal["revolute", "prismatic"]
     origin_m: Vec3
     axis: Vec3
-    lower: float
-    upper: float
+    lower: Coordinate
+    upper: Coordinate
 
 
 class Part(Record):
@@ -48,8 +48,8 @@ class StateRule(Record):
 
     state: str = Field(pattern=r"^[A-Z][A-Z_]*$")
     joint: str | None = None
-    min: float | None = None
-    max: float | None = None
+    min: Coordinate | None = None
+    max: Coordinate | None = None
     variants: tuple[str, ...] = ()
     parts: tuple[str, ...] = ()
 
@@ -59,9 +59,9 @@ class Support(Record):
 
     name: str
     part: str
-    z_m: float
+    z_m: Coordinate
     polygon_m: tuple[Vec2, ...]
-    headroom_m: float | None = None
+    headroom_m: Coordinate | None = None
     container: str | None = None
 
     @cached_property

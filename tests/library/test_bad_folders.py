@@ -223,6 +223,14 @@ def _junk(path: Path) -> None:
     path.write_bytes(b"[" * 100_000)
 
 
+def _no_list(path: Path) -> None:
+    path.write_text("{}")
+
+
+def _a_number(path: Path) -> None:
+    path.write_text('{"pieces": [{"part": "body", "vertices_m": 7}]}')
+
+
 def _header_only(path: Path) -> None:
     path.write_bytes(b"\x89PNG\r\n\x1a\nnothing")
 
@@ -234,8 +242,10 @@ def _header_only(path: Path) -> None:
         ("meshes/fridge_01.glb", _junk, "mesh of my_fridge cannot be read: it is no GLB"),
         ("meshes/fridge_01.glb", _scrambled, "cannot be read: its JSON chunk is damaged"),
         ("meshes/fridge_01.glb", _version, "cannot be read: it is not of glTF version 2"),
-        ("meshes/fridge_01.hulls.json", _cut, "hulls of my_fridge cannot be read"),
-        ("meshes/fridge_01.hulls.json", _junk, "hulls of my_fridge cannot be read"),
+        ("meshes/fridge_01.hulls.json", _cut, "hulls of my_fridge cannot be read: not JSON: "),
+        ("meshes/fridge_01.hulls.json", _junk, "cannot be read: nested too deeply"),
+        ("meshes/fridge_01.hulls.json", _no_list, "cannot be read: missing key 'pieces': expected"),
+        ("meshes/fridge_01.hulls.json", _a_number, "pieces[0].vertices_m: expected a list, got"),
         ("meshes/fridge_01.hulls.json", _flat, "a piece is flat"),
         ("meshes/fridge_01.hulls.json", _not_a_number, "four points of three numbers"),
         ("meshes/fridge_01.hulls.json", _no_piece, "no piece"),
@@ -251,6 +261,68 @@ def test_broken_files_are_named(
     (told,) = problems(folder).splitlines()
     assert words in told
     assert told.startswith(f"{folder / name}: ")
+
+
+def edit_glb(path: Path, edit: Callable[[Any], None]) -> None:
+    """Change the JSON chunk of a GLB."""
+    raw = path.read_bytes()
+    size = int.from_bytes(raw[12:16], "little")
+    document = json.loads(raw[20 : 20 + size])
+    edit(document)
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    rest = raw[20 + size :]
+    head = raw[:8] + (20 + len(text) + len(rest)).to_bytes(4, "little")
+    path.write_bytes(head + len(text).to_bytes(4, "little") + raw[16:20] + text + rest)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "words"),
+    [
+        ("accessors.0.count", 10**9, "accessors[0]: reaches beyond its bufferView"),
+        ("accessors.0.byteOffset", -4, "accessors[0].byteOffset: "),
+        ("accessors.0.componentType", 1, "accessors[0].componentType: glTF has no 1"),
+        ("accessors.0.sparse", {"count": 10**9}, "accessors[0]: sparse or compressed data"),
+        ("buffers.0.uri", "file:///etc/passwd", "buffers[0].uri: another file"),
+        ("meshes.0.primitives.0.indices", "a", "expected a whole number, got text 'a'"),
+        ("meshes.0.primitives.0.mode", 1, "mode: 1 is not triangles"),
+        ("meshes", 7, "meshes: expected a list, got the number 7"),
+        ("nodes.0.children", [0], "nodes[0]: is a child of its own"),
+        ("nodes.0.mesh", 99, "nodes[0].mesh: there is no 99"),
+        ("nodes.0.name", [1], "not a valid GLB of triangles ("),
+    ],
+)
+def test_a_mesh_that_contradicts_itself_is_told_in_plain_words(
+    folder: Path, key: str, value: object, words: str
+) -> None:
+    def edit(document: Any) -> None:
+        *way, last = (int(step) if step.isdecimal() else step for step in key.split("."))
+        for step in way:
+            document = document[step]
+        document[last] = value
+
+    edit_glb(folder / "meshes/fridge_01.glb", edit)
+    (told,) = problems(folder).splitlines()
+    assert ": mesh of my_fridge cannot be read: " in told
+    assert words in told
+
+
+def test_nodes_in_a_circle_are_told(folder: Path) -> None:
+    def edit(document: Any) -> None:
+        document["nodes"] += [{"children": [len(document["nodes"]) + 1]}]
+        document["nodes"] += [{"children": [len(document["nodes"]) - 1]}]
+
+    edit_glb(folder / "meshes/fridge_01.glb", edit)
+    assert "is a child of its own" in problems(folder)
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_scale_beyond_all_numbers_is_told_once(folder: Path) -> None:
+    def edit(document: Any) -> None:
+        document["nodes"][0]["scale"] = [1e308] * 3
+
+    edit_glb(folder / "meshes/fridge_01.glb", edit)
+    assert "is empty or not finite" in problems(folder)
 
 
 def test_a_mesh_that_is_not_the_manifests_is_told(folder: Path) -> None:

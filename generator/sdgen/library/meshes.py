@@ -8,15 +8,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Annotated, Any
 
 import numpy as np
 import numpy.typing as npt
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sdgen.errors import AssetError, InputError
 from sdgen.files import read_plain
 from sdgen.geometry import Vec3, vec3
-from sdgen.library.quantized import glb_document, lacks_normals, plain_glb
+from sdgen.library.glb import glb_document
+from sdgen.library.quantized import lacks_normals, plain_glb
 from sdgen.library.records import Asset
+from sdgen.strict import explain
+from sdgen.yaml_source import show_path
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -64,6 +69,17 @@ class Hull:
     vertices_m: Floats
 
 
+class _Piece(BaseModel):
+    model_config = ConfigDict(strict=True)
+    part: str
+    vertices_m: list[Annotated[list[float], Field(min_length=3, max_length=3)]]
+
+
+class _Pieces(BaseModel):
+    model_config = ConfigDict(strict=True)
+    pieces: list[_Piece]
+
+
 def read_bytes(path: Path) -> bytes:
     """The bytes of a mesh or hull file. Raises AssetError for what is missing or no file."""
     try:
@@ -80,30 +96,23 @@ def read_glb(path: Path, asset: Asset, raw: bytes | None = None) -> dict[str, Me
     import trimesh
 
     raw = read_bytes(path) if raw is None else raw
+    unreadable = f"{path}: mesh of {asset.id} cannot be read"
     try:
-        # Without normals trimesh asks scipy for them, and prints tracebacks where there is none.
-        bare = lacks_normals(glb_document(raw))
-        scene = trimesh.load_scene(io.BytesIO(plain_glb(raw)), file_type="glb", process=False)
-        found: dict[str, MeshData] = {}
-        for node in scene.graph.nodes_geometry:
-            transform, geometry = scene.graph[node]
-            mesh = scene.geometry[geometry]
-            rotation = _OURS_FROM_GLTF @ transform[:3, :3]
-            uvs = getattr(mesh.visual, "uv", None)
-            count = len(mesh.vertices)
-            vertices = mesh.vertices @ rotation.T + _OURS_FROM_GLTF @ transform[:3, 3]
-            faces = np.asarray(mesh.faces, dtype=np.int64)
-            found[str(node)] = MeshData(
-                vertices=vertices,
-                normals=_smooth(vertices, faces)
-                if bare
-                else _unit(mesh.vertex_normals @ rotation.T),
-                uvs=np.zeros((count, 2)) if uvs is None else np.asarray(uvs, dtype=np.float64),
-                faces=faces,
-            )
+        document = glb_document(raw)
+    except ValueError as error:
+        raise AssetError([f"{unreadable}: {error}"]) from None
+    try:
+        # Scales may be beyond all numbers: what comes of them is judged below.
+        with np.errstate(all="ignore"):
+            # Without normals trimesh asks scipy for them, and prints tracebacks where none is.
+            scene = trimesh.load_scene(io.BytesIO(plain_glb(raw)), file_type="glb", process=False)
+            found = _by_node(scene, lacks_normals(document))
+    except ModuleNotFoundError:
+        raise
     except Exception as error:  # trimesh raises whatever its parsers meet in a broken file
         reason = " ".join(str(error).split())[:200] or type(error).__name__
-        raise AssetError([f"{path}: mesh of {asset.id} cannot be read: {reason}"]) from None
+        text = f"{unreadable}: not a valid GLB of triangles ({reason})"
+        raise AssetError([text]) from None
     problems = []
     for part in asset.parts:
         data = found.get(part.name)
@@ -113,6 +122,8 @@ def read_glb(path: Path, asset: Asset, raw: bytes | None = None) -> dict[str, Me
         numbers = (data.vertices, data.normals, data.uvs)
         if len(data.faces) == 0 or not all(np.isfinite(array).all() for array in numbers):
             problems.append(f"{path}: {asset.id}: part {part.name!r} is empty or not finite")
+        elif data.faces.min() < 0 or data.faces.max() >= len(data.vertices):
+            problems.append(f"{path}: {asset.id}: part {part.name!r} has faces without vertices")
         elif len(data.faces) != part.faces:
             problems.append(
                 f"{path}: {asset.id}: part {part.name!r} has {len(data.faces)} faces, "
@@ -126,6 +137,26 @@ def read_glb(path: Path, asset: Asset, raw: bytes | None = None) -> dict[str, Me
     return {part.name: found[part.name] for part in asset.parts}
 
 
+def _by_node(scene: Any, bare: bool) -> dict[str, MeshData]:
+    """The meshes of a trimesh scene by the names of their nodes; ``bare`` ones lack normals."""
+    found: dict[str, MeshData] = {}
+    for node in scene.graph.nodes_geometry:
+        transform, geometry = scene.graph[node]
+        mesh = scene.geometry[geometry]
+        rotation = _OURS_FROM_GLTF @ transform[:3, :3]
+        uvs = getattr(mesh.visual, "uv", None)
+        count = len(mesh.vertices)
+        vertices = mesh.vertices @ rotation.T + _OURS_FROM_GLTF @ transform[:3, 3]
+        faces = np.asarray(mesh.faces, dtype=np.int64)
+        found[str(node)] = MeshData(
+            vertices=vertices,
+            normals=_smooth(vertices, faces) if bare else _unit(mesh.vertex_normals @ rotation.T),
+            uvs=np.zeros((count, 2)) if uvs is None else np.asarray(uvs, dtype=np.float64),
+            faces=faces,
+        )
+    return found
+
+
 def read_hulls(path: Path, asset: Asset, raw: bytes | None = None) -> tuple[Hull, ...]:
     """Convex pieces of a model; ``raw`` are the file's bytes where they are known.
 
@@ -133,14 +164,11 @@ def read_hulls(path: Path, asset: Asset, raw: bytes | None = None) -> tuple[Hull
     """
     raw = read_bytes(path) if raw is None else raw
     try:
-        data = json.loads(raw.decode("utf-8"))
         hulls = tuple(
-            Hull(str(piece["part"]), np.asarray(piece["vertices_m"], dtype=np.float64))
-            for piece in data["pieces"]
+            Hull(piece.part, np.array(piece.vertices_m, dtype=np.float64)) for piece in _pieces(raw)
         )
-    except (ValueError, KeyError, TypeError, RecursionError) as error:
-        reason = f"{type(error).__name__}: {error}"
-        raise AssetError([f"{path}: hulls of {asset.id} cannot be read: {reason}"]) from None
+    except ValueError as error:
+        raise AssetError([f"{path}: hulls of {asset.id} cannot be read: {error}"]) from None
     if not hulls:
         raise AssetError([f"{path}: {asset.id}: no piece: things would fall through it"])
     parts = {part.name for part in asset.parts}
@@ -158,6 +186,22 @@ def read_hulls(path: Path, asset: Asset, raw: bytes | None = None) -> tuple[Hull
         if hull.part not in parts:
             raise AssetError([f"{path}: {asset.id}: a piece names no part: {hull.part!r}"])
     return hulls
+
+
+def _pieces(raw: bytes) -> list[_Piece]:
+    """What a hulls file lists. Raises ValueError that says what is wrong."""
+    try:
+        data = json.loads(raw)
+        return _Pieces.model_validate(data).pieces
+    except ValidationError as error:
+        path, text = next(explain(error, _Pieces, data))
+        raise ValueError(f"{show_path(path)}: {text}" if path else text) from None
+    except UnicodeDecodeError:
+        raise ValueError("not UTF-8 text") from None
+    except json.JSONDecodeError as error:
+        raise ValueError(f"not JSON: {error.msg} (line {error.lineno})") from None
+    except RecursionError:
+        raise ValueError("nested too deeply") from None
 
 
 def within_meshes(

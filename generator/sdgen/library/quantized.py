@@ -22,27 +22,6 @@ _COMPONENTS = {
 _WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
 
-def glb_document(raw: bytes) -> dict[str, Any]:
-    """The JSON chunk of a GLB. Raises ValueError that says what is wrong with its frame."""
-    if raw[:4] != b"glTF":
-        raise ValueError("it is no GLB (binary glTF) file")
-    if int.from_bytes(raw[4:8], "little") != 2:
-        raise ValueError("it is not of glTF version 2")
-    length = int.from_bytes(raw[8:12], "little")
-    if length > len(raw):
-        raise ValueError(f"it is cut off: {len(raw)} of {length} bytes are there")
-    size = int.from_bytes(raw[12:16], "little")
-    if int.from_bytes(raw[16:20], "little") != _JSON or 20 + size > len(raw):
-        raise ValueError("its first chunk is no whole JSON chunk")
-    try:
-        document = json.loads(raw[20 : 20 + size])
-    except (ValueError, RecursionError):
-        raise ValueError("its JSON chunk is damaged") from None
-    if not isinstance(document, dict):
-        raise ValueError("its JSON chunk is damaged")
-    return document
-
-
 def lacks_normals(document: dict[str, Any]) -> bool:
     """True when some primitive has no normals."""
     primitives = [p for mesh in document.get("meshes", ()) for p in mesh["primitives"]]

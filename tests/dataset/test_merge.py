@@ -13,7 +13,7 @@ from sdgen.dataset.merge import merge
 from sdgen.dataset.scene_folder import BUILD_FOLDER
 from sdgen.dataset.text import record_bytes
 from sdgen.dataset.transfer import pack, unpack
-from sdgen.errors import InputError, UsageError
+from sdgen.errors import InputError, SdgenError, UsageError
 from sdgen.rejection import Cause
 
 from tests import toy
@@ -127,6 +127,17 @@ def test_other_catalogues_assets_and_models_are_refused(tmp_path: Path, pieces: 
     with pytest.raises(InputError, match=f"model {first['id']} is not that of"):
         merge(pieces, tmp_path / "m")
     assert not (tmp_path / "m").exists()
+
+
+@pytest.mark.parametrize("other", [{"seed": 8}, {"n": 9}])
+def test_a_data_set_of_something_else_is_no_destination(
+    tmp_path: Path, pieces: list[Path], other: dict[str, Any]
+) -> None:
+    out = piece(tmp_path / "m", range(1), **other)
+    before = tree(out)
+    with pytest.raises(SdgenError, match=r"holds a data set .*; choose another --out$"):
+        merge(pieces, out)
+    assert {k: v for k, v in tree(out).items() if k in before} == before
 
 
 def test_all_bad_pieces_are_named_with_their_folders(tmp_path: Path, pieces: list[Path]) -> None:

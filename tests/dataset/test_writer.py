@@ -466,3 +466,14 @@ def test_a_scene_without_its_twin_is_made_again(tmp_path: Path) -> None:
     with toy.open_writer(path, toy.small(n=2, twins=True)) as writer:
         assert sorted(writer.done) == ["000000", "000000-twin"]
     assert tree(toy.build_with_twins(path, 2)) == before
+
+
+@pytest.mark.parametrize("place", ["scenes/000000/x", "scenes", ".build/x"])
+def test_no_data_set_is_made_within_another(tmp_path: Path, place: str) -> None:
+    whole = toy.build(tmp_path / "d", toy.small(n=1, sensors=()))
+    before = sorted(whole.rglob("*"))
+    with pytest.raises(SdgenError, match=f"belongs to the data set {whole}; choose another place"):
+        toy.open_writer(whole / place, toy.small(n=1))
+    assert sorted(whole.rglob("*")) == before
+    with toy.open_writer(whole / "beside", toy.small(n=1)):
+        pass

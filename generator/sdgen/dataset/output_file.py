@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import IO
 
 from sdgen.dataset.disk import sync_folder
+from sdgen.dataset.records import TOP_FILES
 from sdgen.dataset.scene_folder import BUILD_FOLDER
-from sdgen.dataset.writer import TOP_FILES
 from sdgen.errors import SdgenError
 
 #: Files that show a folder to be a data set, finished or in the making.

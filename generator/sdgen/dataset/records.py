@@ -12,6 +12,9 @@ from sdgen.scene import FORMAT_VERSION, CauseCount, Notify, Record
 
 LICENCE = "CC-BY-4.0"
 
+#: Files at the top of a finished data set, ``dataset.json`` written last.
+TOP_FILES = ("catalogue.json", "assets.jsonl", "README.md", "manifest.jsonl", "dataset.json")
+
 #: Files of every scene folder that decide its ``content_sha256``, in this order.
 CONTENT_FILES = ("scene.json", "graph.json", "anomalies.json", "household.json", "physics.json")
 VISIBILITY_FILE = "visibility.json"

@@ -18,8 +18,10 @@ from sdgen.closing import Closing
 from sdgen.dataset.card import card
 from sdgen.dataset.disk import remove_tree, replace_file
 from sdgen.dataset.origin import build_of, differences, refuse_foreign
+from sdgen.dataset.output_file import refuse_data_set
 from sdgen.dataset.records import (
     SCENE_ID,
+    TOP_FILES,
     Build,
     DatasetInfo,
     ManifestEntry,
@@ -42,9 +44,6 @@ from sdgen.locks import FileLock
 from sdgen.options import BuildOptions
 from sdgen.rejection import Causes
 from sdgen.scene import cause_counts, causes_of
-
-#: Files ``finish`` writes at the top of a data set, ``dataset.json`` last.
-TOP_FILES = ("catalogue.json", "assets.jsonl", "README.md", "manifest.jsonl", "dataset.json")
 
 
 class DatasetWriter(Closing):
@@ -86,7 +85,8 @@ class DatasetWriter(Closing):
 
         ``infos`` are the records of the library, ``assets_sha256`` its digest. Raises SdgenError
         when another build has the folder, when it holds something else (whatever ``overwrite``
-        says), or a data set that other options, catalogue, assets or package versions made;
+        says), lies in another data set, or holds one that other options, catalogue, assets or
+        package versions made;
         ``overwrite`` takes away the latter.
         Every finished scene is checked against its digests.
         """
@@ -97,7 +97,7 @@ class DatasetWriter(Closing):
             assets_sha256=assets_sha256,
             hazards_enabled=tuple(sorted(hazard.id for hazard in catalog.hazards)),
         )
-        return cls.take(root, build, catalog, infos, overwrite=overwrite)
+        return cls.take(root, build, catalog, infos, overwrite=overwrite, may_overwrite=True)
 
     @classmethod
     def take(
@@ -108,9 +108,12 @@ class DatasetWriter(Closing):
         infos: Mapping[str, AssetInfo],
         *,
         overwrite: bool = False,
+        may_overwrite: bool = False,
     ) -> DatasetWriter:
-        """Like :meth:`open`, for what decides the bytes given whole."""
+        """Like :meth:`open`, for what decides the bytes given whole. Errors advise ``--overwrite``
+        where whoever asks has it (``may_overwrite``)."""
         root = root.absolute()
+        refuse_data_set(root)
         refuse_foreign(root)
         (root / BUILD_FOLDER).mkdir(parents=True, exist_ok=True)
         writer = cls(root, build, catalog, infos)
@@ -125,7 +128,7 @@ class DatasetWriter(Closing):
             if overwrite:
                 writer._clear()
             else:
-                writer._check_same()
+                writer._check_same(", or start anew with --overwrite" if may_overwrite else "")
             replace_file(root / BUILD_FOLDER / "build.json", record_bytes(build))
             writer._resume()
         except BaseException:
@@ -200,7 +203,7 @@ class DatasetWriter(Closing):
         with contextlib.suppress(OSError):
             (self.root / "scenes").rmdir()
 
-    def _check_same(self) -> None:
+    def _check_same(self, anew: str) -> None:
         found = build_of(self.root)
         if found is None:
             return
@@ -208,12 +211,12 @@ class DatasetWriter(Closing):
         if others:
             raise SdgenError(
                 f"{self.root} holds a data set built with {'; '.join(others)}; "
-                "choose another --out, or start anew with --overwrite"
+                f"choose another --out{anew}"
             )
         if found.options.n > self.build.options.n:
             raise SdgenError(
-                f"{self.root} holds a data set of --n {found.options.n}; ask for as many or more, "
-                "choose another --out, or start anew with --overwrite"
+                f"{self.root} holds a data set of --n {found.options.n}, more than the "
+                f"{self.build.options.n} asked for; choose another --out{anew}"
             )
 
     def _resume(self) -> None:

@@ -18,8 +18,8 @@ from sdgen.dataset import Dataset
 from sdgen.dataset.disk import sha256_hex
 from sdgen.dataset.opening import SAFE_NAME
 from sdgen.dataset.output_file import output_file
+from sdgen.dataset.records import TOP_FILES
 from sdgen.dataset.text import read_bytes
-from sdgen.dataset.writer import TOP_FILES
 from sdgen.errors import InputError, SdgenError
 
 ENDINGS = (".tar", ".tar.gz", ".tgz")

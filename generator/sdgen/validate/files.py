@@ -11,9 +11,15 @@ from sdgen.dataset import Dataset
 from sdgen.dataset.disk import file_sha256
 from sdgen.dataset.opening import unlisted
 from sdgen.dataset.reader import SceneItem
-from sdgen.dataset.records import CONTENT_FILES, SCENE_ID, VISIBILITY_FILE, ManifestEntry, count
+from sdgen.dataset.records import (
+    CONTENT_FILES,
+    SCENE_ID,
+    TOP_FILES,
+    VISIBILITY_FILE,
+    ManifestEntry,
+    count,
+)
 from sdgen.dataset.scene_folder import content_sha256, is_ours, view_files, view_folder
-from sdgen.dataset.writer import TOP_FILES
 from sdgen.errors import InputError, did_you_mean
 from sdgen.hazards.splits import split_of_home
 from sdgen.validate.problems import SHOWN, Problem, differences

@@ -12,7 +12,7 @@ from sdgen.geometry import matrix
 from sdgen.library import Library
 from sdgen.physics.client import BodyPose, Client
 from sdgen.physics.world import World
-from sdgen.scene import Contact, Pose, Scene
+from sdgen.scene import Contact, Pose, Scene, Violation
 from sdgen.vocabulary import DRIFT_LIMIT_M
 
 #: Two seconds; 16 scenes were still after 24 to 180 steps.
@@ -23,6 +23,12 @@ _WINDOW = 12
 _QUIET_WINDOWS = 2
 _STILL_M = 5e-5
 _STILL_RAD = 5e-4
+
+#: What stands stays within these limits for half a second. In a world that starts anew contacts
+#: play by less than a millimetre; what tips or falls moves by centimetres.
+STILL_STEPS = 120
+MOVED_LIMIT_M = 0.005
+TURNED_LIMIT_RAD = math.radians(3)
 
 #: Tilted further than this is not where it was put, as with the limit of drift.
 TILT_LIMIT_RAD = math.radians(45)
@@ -72,12 +78,23 @@ def settle(world: World, max_steps: int = MAX_STEPS) -> Settled:
     )
 
 
-def moved_by(world: World, steps: int) -> dict[int, tuple[float, float]]:
-    """How far each loose thing of a world moves (m) and tips (rad) in so many steps, all awake."""
+def moving(world: World, share: float = 1.0) -> list[Violation]:
+    """Loose things that do not stay within ``share`` of the limits for half a second, all awake:
+    ``moves`` (m) or ``tips`` (rad), by id."""
     start = {key: world.client.pose(one.body) for key, one in world.loose.items()}
-    world.client.step(steps)
-    end = {key: world.client.pose(one.body) for key, one in world.loose.items()}
-    return {key: (_apart(start[key], end[key]), _up_angle(start[key], end[key])) for key in start}
+    world.client.step(STILL_STEPS)
+    found = []
+    for key, one in world.loose.items():
+        end = world.client.pose(one.body)
+        for check, measured, limit in (
+            ("moves", _apart(start[key], end), MOVED_LIMIT_M * share),
+            ("tips", _up_angle(start[key], end), TURNED_LIMIT_RAD * share),
+        ):
+            if measured > limit:
+                violation = Violation(check=check, objects=(key,), measured=measured, limit=limit)
+                found.append(violation)
+                break
+    return found
 
 
 def settle_scene(

@@ -15,7 +15,7 @@ from sdgen.physics.settle import Settled
 from sdgen.physics.world import World
 from sdgen.pipeline.contents import Contents, place_contents, without
 from sdgen.pipeline.furnished import FurnishedHome
-from sdgen.pipeline.rest import Rested, come_to_rest
+from sdgen.pipeline.rest import Rested, come_to_rest, will_not_stay
 from sdgen.pipeline.spec import SceneSpec, node_ids
 from sdgen.rejection import Cause, Rejection, reject
 from sdgen.zones import floor_obstacles, swing_blocked
@@ -59,6 +59,9 @@ def attempt(
         if not offenders:
             surveyed = survey(rested.facts, home.context.catalog)
             offenders = _unproved(rested, surveyed, library)
+            if not offenders:
+                offenders = will_not_stay(rested.contents, rested.facts.scene, library, client)
+                world = World(library, client)
             if not offenders:
                 return _proved(home, rested, surveyed, taken_away, library)
         reduced = without(rested.contents, offenders)

@@ -10,16 +10,19 @@ from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
 from sdgen.physics.checks import penetrations
-from sdgen.physics.settle import Settled, settle
+from sdgen.physics.client import Client
+from sdgen.physics.settle import Settled, moving, settle
 from sdgen.physics.world import World
 from sdgen.pipeline.contents import Contents
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.rejection import Rejection
-from sdgen.scene import Pose
+from sdgen.scene import Pose, Scene
 
 #: After things were taken away, the rest must stand as it stood: what touched them may play by
 #: this much; what loses its support moves much further.
 STILL_M = 0.003
+#: A build allows this share of what validation allows, so that both agree on every machine.
+STAYS_SHARE = 0.5
 
 
 @dataclass(frozen=True)
@@ -78,6 +81,25 @@ def come_to_rest(
                     limit=violation.limit,
                 )
     return Rested(contents, facts, settled, offenders)
+
+
+def will_not_stay(
+    contents: Contents, scene: Scene, library: Library, client: Client
+) -> dict[int, Rejection]:
+    """What would move on if the written scene were loaded anew, as ``validate --physics`` does.
+
+    Settling lets go of what has been still for a moment: one thing in some ten thousand stands on
+    an edge then, and tips later. Empties the client's world.
+    """
+    world = World(library, client)
+    world.become(scene, [key for key, item in contents.items.items() if not item.fixed])
+    found = {}
+    for violation in moving(world, STAYS_SHARE):
+        (key,) = violation.objects
+        found[key] = contents.objection(
+            key, "physics", violation.check, measured=violation.measured, limit=violation.limit
+        )
+    return found
 
 
 def _restless(contents: Contents, settled: Settled, again: bool) -> dict[int, Rejection]:

@@ -14,17 +14,10 @@ from sdgen.facts import Measured, in_the_air
 from sdgen.library import Library
 from sdgen.physics.checks import penetrations, unsupported
 from sdgen.physics.client import Client
-from sdgen.physics.settle import moved_by
+from sdgen.physics.settle import STILL_STEPS, moving
 from sdgen.physics.world import World
 from sdgen.validate.problems import Problem
 from sdgen.validate.scenes import scene_by_scene
-
-#: What stands stays within these limits for half a second. In a world that starts anew contacts
-#: play by less than a millimetre (nothing in 16 scenes moved by more, or turned by a degree); what
-#: tips or falls moves by centimetres.
-STILL_STEPS = 120
-MOVED_LIMIT_M = 0.005
-TURNED_LIMIT_RAD = math.radians(3)
 
 
 def check_physics(
@@ -96,8 +89,9 @@ def check_scene_physics(item: SceneItem, library: Library, client: Client) -> It
         (key,) = violation.objects
         gap = f"{violation.measured:.2f} m from the nearest wall or ceiling"
         yield problem(key, f"is fixed in the air: on nothing, {gap}")
-    for key, (moved, turned) in moved_by(world, STILL_STEPS).items():
-        if moved > MOVED_LIMIT_M:
-            yield problem(key, f"moves by {moved * 1000:.0f} mm in {STILL_STEPS} steps")
-        elif turned > TURNED_LIMIT_RAD:
-            yield problem(key, f"tips by {math.degrees(turned):.0f} degrees in {STILL_STEPS} steps")
+    for violation in moving(world):
+        (key,) = violation.objects
+        metres = violation.check == "moves"
+        far = violation.measured * 1000 if metres else math.degrees(violation.measured)
+        unit = "mm" if metres else "degrees"
+        yield problem(key, f"{violation.check} by {far:.0f} {unit} in {STILL_STEPS} steps")

@@ -104,3 +104,15 @@ def test_pale_homes_follow_their_masks_and_few_edges_say_nothing() -> None:
     assert not follows_mask(pale[:, ::-1], frame.instance)
     assert not follows_mask(np.full_like(pale, 250), frame.instance)
     assert follows_mask(pale[:, ::-1], np.full_like(frame.instance, 7))
+
+
+def test_a_door_whose_white_frame_ends_at_a_white_wall_says_nothing():
+    ids = np.full((480, 640), 7, dtype=np.uint16)
+    ids[:, 155:430] = 8
+    rgb = np.full((480, 640, 3), 190, dtype=np.uint8)
+    rgb[:, 155:430] = 192
+    rgb[:, 172:415] = (33, 66, 55)
+    assert follows_mask(rgb, ids)
+    ids[200:240, 40:80] = 9  # one thing more, and the picture has to show it
+    ids[300:340, 40:80] = 9
+    assert not follows_mask(rgb, ids)

@@ -40,7 +40,7 @@ def test_memory_is_that_of_the_process_and_its_children(job: ModuleType) -> None
     nest = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {hold!r}])"
     with (
         subprocess.Popen([sys.executable, "-c", nest], text=True) as process,
-        job.memory_watched(process) as most,
+        job.memory_watched(process, 0.2) as most,
     ):
         process.wait()
     assert most["largest"] > 140

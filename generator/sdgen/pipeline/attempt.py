@@ -61,9 +61,9 @@ def attempt(
             offenders = _unproved(rested, surveyed, library)
             if not offenders:
                 offenders = will_not_stay(rested.contents, rested.facts.scene, library, client)
+                if not offenders:
+                    return _proved(home, rested, surveyed, taken_away, library)
                 world = World(library, client)
-            if not offenders:
-                return _proved(home, rested, surveyed, taken_away, library)
         reduced = without(rested.contents, offenders)
         if isinstance(reduced, Rejection):
             return reduced

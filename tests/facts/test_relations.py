@@ -10,6 +10,16 @@ from sdgen.scene import Zone
 
 from .scenes import DOOR, FLOOR, HALL, ROOM, facts, thing
 
+HEAT = Zone(
+    name="heat:a",
+    kind="heat",
+    polygon_m=((1.7, 1.7), (2.3, 1.7), (2.3, 2.3), (1.7, 2.3)),
+    z_min_m=0.8,
+    z_max_m=1.4,
+    room_id=ROOM,
+    source_id=1,
+)
+
 
 def test_on_is_the_direct_support_only():
     f = facts(
@@ -117,16 +127,7 @@ def test_a_door_is_between_its_rooms_and_a_box_in_its_zone_blocks_it():
 
 
 def test_near_heat_and_under():
-    heat = Zone(
-        name="heat:a",
-        kind="heat",
-        polygon_m=((1.7, 1.7), (2.3, 1.7), (2.3, 2.3), (1.7, 2.3)),
-        z_min_m=0.8,
-        z_max_m=1.4,
-        room_id=ROOM,
-        source_id=1,
-    )
-    f = facts(thing(1, "stove", 2, 2), thing(2, "apple", 2.5, 2, 0.9), zones=[heat])
+    f = facts(thing(1, "stove", 2, 2), thing(2, "apple", 2.5, 2, 0.9), zones=[HEAT])
     assert Edge(2, 1, "NEAR_HEAT") in f.edges()
     g = facts(thing(1, "table", 2, 2), thing(2, "box", 2, 2))
     assert Edge(2, 1, "UNDER") in g.edges()
@@ -157,16 +158,7 @@ def test_room_at_reaches_half_a_wall():
 
 
 def test_a_relation_that_holds_has_its_measurement():
-    heat = Zone(
-        name="heat:a",
-        kind="heat",
-        polygon_m=((1.7, 1.7), (2.3, 1.7), (2.3, 2.3), (1.7, 2.3)),
-        z_min_m=0.9,
-        z_max_m=1.5,
-        room_id=ROOM,
-        source_id=1,
-    )
-    f = facts(thing(1, "stove", 2, 2), thing(2, "apple", 2.54, 2, 0.9), zones=[heat])
+    f = facts(thing(1, "stove", 2, 2), thing(2, "apple", 2.54, 2, 0.9), zones=[HEAT])
     (near,) = f.related(2, "NEAR_HEAT")
     assert near.evidence == {"gap_m": pytest.approx(0.2)}
     (close,) = (r for r in f.related(2, "CLOSE") if r.target_id == 1)

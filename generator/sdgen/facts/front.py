@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -15,9 +16,7 @@ from sdgen.facts.relations import FINDERS
 from sdgen.facts.rooms import types_of
 from sdgen.facts.tags import tags
 from sdgen.geometry import Vec3, vec3
-from sdgen.library.records import AssetInfo
 from sdgen.library.states import derive_states, undecided_states
-from sdgen.scene import Scene
 
 
 class Edge(NamedTuple):
@@ -34,15 +33,9 @@ class Facts(Measured):
     Keeps to :class:`~sdgen.catalog.predicate.FactSource`.
     """
 
-    def __init__(
-        self,
-        scene: Scene,
-        infos: Mapping[str, AssetInfo],
-        properties: Mapping[str, Collection[str]] | None = None,
-        known: Measured | None = None,
-    ) -> None:
-        super().__init__(scene, infos, properties, known)
-        self._related: dict[tuple[int, str], tuple[Related, ...]] = {}
+    @cached_property
+    def _related(self) -> dict[tuple[int, str], tuple[Related, ...]]:
+        return {}
 
     # --- what predicates ask ---------------------------------------------------------------------
 

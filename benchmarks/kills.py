@@ -1,9 +1,10 @@
 """Is a build that is stopped again and again the same as one that is left alone?
 
 Run: ``python benchmarks/kills.py [--n 40] [--kills 8] [--workers 2] [-- more build options]``.
-Builds a data set, then the same one stopped at random moments, in turn by SIGKILL to all of its
-processes, SIGKILL to the parent alone, SIGTERM and SIGINT, resumed by the same command each time.
-Compares every byte, and looks for what stays behind: processes, temporary folders, tracebacks.
+Builds a data set, then the same one stopped at random moments of its progress, in turn by SIGKILL
+to all of its processes, SIGTERM, SIGKILL to the parent alone and SIGINT, resumed by the same
+command each time. Compares every byte, and looks for what stays behind: processes,
+temporary folders, tracebacks.
 Exit 1 when anything differs or stays.
 """
 
@@ -54,6 +55,9 @@ WAYS = (
 )
 #: Seconds in which workers must be gone after the build.
 GONE_S = 1.0
+#: How often progress is looked at, and how long it is waited for.
+LOOK_S = 0.01
+LONGEST_S = 600.0
 
 
 @dataclass(frozen=True)
@@ -89,13 +93,26 @@ def finish(out: Path, options: Sequence[str], scratch: Path) -> float:
     return time.monotonic() - begin
 
 
-def stop_after(
-    out: Path, options: Sequence[str], scratch: Path, seconds: float, way: Way
+@dataclass(frozen=True)
+class Moment:
+    """When to stop a build: so many seconds after it has this many scenes, and has workers."""
+
+    scenes: int
+    seconds: float
+
+
+def stop_at(
+    out: Path, options: Sequence[str], scratch: Path, moment: Moment, way: Way
 ) -> list[str] | None:
     """Start a build and stop it; what is wrong then. None when it had ended by itself."""
     build = start(out, options, scratch)
+    deadline = time.monotonic() + LONGEST_S
+    while build.poll() is None and time.monotonic() < deadline:
+        if begun(build.pid) and len(list(out.glob("scenes/*"))) >= moment.scenes:
+            break
+        time.sleep(LOOK_S)
     try:
-        build.communicate(timeout=seconds)
+        build.communicate(timeout=moment.seconds)
         return None
     except subprocess.TimeoutExpired:
         (os.killpg if way.to_all else os.kill)(build.pid, way.number)
@@ -114,6 +131,13 @@ def stop_after(
     return wrong
 
 
+def begun(pid: int) -> bool:
+    """True once a build has a worker: before that it is Python that starts."""
+    with contextlib.suppress(OSError):
+        return bool(Path(f"/proc/{pid}/task/{pid}/children").read_text())
+    return False
+
+
 def living(scratch: Path) -> list[int]:
     """Processes that have this folder, or one in it, for their temporary files."""
     found = []
@@ -130,17 +154,19 @@ def compare(folder: Path, options: Sequence[str], kills: int, seed: int) -> Foun
     scratch.mkdir()
     seconds = finish(whole, options, scratch)
     stayed = [f"{path} stays after a whole build" for path in scratch.iterdir()]
+    scenes = len(list(whole.glob("scenes/*")))
     rng = np.random.default_rng(seed)
-    # A resumed build has less to do: moments are drawn over a share of the time of a whole one.
-    moments = rng.uniform(0.1, 1.0, kills) * seconds / max(1.0, kills / 2)
+    # Never after the last scene but one: the stop is to hit a build that has work left, however
+    # quick the machine is.
+    goals = sorted(int(n) for n in rng.integers(0, max(1, scenes - 1), kills))
     hits = 0
-    for number, moment in enumerate(moments):
-        # Starting up takes a second or two; most moments should lie within the work.
+    for number, goal in enumerate(goals):
         way = WAYS[number % len(WAYS)]
-        wrong = stop_after(stopped, options, scratch, float(moment) + 2.0, way)
+        moment = Moment(goal, float(rng.uniform(0.0, seconds / scenes)))
+        wrong = stop_at(stopped, options, scratch, moment, way)
         hits += wrong is not None
         name = signal.Signals(way.number).name
-        stayed += [f"{name} after {moment + 2.0:.1f} s: {text}" for text in wrong or ()]
+        stayed += [f"{name} at {moment}: {text}" for text in wrong or ()]
     finish(stopped, options, scratch)
     stayed += [f"{path} stays at the end" for path in scratch.iterdir()]
     one, two = digests(whole), digests(stopped)

@@ -5,7 +5,8 @@ from sdgen.geometry import quat_from_axis_angle, rotation_matrix
 from sdgen.library import Library
 from sdgen.physics.bodies import collision_of
 from sdgen.physics.client import GRAVITY_M_S2, STEP_S, Client
-from sdgen.physics.settle import settle_scene
+from sdgen.physics.settle import moving, settle_scene
+from sdgen.physics.world import World
 from sdgen.vocabulary import DRIFT_LIMIT_M
 
 from tests.fakes import box_room, thing
@@ -74,6 +75,32 @@ def test_a_used_client_gives_the_same_bytes(library: Library) -> None:
         again = settle_scene(library, scene, list(reversed(ids)), client)
         third = settle_scene(library, scene, ids, client)
     assert fresh == again == third
+
+
+def moved(library: Library, all_awake: bool) -> dict[int, float]:
+    """Of a plank that tips over a table's edge, a cube that falls upon the end of a plank that
+    lies across another cube, and a cube aside: what moves, and by how much."""
+    things = [
+        thing(10, "table_01", (0, 0, 0), fixed=True),
+        thing(11, "plank_01", (0.75, 0.0, TABLE_TOP)),
+        thing(12, "cube_01", (-0.3, 0.0, TABLE_TOP)),
+        thing(16, "cube_01", (1.0, 1.0, 0.0)),
+        thing(13, "plank_01", (1.0, 1.0, 0.2)),
+        thing(14, "cube_01", (1.25, 1.0, 0.8)),
+        thing(15, "cube_01", (-1.0, 1.0, 0.0)),
+    ]
+    scene = box_room(things)
+    with Client() as client:
+        world = World(library, client)
+        world.become(scene, [item.id for item in scene.objects if not item.fixed])
+        return {v.objects[0]: v.measured for v in moving(world, all_awake=all_awake)}
+
+
+def test_what_sleeps_hides_nothing_that_moves_or_is_moved_later(library: Library) -> None:
+    """The second plank has been at rest for long when the cube falls upon it."""
+    awake, asleep = moved(library, True), moved(library, False)
+    assert set(awake) == set(asleep) == {11, 13, 14}
+    assert asleep == pytest.approx(awake, rel=0.05)
 
 
 def test_collision_pieces_are_made_once_and_follow_the_joints(library: Library) -> None:

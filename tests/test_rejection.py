@@ -39,6 +39,8 @@ def test_words_name_the_hazard_or_the_stage_and_the_other_hazard():
     )
     assert overlap.cause.overlap
     assert overlap.cause.in_words() == "pills_by_bed: accidental (pill_bottle) as x"
+    already = reject("hazards", "already_set", hazard="h", category="door", state="OPEN")
+    assert already.cause.in_words() == "h: already set (door OPEN)"
     floor = reject("home", "no_free_floor", measured=0.1, limit=0.2)
     assert not floor.cause.overlap
     assert causes_in_words({floor.cause: 2, overlap.cause: 7}, most=1).endswith("as x x7")

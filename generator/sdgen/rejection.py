@@ -13,8 +13,8 @@ class Cause(NamedTuple):
     """What rejections are counted by.
 
     ``stage`` of the pipeline, ``check`` that failed (snake_case, such as ``no_place``), and, where
-    they apply, the ``hazard`` at fault, the ``category`` (or room type) concerned and the ``other``
-    hazard whose predicate claimed what this one's recipe made.
+    they apply, the ``hazard`` at fault, the ``category`` (or room type) concerned, the ``other``
+    hazard whose predicate claimed what this one's recipe made, and the ``state`` concerned.
     """
 
     stage: Stage
@@ -22,6 +22,7 @@ class Cause(NamedTuple):
     hazard: str | None = None
     category: str | None = None
     other: str | None = None
+    state: str | None = None
 
     def in_words(self) -> str:
         """One short line for people; nothing reads it back."""
@@ -30,8 +31,9 @@ class Cause(NamedTuple):
     def what(self) -> str:
         """The part of the line that says what went wrong, without whose fault it was."""
         words = self.check.replace("_", " ")
-        if self.category is not None:
-            words = f"{words} ({self.category})"
+        concerned = " ".join(part for part in (self.category, self.state) if part is not None)
+        if concerned:
+            words = f"{words} ({concerned})"
         if self.other is not None:
             words = f"{words} as {self.other}"
         return words
@@ -42,7 +44,7 @@ class Cause(NamedTuple):
         return self.hazard is not None and self.other is not None
 
     def sort_key(self) -> tuple[str, ...]:
-        """Causes by stage, check, hazard, category, other; what is not there comes first."""
+        """Causes by stage, check, hazard, category, other, state; what is not there comes first."""
         return tuple(part or "" for part in self)
 
 
@@ -68,12 +70,13 @@ def reject(
     hazard: str | None = None,
     category: str | None = None,
     other: str | None = None,
+    state: str | None = None,
     objects: tuple[int, ...] = (),
     measured: float | None = None,
     limit: float | None = None,
 ) -> Rejection:
     """The one way to make a rejection."""
-    return Rejection(Cause(stage, check, hazard, category, other), objects, measured, limit)
+    return Rejection(Cause(stage, check, hazard, category, other, state), objects, measured, limit)
 
 
 def most_frequent(causes: Causes) -> list[tuple[Cause, int]]:

@@ -352,6 +352,7 @@ class CauseCount(Record):
     hazard: str | None
     category: str | None
     other: str | None
+    state: str | None
     count: int = Field(ge=1)
 
 
@@ -365,9 +366,7 @@ def cause_counts(causes: Causes) -> tuple[CauseCount, ...]:
 
 def causes_of(counts: Iterable[CauseCount]) -> Counter[Cause]:
     """Counted causes as they are added up."""
-    return Counter(
-        {Cause(c.stage, c.check, c.hazard, c.category, c.other): c.count for c in counts}
-    )
+    return Counter({Cause(**c.model_dump(exclude={"count"})): c.count for c in counts})
 
 
 class PhysicsReport(Record):

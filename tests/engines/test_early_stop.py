@@ -59,7 +59,7 @@ def test_failures_for_other_reasons_blame_no_hazard():
     [
         (Cause("hazards", "no_place", "spill"), "zones and heights of its recipes"),
         (
-            Cause("hazards", "already_open", "spill", "door"),
+            Cause("hazards", "already_set", "spill", "door", state="OPEN"),
             "no door there that is not OPEN already",
         ),
         (Cause("views", "unseen", "spill"), "no camera sees enough"),

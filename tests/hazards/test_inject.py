@@ -88,10 +88,13 @@ def test_a_hazard_without_a_place_is_named(home):
 
 
 @pytest.mark.parametrize(
-    ("rooms", "state", "category"),
-    [((), "already_closed", "fridge"), (("ballroom",), "no_place", None)],
+    ("rooms", "cause"),
+    [
+        ((), Cause("hazards", "already_set", "fridge_open", "fridge", state="CLOSED")),
+        (("ballroom",), Cause("hazards", "no_place", "fridge_open")),
+    ],
 )
-def test_a_state_that_all_have_already_is_named(home, rooms, state, category):
+def test_a_state_that_all_have_already_is_named(home, rooms, cause):
     """Fridges are shut from the start; where there is none, none is."""
     hazard = CATALOG.hazard("fridge_open")
     (recipe,) = [r for r in hazard.anomalies if r.kind == "set"][:1]
@@ -103,4 +106,4 @@ def test_a_state_that_all_have_already_is_named(home, rooms, state, category):
         home.context.models,
     )
     made = inject(["fridge_open"], home.layout.copy(), context, False, lane(3, 0, "inject"))
-    assert made == Rejection(Cause("hazards", state, "fridge_open", category))
+    assert made == Rejection(cause)

@@ -18,7 +18,7 @@ from sdgen.pipeline.contents import Contents, Reduced, without
 from sdgen.pipeline.finish import check_undone, with_history
 from sdgen.pipeline.scene import OVERLAP_HOMES, OVERLAP_TRIES, furnish_for, make_scene, overlap_of
 from sdgen.pipeline.spec import draw_spec, node_ids
-from sdgen.rejection import Cause, Rejection, reject
+from sdgen.rejection import Cause, Rejection
 from sdgen.scene import causes_of
 from sdgen.seeding import lane
 
@@ -133,7 +133,7 @@ def test_only_the_same_overlap_in_nearly_all_tries_ends_them():
     [(OVERLAP, OVERLAP_HOMES, OVERLAP_HOMES * OVERLAP_TRIES), (NO_REST, 5, 5 * 20)],
 )
 def test_overlapping_hazards_are_not_tried_a_hundred_times(cause, homes, tries, monkeypatch):
-    rejected = reject(*cause[:2], hazard=cause.hazard, category=cause.category, other=cause.other)
+    rejected = Rejection(cause)
     monkeypatch.setattr(scene_module, "furnish_for", lambda *_: None)
     monkeypatch.setattr(scene_module, "try_scene", lambda *_: rejected)
     with pytest.raises(SceneRejected) as caught:

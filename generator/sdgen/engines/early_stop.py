@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
-from sdgen.hazards.inject import ALREADY
+from sdgen.hazards.inject import ALREADY_SET
 from sdgen.rejection import Cause, Causes, causes_in_words, most_frequent
 
 #: Scenes that fail for good, mostly through one hazard that no scene before them shows, end a
@@ -87,7 +87,7 @@ def _hint(cause: Cause) -> str:
     """What to look at first."""
     if cause.other is not None:
         return f"what it puts there also is {cause.other}: make the predicates exclude each other"
-    if cause.check.startswith(ALREADY):
+    if cause.check == ALREADY_SET:
         return none_left(cause)
     return {
         "no_place": "look at the targets, rooms, zones and heights of its recipes",
@@ -97,6 +97,5 @@ def _hint(cause: Cause) -> str:
 
 
 def none_left(cause: Cause) -> str:
-    """What an ``already_open`` means: ``no door there that is not OPEN already``."""
-    state = cause.check.removeprefix(ALREADY).upper()
-    return f"no {cause.category} there that is not {state} already"
+    """What ``already_set`` means: ``no door there that is not OPEN already``."""
+    return f"no {cause.category} there that is not {cause.state} already"

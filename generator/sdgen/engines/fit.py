@@ -16,7 +16,7 @@ from sdgen.catalog.records import Catalog, Hazard, SetRecipe
 from sdgen.engines.early_stop import none_left
 from sdgen.engines.untouched import Untouched
 from sdgen.hazards.certify import facts_of
-from sdgen.hazards.inject import ALREADY, inject
+from sdgen.hazards.inject import ALREADY_SET, inject
 from sdgen.hazards.splits import SplitModels
 from sdgen.library import Library
 from sdgen.options import BuildOptions
@@ -172,7 +172,7 @@ def _missing(hazard: Hazard, trial: _Trial, seen: Collection[str], library: Libr
         return f"the library has no model of {_any_of(things)}"
     if trial.causes:
         cause = most_frequent(trial.causes)[0][0]
-        if cause.check.startswith(ALREADY):
+        if cause.check == ALREADY_SET:
             return none_left(cause)
     return (
         "its targets are there, but nothing fits: look at the sizes, rooms, zones and heights of "

@@ -17,8 +17,8 @@ CANDIDATES_TRIED = 20
 #: Of the hazards, this many have a near miss in a scene, so that having one says little.
 LOOKALIKE_SHARE = 0.85
 LOOKALIKE_CANDIDATES_TRIED = 6
-#: How the check of a state that all have from the start begins: ``already_open``.
-ALREADY = "already_"
+#: The check that fails where all that a recipe could set is in that state from the start.
+ALREADY_SET = "already_set"
 
 
 def inject(
@@ -43,13 +43,14 @@ def inject(
 def _no_place(
     hazard_id: str, allowed: Sequence[Candidate], layout: Layout, context: HomeContext
 ) -> Rejection:
-    """``already_open`` (or the like) with what is so, where all recipes ask for what there is
+    """``already_set`` with the category and the state, where all recipes ask for what there is
     already; else ``no_place``."""
     already = [already_set(one, layout, context) for one in allowed]
     if True in already and False not in already:
         unique = allowed[already.index(True)].unique
-        check = f"{ALREADY}{(unique.state or '').lower()}"
-        return reject("hazards", check, hazard=hazard_id, category=unique.category)
+        return reject(
+            "hazards", ALREADY_SET, hazard=hazard_id, category=unique.category, state=unique.state
+        )
     return reject("hazards", "no_place", hazard=hazard_id)
 
 

@@ -46,6 +46,18 @@ CHILD_REACH_M = 1.3
 #: 1.3 m or more in our homes, over furniture or against the wall.
 OVERHEAD_M = 1.3
 
+#: Of its footprint, a thing that is in a zone has at least this in it: more in than out.
+ZONE_SHARE = 0.5
+#: So near to that it is undecided: of a thing 0.3 m long this is 4.5 cm, which is seen, not
+#: measured.
+ZONE_SHARE_MARGIN = 0.15
+#: Of its footprint, what a thing has in a zone that it is put into: clear of the above, with room
+#: to settle.
+ZONE_KEEP_SHARE = 0.7
+#: Of its footprint, what may reach into a zone to be avoided: a thing at the edge of a walkway is
+#: in nobody's way, and zones taken whole would leave small rooms bare.
+ZONE_AVOID_SHARE = 0.2
+
 #: What moved further than this while the scene came to rest is not where it was put (Habitat 2.0,
 #: SceneSmith).
 DRIFT_LIMIT_M = 0.1

@@ -52,6 +52,31 @@ YES, NO, EITHER = Can(True, False), Can(False, True), Can(True, True)
         ("zone: doorway", place("floor", zone=("doorway",)), YES),
         ("zone: doorway", place("floor", zone=("doorway", "walkway")), EITHER),
         ("zone: doorway", place("floor", avoid_zones=("doorway",)), NO),
+        # 70 % of a footprint is kept in the zones asked for, 20 % may reach into those avoided.
+        (
+            "zone: {kind: doorway, overlap: 0.9, margin: 0.05}",
+            place("floor", zone=("doorway",)),
+            EITHER,
+        ),
+        (
+            "zone: {kind: doorway, overlap: 0.6, margin: 0.1}",
+            place("floor", zone=("doorway",)),
+            YES,
+        ),
+        (
+            "zone: {kind: doorway, overlap: 0.1, margin: 0.05}",
+            place("floor", avoid_zones=("doorway",)),
+            EITHER,
+        ),
+        (
+            "zone: {kind: doorway, overlap: 0.3, margin: 0.1}",
+            place("floor", avoid_zones=("doorway",)),
+            NO,
+        ),
+        # 35 % in the one and 35 % in the other is in neither.
+        ("zone: [doorway, walkway]", place("floor", zone=("doorway", "walkway")), EITHER),
+        # Nothing looks at zones on furniture.
+        ("zone: doorway", place("desk", avoid_zones=("doorway",)), EITHER),
         ("distance: {to: stove, max_m: 1}", place(), EITHER),
         ("any: [{category: stove}, {relation: ON}]", place(), YES),
         ("{category: knife, height: {max_m: 1}}", place(), EITHER),

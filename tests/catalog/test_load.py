@@ -107,6 +107,16 @@ def test_replacing_is_asked_for(tmp_path: Path) -> None:
         ("target: coffee_table", "target: coffee_table, zone: doorway", "needs 'target: floor'"),
         (
             "target: coffee_table",
+            "target: coffee_table, avoid_zones: doorway",
+            "anomalies[0].avoid_zones: avoid_zones needs 'target: floor'",
+        ),
+        (
+            "target: coffee_table",
+            "target: floor, zone: doorway, avoid_zones: walkway",
+            "anomalies[0].avoid_zones: avoid_zones does nothing beside a zone",
+        ),
+        (
+            "target: coffee_table",
             "target: coffee_table, rooms: cellar",
             "unknown room type 'cellar'",
         ),

@@ -4,10 +4,9 @@ import math
 
 import pytest
 from sdgen.catalog.terms import distance, height
-from sdgen.catalog.terms import zone as zone_term
 from sdgen.facts import thresholds as t
 from sdgen.resources import data_path
-from sdgen.vocabulary import CHILD_REACH_M, RELATIONS, TAGS
+from sdgen.vocabulary import CHILD_REACH_M, RELATIONS, TAGS, ZONE_SHARE, ZONE_SHARE_MARGIN
 
 OUTPUT = data_path("hazard_catalog").parent / "output" / "README.md"
 PAGES = (data_path("hazard_catalog", "README.md"), OUTPUT)
@@ -34,11 +33,11 @@ ROWS = (
 #: Terms and tags with a limit of their own or of the hazard's.
 SENTENCES = (
     f"`height` is undecided within {height.MARGIN_M:g} m, `distance` within "
-    f"{distance.MARGIN_M:g} m, `zone` (at least {zone_term.OVERLAP:g} of the footprint) within "
-    f"{zone_term.MARGIN:g} of it",
+    f"{distance.MARGIN_M:g} m, `zone` (at least {ZONE_SHARE:g} of the footprint) within "
+    f"{ZONE_SHARE_MARGIN:g} of it",
     f"`IN_REACH_OF_CHILD`: loose, at most {CHILD_REACH_M:g} m up and not `INSIDE` something that",
     f"`NEAR_EDGE`: its centre less than {t.NEAR_EDGE_M:g} m from the edge",
-    f"`IN_DOORWAY`, `IN_WALKWAY`: at least {zone_term.OVERLAP:g} of its footprint",
+    f"`IN_DOORWAY`, `IN_WALKWAY`: at least {ZONE_SHARE:g} of its footprint",
 )
 
 

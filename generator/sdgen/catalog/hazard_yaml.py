@@ -69,8 +69,13 @@ class PlaceYaml(Record):
         if low is not None and high is not None and low > high:
             text = f"min_height_m ({low:g}) is above max_height_m ({high:g})"
             refuse(problem(("min_height_m",), text))
-        if self.zone and self.target != ("floor",):
-            refuse(problem(("zone",), "zone needs 'target: floor'"))
+        if self.target != ("floor",):
+            # Nothing looks at zones where things are put on or into furniture.
+            for key, zones in (("zone", self.zone), ("avoid_zones", self.avoid_zones)):
+                if zones:
+                    refuse(problem((key,), f"{key} needs 'target: floor'"))
+        if self.zone and self.avoid_zones:
+            refuse(problem(("avoid_zones",), "avoid_zones does nothing beside a zone"))
         return self
 
     def record(self) -> PlaceRecipe:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from sdgen import vocabulary
 from sdgen.kleene import EPS, Kleene
 
 
@@ -71,8 +72,9 @@ BEARING_LEVEL = 0.5
 UNDER_SHARE = around(0.5, 0.1)
 #: UNDER: how far a thing's top lies below the other's highest surface, metres.
 UNDER_M = around(0.0, 0.005)
-#: Zones: share of the footprint in the zone, for tags and BLOCKS (a zone term has its own).
-ZONE_SHARE = around(0.5, 0.15)
+#: BLOCKS: share of the footprint in a doorway's zones. A zone term has the same unless a hazard
+#: says otherwise; tags are such terms.
+ZONE_SHARE = around(vocabulary.ZONE_SHARE, vocabulary.ZONE_SHARE_MARGIN)
 #: Zones: how far the object's range of heights and the zone's overlap, metres.
 ZONE_LEVEL_M = around(0.0, 0.02)
 #: BLOCKS: a thing lower than this, metres, is stepped over without noticing.

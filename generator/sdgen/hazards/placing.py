@@ -15,7 +15,7 @@ from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, within_room
 from sdgen.library.records import Asset
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
-from sdgen.vocabulary import OPENINGS
+from sdgen.vocabulary import OPENINGS, ZONE_KEEP_SHARE
 
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
@@ -23,9 +23,6 @@ FLUSH_M = 0.0005
 TARGETS_TRIED = 4
 #: Spots looked at on one target where only some heights will do (a high shelf of a bookcase).
 SPOTS_TRIED = 6
-#: Of a footprint that is put into a zone: clear of the half (and its margin of 0.15) at which a
-#: zone term holds, with room to settle.
-ZONE_KEEP_SHARE = 0.7
 
 
 @dataclass(frozen=True)

@@ -35,7 +35,7 @@ from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
 from sdgen.scene import Home, ObjectInstance, Opening, Pose
 from sdgen.seeding import Rng
-from sdgen.vocabulary import HALF_WALL_M
+from sdgen.vocabulary import HALF_WALL_M, ZONE_AVOID_SHARE
 
 #: Things start this far above what they stand on: a contact at the start would push them.
 DROP_M = 0.001
@@ -46,9 +46,6 @@ FLOOR_GAP_M = 0.03
 #: Spots drawn for a thing on one target; of 2,100 spots found two fifths were the first, one in a
 #: hundred the twelfth.
 TRIES = 12
-#: Of a footprint on the floor, what may reach into a zone to be avoided: a thing at the edge of a
-#: walkway is in nobody's way, and zones taken whole would leave small rooms bare.
-AVOID_SHARE = 0.2
 #: Left above a thing on a shelf: a hand gets it in and out.
 HEADROOM_LEFT_M = 0.015
 #: What may reach into a wall: less than physics calls a penetration.
@@ -196,7 +193,7 @@ class Layout:
     ) -> Vec3Yaw | None:
         """A free spot on the floor with its centre in ``area``, all within the outline.
 
-        At least ``keep_share`` of the footprint lies in ``area``, at most ``AVOID_SHARE`` in
+        At least ``keep_share`` of the footprint lies in ``area``, at most ``ZONE_AVOID_SHARE`` in
         ``avoid``.
         """
         shapely.prepare(area)
@@ -216,7 +213,7 @@ class Layout:
             if (
                 avoid is not None
                 and avoid.intersects(print_)
-                and print_.intersection(avoid).area > AVOID_SHARE * print_.area
+                and print_.intersection(avoid).area > ZONE_AVOID_SHARE * print_.area
             ):
                 continue
             spot = (*point, 0.0), yaw

@@ -7,13 +7,14 @@ from typing import Literal
 from sdgen.catalog.predicate import Evidence, FactSource, Verdict, ZoneShare, any_verdict, rounded
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Term, either
-from sdgen.kleene import all_of, at_least
-from sdgen.vocabulary import ZONE_KINDS
-
-#: More in the zone than out of it.
-OVERLAP = 0.5
-#: Of a thing 0.3 m long, this is 4.5 cm: seen, not measured.
-MARGIN = 0.15
+from sdgen.kleene import EPS, all_of, at_least
+from sdgen.vocabulary import (
+    ZONE_AVOID_SHARE,
+    ZONE_KEEP_SHARE,
+    ZONE_KINDS,
+    ZONE_SHARE,
+    ZONE_SHARE_MARGIN,
+)
 
 
 class ZoneTerm(Term):
@@ -21,8 +22,8 @@ class ZoneTerm(Term):
 
     kind: Literal["zone"] = "zone"
     any_of: tuple[str, ...]
-    overlap: float = OVERLAP
-    margin: float = MARGIN
+    overlap: float = ZONE_SHARE
+    margin: float = ZONE_SHARE_MARGIN
 
     @classmethod
     def read(cls, reader: Reader, scope: Scope) -> ZoneTerm | None:
@@ -34,8 +35,8 @@ class ZoneTerm(Term):
         below = reader.child("zone")
         term = cls(
             any_of=below.words("kind", choices=ZONE_KINDS, what="zone"),
-            overlap=below.number("overlap", OVERLAP, low=0.01, high=1.0),
-            margin=below.number("margin", MARGIN, low=0.0, high=0.5),
+            overlap=below.number("overlap", ZONE_SHARE, low=0.01, high=1.0),
+            margin=below.number("margin", ZONE_SHARE_MARGIN, low=0.0, high=0.5),
         )
         if term.margin > min(term.overlap, 1.0 - term.overlap):
             below.problem(f"nothing is surely in or out of it: the margin is {term.margin:g}")
@@ -65,7 +66,14 @@ class ZoneTerm(Term):
         return f"at least {self.overlap:.0%} of it is in a {either(self.any_of)}"
 
     def possible(self, case: Case) -> Can:
-        if case.zone and set(case.zone) <= set(self.any_of):
-            return ALWAYS
-        barred = case.relation is not None and set(self.any_of) <= set(case.avoid_zones)
-        return NEVER if barred else EITHER
+        """Zones are asked for or avoided on floors alone, and only up to a share."""
+        if case.target != "floor":
+            return EITHER
+        if case.zone:
+            # Several kinds share what is kept: a thing across their border may be in neither.
+            surely = self.overlap + self.margin <= ZONE_KEEP_SHARE + EPS
+            return (
+                ALWAYS if surely and len(case.zone) == 1 and case.zone[0] in self.any_of else EITHER
+            )
+        surely_not = self.overlap - self.margin >= ZONE_AVOID_SHARE - EPS
+        return NEVER if surely_not and set(self.any_of) <= set(case.avoid_zones) else EITHER

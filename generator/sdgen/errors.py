@@ -90,6 +90,17 @@ class Stopped(BaseException):
         return 128 + self.number
 
 
+def os_error_in_words(error: OSError, place: object = None) -> str:
+    """``/tmp/x: No space left on device``: the file that the error names, else ``place``.
+
+    Of two files (a copy's) it is the second, which was to be written. What fails while it writes
+    into an open file names none.
+    """
+    where = error.filename2 or error.filename or place
+    why = error.strerror or " ".join(str(error).split()) or type(error).__name__
+    return why if where is None else f"{where}: {why}"
+
+
 def did_you_mean(word: str, choices: Sequence[str]) -> str:
     """`` (did you mean x?)`` for the nearest choice, else the list of choices when short."""
     import difflib

@@ -12,7 +12,7 @@ from sdgen.dataset.scene_folder import BUILD_FOLDER
 from sdgen.dataset.transfer import PackedScene, pack, unpack
 from sdgen.dataset.versions import package_versions
 from sdgen.engines.worker import SceneResult, SceneWorker, WorkerSetup
-from sdgen.errors import SdgenError
+from sdgen.errors import SdgenError, os_error_in_words
 from sdgen.library import Library
 from sdgen.render import choose_renderer
 from sdgen.resources import data_path
@@ -94,8 +94,8 @@ def receive(root: Path, result: SceneResult | Sent) -> SceneResult:
             unpack(root, packed)
     except OSError as error:
         raise SdgenError(
-            f"{root}: scene {result.result.scene_id} cannot be written: "
-            f"{error.strerror or error}; what is finished is kept, the same command goes on"
+            f"scene {result.result.scene_id} cannot be written: {os_error_in_words(error, root)}; "
+            "what is finished is kept, the same command goes on"
         ) from None
     return result.result
 

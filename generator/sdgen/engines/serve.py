@@ -16,7 +16,7 @@ from typing import Any
 
 from sdgen.engines.machine import held_mb, peak_mb
 from sdgen.engines.protocol import Answer, Broken, Died, Factory, Ready
-from sdgen.errors import SdgenError, WorkerFault
+from sdgen.errors import SdgenError, WorkerFault, os_error_in_words
 
 PACKAGE = Path(__file__).resolve().parents[1]
 
@@ -33,11 +33,8 @@ def main(handle: int, parent: int, order: str) -> None:
         try:
             factory, args = pickle.loads(Path(order).read_bytes())
             work = set_up(factory, args)
-        except SdgenError as error:
-            pipe.send(Broken(error))
-            return
         except Exception as error:
-            pipe.send(Broken(fault(error)))
+            pipe.send(Broken(understood(error)))
             return
         # What a worker sets up (a catalogue, a library's records) stays as long as it does: looked
         # through again at every full collection it cost 20 ms of a core a scene.
@@ -52,25 +49,38 @@ def main(handle: int, parent: int, order: str) -> None:
 
 
 def set_up(factory: Factory, args: tuple[Any, ...]) -> Any:
-    """What does the jobs. Raises SdgenError, or WorkerFault for anything else."""
+    """What does the jobs. Raises SdgenError, WorkerFault for programming errors."""
     try:
         return factory(*args)
     except SdgenError:
         raise
     except Exception as error:
-        raise fault(error) from error
+        raise understood(error) from error
 
 
 def answer(work: Any, job: int) -> Answer | Died:
     """Do one job; whatever it raises becomes a message."""
     try:
         return Answer(work(job), None, held_mb(), peak_mb())
-    except SdgenError as error:
-        return Answer(None, error, held_mb(), peak_mb())
     except MemoryError:
         return Died("out_of_memory", "out of memory")
     except Exception as error:
-        return Answer(None, fault(error), held_mb(), peak_mb())
+        return Answer(None, understood(error), held_mb(), peak_mb())
+
+
+def understood(error: Exception) -> SdgenError:
+    """The error in words for a person.
+
+    What the system refuses (a full disk, a folder that is gone) is the machine's, and no other
+    job would fare better; what is neither that nor raised on purpose is a programming error.
+    """
+    if isinstance(error, SdgenError):
+        return error
+    if isinstance(error, OSError):
+        if os.environ.get("SDGEN_DEBUG"):
+            traceback.print_exception(error)
+        return SdgenError(os_error_in_words(error))
+    return fault(error)
 
 
 def fault(error: Exception) -> WorkerFault:

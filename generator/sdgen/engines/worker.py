@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import os
+import tempfile
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from sdgen.catalog.records import Catalog
 from sdgen.closing import Closing
 from sdgen.dataset.scene_folder import SceneFolder, SceneWriter
-from sdgen.errors import SdgenError
+from sdgen.errors import SdgenError, os_error_in_words
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
@@ -63,20 +65,19 @@ class SceneWorker(Closing):
         self._renderer = open_renderer(setup.choice) if setup.choice is not None else None
 
     def __call__(self, index: int) -> SceneResult:
-        """Make, draw and write scene ``index`` (and its twin). Raises SceneRejected."""
+        """Make, draw and write scene ``index`` (and its twin).
+
+        Raises SceneRejected, and SdgenError when a disk is full or a folder gone.
+        """
         start = time.monotonic()
         setup = self._setup
-        bundle = make_scene(index, setup.catalog, self._library, setup.options, self._client)
-        try:
+        with _refused(f"scene {index:06d} cannot be made"):
+            bundle = make_scene(index, setup.catalog, self._library, setup.options, self._client)
+        with _refused(f"scene {index:06d} cannot be written", setup.writer.root):
             # The twin first: a scene that is there has its twin beside it.
             if bundle.twin is not None:
                 self._draw_and_write(bundle.twin)
             all_visible = self._draw_and_write(bundle)
-        except OSError as error:
-            raise SdgenError(
-                f"{setup.writer.root}: scene {bundle.scene.id} cannot be written: "
-                f"{error.strerror or error}; what is finished is kept, the same command goes on"
-            ) from None
         drawn = len(bundle.cameras) if self._renderer is not None else 0
         return SceneResult(
             scene_id=bundle.scene.id,
@@ -114,13 +115,31 @@ class SceneWorker(Closing):
         if self._renderer is None:
             return
         options = self._setup.options
-        for frame in render_frames(
+        frames = render_frames(
             self._renderer,
             self._library,
             bundle.scene,
             bundle.cameras,
             options.sensors,
             options.supersample,
-        ):
+        )
+        while True:
+            with _refused(f"scene {bundle.scene.id} cannot be drawn"):
+                frame = next(frames, None)
+            if frame is None:
+                return
             folder.add(frame)
             yield frame
+
+
+@contextmanager
+def _refused(what: str, place: Path | None = None) -> Iterator[None]:
+    """Says what the system refuses, and where: ``place`` (None: the temporary files) unless the
+    error names a file itself."""
+    try:
+        yield
+    except OSError as error:
+        where = os_error_in_words(error, place or tempfile.gettempdir())
+        raise SdgenError(
+            f"{what}: {where}; what is finished is kept, the same command goes on"
+        ) from None

@@ -1,5 +1,6 @@
 """A build survives what its workers do."""
 
+import errno
 import os
 import signal
 import subprocess
@@ -12,8 +13,8 @@ import pytest
 from sdgen import seeding
 from sdgen.engines import serve
 from sdgen.engines.processes import Processes
-from sdgen.engines.protocol import Outcome, Replaced
-from sdgen.engines.supervise import Limits, Supervised
+from sdgen.engines.protocol import Answer, Died, Message, Outcome, Ready, Replaced
+from sdgen.engines.supervise import STARTS, Limits, Supervised
 from sdgen.errors import InputError, SceneRejected, SdgenError, WorkerFault
 from sdgen.rejection import Cause
 from sdgen.scratch import PREFIX
@@ -46,6 +47,8 @@ class Work:
                 raise InputError(["a.yaml:3: first", "a.yaml:4: second"])
             if how.endswith("no memory"):
                 raise MemoryError
+            if how.endswith("full disk"):
+                raise OSError(errno.ENOSPC, "No space left on device", "/tmp/a.obj")
             if how.endswith("litter"):
                 tempfile.mkdtemp(prefix="litter-")
         return job * job
@@ -64,6 +67,10 @@ def dying_factory() -> Work:
 
 def clumsy_factory() -> Work:
     return {}["missing"]
+
+
+def refused_factory() -> Work:
+    open("/nowhere/at/all").close()
 
 
 def engine(workers, factory, args=(), **limits):
@@ -121,6 +128,19 @@ def test_an_error_of_the_input_comes_home_whole(tmp_path):
     assert caught.value.problems == ("a.yaml:3: first", "a.yaml:4: second")
 
 
+def test_what_the_system_refuses_concerns_all_and_is_no_bug(tmp_path):
+    with (
+        engine(1, Work, (str(tmp_path), {0: "full disk"})) as running,
+        pytest.raises(SdgenError) as caught,
+    ):
+        list(running.run(range(3)))
+    assert not isinstance(caught.value, WorkerFault)
+    assert str(caught.value) == "/tmp/a.obj: No space left on device"
+    with engine(1, refused_factory) as running, pytest.raises(SdgenError) as caught:
+        list(running.run([0]))
+    assert str(caught.value) == "/nowhere/at/all: No such file or directory"
+
+
 def test_what_workers_leave_among_temporary_files_goes_with_them(tmp_path, own_temporary_folder):
     with engine(2, Work, (str(tmp_path), dict.fromkeys(range(4), "litter"))) as running:
         assert sum(isinstance(e, Outcome) for e in running.run(range(4))) == 4
@@ -174,6 +194,82 @@ def test_workers_that_die_at_their_start_end_the_build():
     said = r"workers do not start: worker died \(exit code 7\)"
     with engine(2, dying_factory) as running, pytest.raises(SdgenError, match=said):
         list(running.run(range(4)))
+
+
+class FakeWorker:
+    """Is ready after ``start_s`` (None: dies instead); a job takes no time, or for ever."""
+
+    def __init__(self, start_s: float | None, hangs: bool) -> None:
+        self.ready_at = time.monotonic() + (start_s or 0.0)
+        self.dies, self.hangs = start_s is None, hangs
+        self.greeted = False
+        self.job: int | None = None
+
+    def give(self, job: int) -> None:
+        self.job = job
+
+    def held_mb(self) -> float:
+        return 1.0
+
+    def end(self) -> None:
+        pass
+
+    def says(self) -> Message | None:
+        if not self.greeted:
+            self.greeted = time.monotonic() >= self.ready_at
+            if not self.greeted:
+                return None
+            return Died("died", "worker died (exit code 7)") if self.dies else Ready()
+        if self.job is None or self.hangs:
+            return None
+        job, self.job = self.job, None
+        return Answer(job * job)
+
+
+class FakeLauncher:
+    """Launches one fake worker after the other; the last one again and again."""
+
+    def __init__(self, count: int, *workers: tuple[float | None, bool]) -> None:
+        self.count, self.workers, self.launched = count, workers, 0
+
+    def size(self) -> int:
+        return self.count
+
+    def launch(self) -> FakeWorker:
+        self.launched += 1
+        return FakeWorker(*self.workers[min(self.launched, len(self.workers)) - 1])
+
+    def wait(self, workers, timeout_s: float):
+        time.sleep(0.01)
+        return [(one, said) for one in workers if (said := one.says()) is not None]
+
+    def close(self) -> None:
+        pass
+
+
+def test_a_hang_longer_than_workers_may_take_to_start_costs_a_retry_too():
+    limits = Limits(timeout_s=0.5, start_s=0.3)
+    with Supervised(FakeLauncher(1, (0.05, True), (0.05, False)), limits) as running:
+        events = list(running.run(range(2)))
+    assert [event.why for event in events if isinstance(event, Replaced)] == [
+        "scene 000000: no answer in 0 s"
+    ]
+    assert [event.result for event in events if isinstance(event, Outcome)] == [0, 1]
+
+
+def test_a_worker_that_is_never_ready_ends_the_build():
+    with (
+        Supervised(FakeLauncher(1, (60.0, False)), Limits(start_s=0.2)) as running,
+        pytest.raises(SdgenError, match="no worker has started"),
+    ):
+        list(running.run([0]))
+
+
+def test_replacements_that_do_not_start_end_no_build_whose_other_workers_are_well():
+    launcher = FakeLauncher(2, (0.0, False), (None, False))
+    with Supervised(launcher) as running:
+        assert [event.result for event in running.run(range(40))] == [k * k for k in range(40)]
+    assert launcher.launched == 1 + STARTS  # and then a pause
 
 
 def test_faults_are_told_by_the_innermost_line_of_the_package_and_of_all():

@@ -23,8 +23,11 @@ from sdgen.engines.protocol import (
 from sdgen.errors import SceneRejected, SdgenError, WorkerFault
 from sdgen.rejection import Cause
 
-#: Workers that may die in a row before any has ever been ready.
+#: Workers that may die at their start in a row: one may be chance, three have a reason. With no
+#: other worker left the build ends then; with others it goes on, and tries again so much later (a
+#: start costs a core one or two seconds, a machine that was full or lost is back in minutes).
 STARTS = 3
+START_PAUSE_S = 60.0
 _POLL_S = 1.0
 
 
@@ -33,7 +36,8 @@ class Limits:
     """When a worker is given up: seconds a job, megabytes it holds after a job or within one.
 
     ``retries`` of a job whose worker crashed or hung: one by default, since a crash that comes
-    from the job comes again. ``start_s``: within these one of the workers at least must be ready.
+    from the job comes again. ``start_s``: a worker must be ready so many seconds after its start,
+    unless another one is; without any machine to start one on, so long a build waits for one.
     """
 
     timeout_s: float = 900.0
@@ -63,7 +67,8 @@ class Supervised(Closing):
         self._limits = limits or Limits()
         self._places: list[_Place] = []
         self._failed_starts = 0
-        self._heard = time.monotonic()
+        self._next_start = float("-inf")
+        self._changed = time.monotonic()
         self.peak_mb = 0.0
 
     def close(self) -> None:
@@ -78,7 +83,7 @@ class Supervised(Closing):
         waiting = deque(jobs)
         left = len(waiting)
         tries: Counter[int] = Counter()
-        self._heard = time.monotonic()
+        self._changed = time.monotonic()
         while left:
             self._hand_out(waiting)
             for place, message in self._listen():
@@ -122,10 +127,13 @@ class Supervised(Closing):
             if waiting and place.ready and place.job is None:
                 place.job, place.since = waiting.popleft(), time.monotonic()
                 place.worker.give(place.job)
+        if time.monotonic() < self._next_start and self._any_ready():
+            return
         starting = sum(not place.ready for place in self._places)
         wanted = min(self._launcher.size() - len(self._places), len(waiting) - starting)
         for _ in range(wanted):
             self._places.append(_Place(self._launcher.launch()))
+            self._changed = time.monotonic()
 
     def _listen(self) -> list[tuple[_Place, Message]]:
         by_worker = {id(p.worker): p for p in self._places if p.job is not None or not p.ready}
@@ -133,7 +141,7 @@ class Supervised(Closing):
         found = self._launcher.wait(busy, _POLL_S)
         heard = [(by_worker.pop(id(worker)), message) for worker, message in found]
         for place, message in heard:
-            self._heard = time.monotonic()
+            self._changed = time.monotonic()
             if isinstance(message, Answer):
                 place.peak_mb = max(place.peak_mb, message.peak_mb)
         for place in by_worker.values():
@@ -157,18 +165,26 @@ class Supervised(Closing):
             return Died("too_much_memory", why)
         return None
 
+    def _any_ready(self) -> bool:
+        return any(place.ready for place in self._places)
+
     def _nobody_left(self) -> None:
-        silent = time.monotonic() - self._heard
-        if silent > self._limits.start_s and not any(place.ready for place in self._places):
+        """Raise when no worker is ready, and none came, went or was started for too long."""
+        silent = time.monotonic() - self._changed
+        if silent > self._limits.start_s and not self._any_ready():
             raise SdgenError(f"no worker has started in {silent:.0f} s")
 
     def _start_failed(self, message: Died) -> None:
         self._failed_starts += 1
-        if self._failed_starts >= STARTS:
+        if self._failed_starts < STARTS:
+            return
+        if not self._any_ready():
             raise SdgenError(
                 f"workers do not start: {message.why}; SDGEN_DEBUG=1 shows what they say"
             )
+        self._next_start = time.monotonic() + START_PAUSE_S
 
     def _end(self, place: _Place) -> None:
         self._places.remove(place)
         place.worker.end()
+        self._changed = time.monotonic()

@@ -1,4 +1,4 @@
-"""What a worker says of a disk that is full or a folder that is gone: which, and that it can go on."""
+"""What a worker says of a full disk or a folder that is gone: which one, and that it can go on."""
 
 import errno
 import shutil

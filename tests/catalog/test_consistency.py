@@ -126,7 +126,11 @@ def test_a_contradiction_is_told(tmp_path: Path, old: str, new: str, problem: st
             "  any: [{category: vase}, {not: {category: vase}}]",
             ":8: predicate: is true of every ",
         ),
-        ("  category: vase\n  relation: ON", "  height: {min_m: 0}", "is true of every "),
+        (
+            "  category: vase\n  relation: ON",
+            "  not: {category: coffee_table}",
+            "is true of every ",
+        ),
         (
             "  - {place: vase, relation: ON, target: coffee_table}",
             "  - {place: vase, relation: ON, target: coffee_table}\n"

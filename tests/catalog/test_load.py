@@ -130,6 +130,11 @@ def test_replacing_is_asked_for(tmp_path: Path) -> None:
             "who: children, max_age: 3, by_reach: true",
             "concerns.by_reach: by_reach needs a term 'height:",
         ),
+        (
+            "  - {place: vase,",
+            "  - {set: vase, state: BROKEN}\n  - {place: vase,",
+            ":13: anomalies[0].set: vase is placed by another recipe: not both",
+        ),
         ("{room}", "{place}", "message: unknown placeholder {place}"),
         ("{room}", "{room", "message: has a brace without its pair"),
         ("{room}", "{room.__class__}", "message: unknown placeholder {room.__class__}"),
@@ -148,6 +153,53 @@ def test_a_bad_hazard_is_told_with_its_line(
     found = problems(folder)
     assert any(problem in line for line in found), found
     assert all(line.startswith(f"{folder}/hazards/wobbly_vase.yaml:") for line in found)
+
+
+REACH = "{height: {max_m: 1.1, evidence: reach_height_m}}"
+LOW = "{relation: ON, target: coffee_table}"
+
+
+@pytest.mark.parametrize(
+    ("terms", "told"),
+    [
+        (f"any: [{LOW}, {REACH}]", True),  # only one branch's evidence is kept
+        (f"any: [{REACH}, {{all: [{LOW}, {REACH}]}}]", False),
+        (f"all: [{LOW}, {REACH}]", False),
+        (f"not: {REACH}", True),  # what does not hold is no evidence
+    ],
+)
+def test_by_reach_is_measured_wherever_the_predicate_holds(
+    tmp_path: Path, terms: str, told: bool
+) -> None:
+    text = HAZARD.replace("who: everyone", "who: children, max_age: 3, by_reach: true")
+    text = text.replace("  relation: ON\n", f"  {terms}\n")
+    folder = write(tmp_path, hazards__wobbly_vase=text)
+    if told:
+        assert any(":4: concerns.by_reach: by_reach needs" in line for line in problems(folder))
+    else:
+        assert load_catalog([folder]).hazard("wobbly_vase").concerns.by_reach
+
+
+def test_a_message_about_what_is_set_has_its_target(tmp_path: Path) -> None:
+    """A wall cabinet that stands open is on nothing: the message would have a hole."""
+    text = HAZARD.replace("category: vase", "category: wall_cabinet\n  state: OPEN")
+    text = text.replace("{place: vase, relation: ON, target: coffee_table}", "{set: wall_cabinet}")
+    text = text.replace("{set: wall_cabinet}", "{set: wall_cabinet, state: OPEN}")
+    folder = write(tmp_path, hazards__wobbly_vase=text)
+    assert load_catalog([folder]).hazard("wobbly_vase").relation == "ON"
+    write(tmp_path, hazards__wobbly_vase=text.replace("OPEN\n  relation: ON", "OPEN"))
+    (problem,) = problems(folder)
+    assert ":6: message: {target} of a thing that is set needs 'relation: ON'" in problem
+
+
+def test_the_reach_of_children_is_replaced_on_request_only(tmp_path: Path) -> None:
+    table = "reach: {rows: [{max_age: 9, reach_m: 1.5}]%s}\n"
+    folder = write(tmp_path, households=table % "")
+    (problem,) = problems(folder)
+    assert "households.yaml:1: reach: table 'reach' is already defined at hazard_cat" in problem
+    assert "replaces: true" in problem
+    write(tmp_path, households=table % ", replaces: true")
+    assert [row.reach_m for row in load_catalog([folder]).reach] == [1.5]
 
 
 def test_all_problems_come_at_once_in_order(tmp_path: Path) -> None:
@@ -226,7 +278,7 @@ def test_a_bad_category_is_told(tmp_path: Path, old: str, new: str, problem: str
         ),
         (
             "households",
-            "reach: {rows: [{max_age: 5, reach_m: 1}, {max_age: 4, reach_m: 2}]}",
+            "reach: {rows: [{max_age: 5, reach_m: 1}, {max_age: 4, reach_m: 2}], replaces: true}",
             "rise",
         ),
     ],

@@ -122,6 +122,8 @@ def test_each_term_is_read(text: str, term: Predicate) -> None:
         ("height: {max_cm: 130}", "height.max_cm: unknown key (did you mean 'max_m'?)"),
         ("distance: {max_m: 1}", "distance: missing key 'to'"),
         ("height: {max_m: 0.02}", "height: nothing is surely within these limits"),
+        ("height: {min_m: 0}", "height.min_m: 0 is no lower limit: nothing is less; leave it out"),
+        ("distance: {to: stove, min_m: 0.0, max_m: 1}", "distance.min_m: 0 is no lower limit"),
         ("height: {min_m: 1, max_m: 1.05}", "the margin is 0.03 m"),
         ("zone: {kind: heat, overlap: 0.1}", "zone: nothing is surely in or out of it"),
         ("{relation: BETWEEN, target: knife}", "target: unknown room type 'knife'"),

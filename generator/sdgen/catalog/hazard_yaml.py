@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import Annotated, Any, Literal, get_args
+from collections.abc import Callable
+from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
@@ -19,7 +20,7 @@ from sdgen.catalog.records import (
     RemedyRule,
     SetRecipe,
 )
-from sdgen.catalog.terms import AllTerm, AnyTerm, HeightTerm, Predicate
+from sdgen.catalog.terms import AllTerm, AnyTerm, HeightTerm, Predicate, RelationTerm
 from sdgen.catalog.words import (
     Categories,
     Names,
@@ -42,7 +43,6 @@ LABELS: dict[Group, Label] = {
     "child_safety": "unsafe for children",
 }
 Action = Literal["close", "switch_off", "put_out", "put_in", "put_on", "wipe_up", "throw_away"]
-ACTIONS = get_args(Action)
 _PLACEHOLDERS = ("object", "target", "room")
 _Relation = Literal["ON", "INSIDE"]
 #: No room is higher.
@@ -152,9 +152,22 @@ class HazardYaml(Record):
         wanted = LABELS[self.group]
         if self.label not in (None, wanted):
             found.append(problem(("label",), f"the label of group {self.group} is {wanted!r}"))
+        found += [
+            problem(("anomalies", index, "set"), f"{name} is placed by another recipe: not both")
+            for index, recipe in enumerate(self.anomalies)
+            if isinstance(recipe, SetYaml)
+            for name in recipe.set
+            if name in self._placed()
+        ]
         if found:
             refuse(*found)
         return self
+
+    def _placed(self) -> set[str]:
+        """What its anomalies put there. None of it may also be set: the twin takes away the one
+        and sets back the other, and must know which is which."""
+        recipes = (recipe for recipe in self.anomalies if isinstance(recipe, PlaceYaml))
+        return {name for recipe in recipes for name in recipe.place}
 
     def _message(self) -> list[str]:
         """What is wrong with the placeholders of the message."""
@@ -181,9 +194,14 @@ def read_hazard(entry: Entry, names: Names) -> Hazard | None:
     written = entry.read(HazardYaml, names)
     if written is None or predicate is None or entry.source.problems:
         return None
-    if written.concerns.by_reach and not _measures_reach(predicate):
+    if written.concerns.by_reach and not _always(predicate, _measures_reach):
         text = "by_reach needs a term 'height: {…, evidence: reach_height_m}' in the predicate"
-        entry.problem(text, "concerns", "by_reach")
+        entry.problem(f"{text}, in every branch of an 'any'", "concerns", "by_reach")
+    changes = any(isinstance(recipe, SetYaml) for recipe in written.anomalies)
+    if changes and "{target}" in written.message and not _always(predicate, _stands_somewhere):
+        # What a home has may hang on a wall, or be a door: nothing says that it is on something.
+        text = "{target} of a thing that is set needs 'relation: ON' or 'INSIDE'"
+        entry.problem(f"{text} in the predicate, too", "message")
     hazard = as_record(
         written,
         Hazard,
@@ -198,7 +216,19 @@ def read_hazard(entry: Entry, names: Names) -> Hazard | None:
     return hazard
 
 
-def _measures_reach(predicate: Predicate) -> bool:
-    if isinstance(predicate, AllTerm | AnyTerm):
-        return any(_measures_reach(term) for term in predicate.within())
-    return isinstance(predicate, HeightTerm) and predicate.evidence == "reach_height_m"
+def _always(predicate: Predicate, has: Callable[[Predicate], bool]) -> bool:
+    """Whether such a term holds wherever the predicate does: it is some part of an ``all``, and
+    one of every branch of an ``any`` (only one branch's evidence is kept)."""
+    if isinstance(predicate, AllTerm):
+        return any(_always(term, has) for term in predicate.within())
+    if isinstance(predicate, AnyTerm):
+        return all(_always(term, has) for term in predicate.within())
+    return has(predicate)
+
+
+def _measures_reach(term: Predicate) -> bool:
+    return isinstance(term, HeightTerm) and term.evidence == "reach_height_m"
+
+
+def _stands_somewhere(term: Predicate) -> bool:
+    return isinstance(term, RelationTerm) and term.relation in ("ON", "INSIDE")

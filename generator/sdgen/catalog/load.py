@@ -23,7 +23,7 @@ from sdgen.catalog.words import NOT_A_NAME, WORD, Names
 from sdgen.catalog.world_yaml import CategoryYaml, HouseholdYaml, MixYaml, ReachYaml, RoomTypeYaml
 from sdgen.errors import InputError, did_you_mean
 from sdgen.resources import data_path
-from sdgen.strict import shown
+from sdgen.strict import no_mapping, unknown_key
 from sdgen.yaml_source import Path_, Source
 
 __all__ = ["catalog_sha256", "check_against_library", "enumerate_anomalies", "load_catalog"]
@@ -36,6 +36,7 @@ _KINDS = {
     "hazards": "hazard",
     "homes": "home",
     "households": "household",
+    "reach": "table",
 }
 
 
@@ -54,7 +55,7 @@ def load_catalog(
     shipped = extension_names()
     for name in extensions:
         if name not in shipped:
-            near = did_you_mean(name, shipped) or " (none are shipped)"
+            near = did_you_mean(name, shipped) if shipped else " (none are shipped)"
             problems.append(f"unknown extension pack {name!r}{near}")
             continue
         path = data_path("hazard_catalog", "extensions", name)
@@ -78,14 +79,10 @@ def load_catalog(
 def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
     """All folders as one catalogue. Raises InputError with ``problems`` and all found here."""
     found: dict[str, dict[str, Entry]] = {kind: {} for kind in _KINDS}
-    reach: Entry | None = None
     for folder in folders:
-        for kind, source in folder.all():
-            for entry in _entries(kind, source, folder.pack):
-                if kind == "households" and entry.path == ("reach",):
-                    reach = entry
-                else:
-                    _add(found[kind], _KINDS[kind], entry)
+        for file, source in folder.all():
+            for kind, entry in _entries(file, source, folder.pack):
+                _add(found[kind], _KINDS[kind], entry)
     names = Names(
         categories=tuple(sorted(found["categories"])),
         rooms=tuple(sorted(found["rooms"])),
@@ -98,13 +95,13 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
 
     hazards = (read_hazard(found["hazards"][name], names) for name in sorted(found["hazards"]))
     homes = (found["homes"][name].read(HomeYaml, names) for name in sorted(found["homes"]))
-    rows = reach.read(ReachYaml, names) if reach is not None else None
+    reach = (entry.read(ReachYaml, names) for entry in found["reach"].values())
     catalog = Catalog(
         hazards=tuple(hazard for hazard in hazards if hazard is not None),
         categories=named("categories", CategoryYaml),
         room_types=named("rooms", RoomTypeYaml),
         households=named("households", HouseholdYaml),
-        reach=rows.rows if rows is not None else (),
+        reach=tuple(row for table in reach if table is not None for row in table.rows),
         homes=tuple(home.record() for home in homes if home is not None),
         mixes=named("plans", MixYaml),
     )
@@ -128,41 +125,43 @@ def _add(found: dict[str, Entry], kind: str, entry: Entry) -> None:
         entry.problem(f"{kind} {entry.name!r} is already defined at {where} {hint}")
         return
     if first is None and replaces:
-        near = did_you_mean(entry.name, sorted(found)) if entry.name not in found else ""
+        near = did_you_mean(entry.name, sorted(found))
         entry.problem(f"there is no {kind} {entry.name!r} to replace{near}", "replaces")
     found[entry.name] = entry
 
 
-def _entries(kind: str, source: Source, pack: str) -> Iterator[Entry]:
-    """The entries of a file, and ``reach`` of a file of households."""
+def _entries(kind: str, source: Source, pack: str) -> Iterator[tuple[str, Entry]]:
+    """The entries of a file of a kind, each with its own kind: a file of households has two."""
     value = source.value
     if value is None and source.problems:
         return  # could not be parsed, as noted
     if not isinstance(value, dict):
-        source.problem((), f"expected a mapping (key: value), got {shown(value)}")
+        source.problem((), no_mapping(value))
     elif kind in ("hazards", "homes"):
-        yield _whole(source, pack)
+        yield kind, _whole(source, pack)
     elif kind != "households":
-        yield from _named(source, (), value, pack)
+        yield from _named(kind, source, (), value, pack)
     else:
         for key in value:
             if key == "reach":
-                yield Entry(key, source, (key,), value[key], pack)
+                yield "reach", Entry(key, source, (key,), value[key], pack)
             elif key == "templates":
-                yield from _named(source, (key,), value[key], pack)
+                yield from _named(kind, source, (key,), value[key], pack)
             else:
-                source.problem((key,), f"unknown key{did_you_mean(key, ('templates', 'reach'))}")
+                source.problem((key,), unknown_key(key, ("templates", "reach")))
 
 
-def _named(source: Source, path: Path_, value: Any, pack: str) -> Iterator[Entry]:
+def _named(
+    kind: str, source: Source, path: Path_, value: Any, pack: str
+) -> Iterator[tuple[str, Entry]]:
     """The entries of a mapping of names to entries."""
     if not isinstance(value, dict):
-        source.problem(path, f"expected a mapping (key: value), got {shown(value)}")
+        source.problem(path, no_mapping(value))
         return
     for name, below in value.items():
         if not WORD.fullmatch(name):
             source.problem((*path, name), f"{name!r} {NOT_A_NAME}")
-        yield Entry(name, source, (*path, name), below, pack)
+        yield kind, Entry(name, source, (*path, name), below, pack)
 
 
 def _whole(source: Source, pack: str) -> Entry:

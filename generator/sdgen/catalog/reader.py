@@ -88,8 +88,9 @@ class Reader:
     def number(
         self, key: str, default: Any = _REQUIRED, *, low: float = -1e6, high: float = 1e6
     ) -> Any:
-        """A number within limits (inclusive)."""
-        return self._take(key, _number(low, high), "a number", default, low)
+        """A number within limits (inclusive); after a problem, the default it would have had."""
+        harmless = low if default is _REQUIRED else default
+        return self._take(key, _number(low, high), "a number", default, harmless)
 
     def _take(
         self, key: str, kind: TypeAdapter[Any], want: str, default: Any, harmless: Any

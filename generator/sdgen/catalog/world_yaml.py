@@ -222,6 +222,7 @@ class ReachYaml(Record):
 
     rows: tuple[ReachRow, ...]
     source: Text = ""
+    replaces: bool = False
 
     @model_validator(mode="after")
     def _rising(self) -> ReachYaml:

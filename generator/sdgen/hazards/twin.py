@@ -1,8 +1,9 @@
 """The benign twin of a scene: the same ids, cameras and household, its anomalies undone.
 
 What was put there is taken away; what was brought into a state is back at rest, and what stands in
-a drawer travels with it. The records alone are enough: an anomaly whose hazard changes states (it
-has no relation) is undone by its object's rest state, every other by leaving its object out.
+a drawer travels with it. The records alone are enough: an anomaly of a category that its hazard
+sets is undone by its object's rest state, every other by leaving its object out. No hazard both
+sets and places a category: the catalogue refuses it.
 """
 
 from __future__ import annotations

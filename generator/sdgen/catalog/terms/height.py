@@ -60,11 +60,6 @@ class HeightTerm(Term):
         over = low is not None and self.max_m is not None and low > self.max_m
         if under or over:
             return NEVER
-        # Nothing lies below the floor.
-        above = self.min_m is None or self.min_m <= 0 or _clear(low, self.min_m + self.margin_m)
+        above = self.min_m is None or (low is not None and low >= self.min_m + self.margin_m)
         below = self.max_m is None or (high is not None and high <= self.max_m - self.margin_m)
         return ALWAYS if above and below else EITHER
-
-
-def _clear(low: float | None, limit: float) -> bool:
-    return low is not None and low >= limit

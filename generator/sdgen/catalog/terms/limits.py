@@ -10,8 +10,11 @@ def read_limits(reader: Reader, margin_m: float) -> tuple[float | None, float | 
     """Both limits of a mapping, metres, of which one may be left out, and the margin."""
     low = reader.number("min_m", None, low=0.0, high=100.0)
     high = reader.number("max_m", None, low=0.0, high=100.0)
-    if low is None and high is None and reader.ok:
+    if reader.ok and not reader.has("min_m") and not reader.has("max_m"):
         reader.problem("needs min_m or max_m (metres)")
+    if low == 0.0:
+        # It would be true of everything, yet in doubt of what is within the margin of 0.
+        reader.problem("0 is no lower limit: nothing is less; leave it out", "min_m")
     if low is not None and high is not None and low > high:
         reader.problem(f"min_m ({low:g}) is above max_m ({high:g})", "min_m")
     margin = float(reader.number("margin_m", margin_m, low=0.0, high=1.0))

@@ -10,18 +10,25 @@ from sdgen.scene import Record
 
 Sensor = Literal["rgb", "depth", "instance"]
 
+#: Scenes of one data set: their ids have six digits, and what is listed a scene stays small.
+MAX_SCENES = 1_000_000
+#: Views of one scene: their folders have two digits.
+MAX_VIEWS = 99
+#: What others read a seed as: a whole number of 64 bits with a sign.
+MAX_SEED = 2**63 - 1
+
 
 class BuildOptions(Record):
     """Options of ``sdgen build`` that a data set remembers."""
 
-    n: int = Field(default=10, ge=0)
-    seed: int = Field(default=0, ge=0)
+    n: int = Field(default=10, ge=0, le=MAX_SCENES)
+    seed: int = Field(default=0, ge=0, le=MAX_SEED)
     homes: Literal["base", "procedural", "mixed"] = "mixed"
     hazards_min: int = Field(default=0, ge=0)
     hazards_max: int = Field(default=5, ge=0)
     draw: Literal["balanced", "iid"] = "balanced"
     extensions: tuple[str, ...] = ()
-    views: int = Field(default=8, ge=0)
+    views: int = Field(default=8, ge=0, le=MAX_VIEWS)
     width: int = Field(default=640, ge=16, le=4096)
     height: int = Field(default=480, ge=16, le=4096)
     sensors: tuple[Sensor, ...] = ("rgb", "depth", "instance")
@@ -31,3 +38,8 @@ class BuildOptions(Record):
     renderer: str = "auto"
     eye_height_m: float = Field(default=1.2, gt=0.1, le=2.2)
     twins: bool = False
+
+    @property
+    def draws(self) -> bool:
+        """True when these options ask for any picture, so that a renderer is needed."""
+        return bool(self.sensors) and self.views > 0

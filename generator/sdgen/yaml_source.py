@@ -28,6 +28,8 @@ MAX_BYTES = 1_000_000
 MAX_DEPTH = 32
 MAX_VALUES = 100_000
 MAX_ANCHORS = 100
+#: Characters shown of a key: by eye, any file's name of ours fits; a stranger's key may be a book.
+_LONGEST_KEY = 80
 
 _INT = re.compile(r"[-+]?[0-9]{1,15}")
 _FLOAT = re.compile(r"[-+]?([0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))([eE][-+]?[0-9]{1,4})?")
@@ -39,9 +41,11 @@ _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def show_path(path: Path_) -> str:
-    """``anomalies[0].target`` for ``("anomalies", 0, "target")``."""
+    """``anomalies[0].target`` for ``("anomalies", 0, "target")``; of a long key its beginning."""
     out = ""
     for step in path:
+        if isinstance(step, str) and len(step) > _LONGEST_KEY:
+            step = f"{step[:_LONGEST_KEY]}..."
         out += f"[{step}]" if isinstance(step, int) else f".{step}" if out else step
     return out
 

@@ -186,7 +186,21 @@ def test_the_destination_must_lie_apart(tmp_path: Path, pieces: list[Path]) -> N
 def test_names_that_lead_out_of_a_piece_are_refused(tmp_path: Path, pieces: list[Path]) -> None:
     manifest = (pieces[1] / "manifest.jsonl").read_text()
     (pieces[1] / "manifest.jsonl").write_text(manifest.replace("graph.json", "../../x.json", 1))
-    with pytest.raises(InputError, match="unsafe file name"):
+    with pytest.raises(InputError, match="is no file that sdgen writes"):
+        merge(pieces, tmp_path / "m")
+    assert not (tmp_path / "m").exists()
+
+
+@pytest.mark.parametrize(
+    "keys", [{"versions": {}}, {"failed": {"9" * 5000: []}}, {"failed": {"no number": []}}]
+)
+def test_what_a_piece_says_of_itself_is_checked_before_anything_is_written(
+    tmp_path: Path, pieces: list[Path], keys: dict[str, object]
+) -> None:
+    for path in pieces:
+        data = json.loads((path / "dataset.json").read_text())
+        (path / "dataset.json").write_text(json.dumps({**data, **keys}))
+    with pytest.raises(InputError, match=f"dataset.json: {next(iter(keys))}"):
         merge(pieces, tmp_path / "m")
     assert not (tmp_path / "m").exists()
 

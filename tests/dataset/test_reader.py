@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import tracemalloc
 from collections.abc import Callable
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 from sdgen.dataset import Dataset
 from sdgen.errors import InputError
+from sdgen.options import MAX_SCENES
 
 from tests import toy
 
@@ -133,11 +135,27 @@ def _twice(path: Path) -> None:
     (path / "manifest.jsonl").write_bytes(data + data)
 
 
-def _climb(path: Path) -> None:
+def _renamed(name: str) -> Callable[[Path], None]:
+    def rename(path: Path) -> None:
+        text = (path / "manifest.jsonl").read_text(encoding="utf-8")
+        (path / "manifest.jsonl").write_text(
+            text.replace('"graph.json"', f'"{name}"', 1), encoding="utf-8"
+        )
+
+    return rename
+
+
+def _says(**keys: object) -> Callable[[Path], None]:
+    def say(path: Path) -> None:
+        data = json.loads((path / "dataset.json").read_text(encoding="utf-8"))
+        (path / "dataset.json").write_text(json.dumps({**data, **keys}), encoding="utf-8")
+
+    return say
+
+
+def _views(path: Path) -> None:
     text = (path / "manifest.jsonl").read_text(encoding="utf-8")
-    (path / "manifest.jsonl").write_text(
-        text.replace('"graph.json"', '"../../graph.json"', 1), encoding="utf-8"
-    )
+    (path / "manifest.jsonl").write_text(text.replace('"views": 2', '"views": 100', 1))
 
 
 def _future(path: Path) -> None:
@@ -157,7 +175,14 @@ def _key(path: Path) -> None:
         (_no_dataset_json, "no data set"),
         (_cut, "manifest.jsonl:4"),
         (_twice, "scene 000000 appears twice"),
-        (_climb, "unsafe file name '../../graph.json'"),
+        (_renamed("../../graph.json"), "files: '../../graph.json' is no file that sdgen writes"),
+        (_renamed("notes.txt"), "files: 'notes.txt' is no file that sdgen writes"),
+        (_renamed("views/00/" + "a" * 150), "aaa' is no file that sdgen writes"),
+        (_views, "manifest.jsonl:1: views: "),
+        (_says(n=2 * MAX_SCENES), "dataset.json: n: input should be less than or equal to 1000000"),
+        (_says(versions={}), "dataset.json: versions: does not name 'sdgen'"),
+        (_says(failed={"9" * 5000: []}), f"dataset.json: failed.{'9' * 80}...: string should"),
+        (_says(failed={"000009-twin": []}), "dataset.json: failed.000009-twin"),
         (_future, "format_version: '9.0' cannot be read"),
         (_key, "license: unknown key (did you mean 'licence'?)"),
     ],
@@ -170,6 +195,20 @@ def test_a_broken_data_set_is_located(
     with pytest.raises(InputError) as caught:
         Dataset(path)
     assert any(words in problem for problem in caught.value.problems), caught.value.problems
+
+
+def test_scenes_that_are_nowhere_are_found_without_naming_all_there_could_be(
+    tmp_path: Path,
+) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=1, sensors=()))
+    data = json.loads((path / "dataset.json").read_text(encoding="utf-8"))
+    _says(n=MAX_SCENES, counts={**data["counts"], "scenes": 2})(path)
+    tracemalloc.start()
+    with pytest.raises(InputError, match=r"not listed: 000001, 000002, .*, 000010, \.\.\."):
+        Dataset(path)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 10_000_000
 
 
 def test_an_unfinished_build_and_no_folder_are_named(tmp_path: Path) -> None:

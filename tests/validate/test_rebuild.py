@@ -82,6 +82,17 @@ def test_pictures_of_another_renderer_are_not_compared_and_it_says_so(
     assert "pictures not compared: drawn by Crayon 1.0, here is " in told.err
 
 
+@pytest.mark.slow
+def test_a_build_without_views_has_no_pictures_to_miss(tmp_path: Path, capsys: Captured) -> None:
+    path = tmp_path / "d"
+    assert run(["build", *"--n 1 --seed 7 --views 0 --workers 1 --out".split(), str(path)]) == 0
+    capsys.readouterr()
+    assert run(["validate", str(path), "--rebuild", "1"]) == 0
+    told = capsys.readouterr()
+    assert "1 made again, no problem found" in told.out
+    assert "pictures" not in told.err
+
+
 def test_versions_that_decide_content_count_and_those_of_pictures_do_not(tmp_path: Path) -> None:
     versions = {**package_versions(), "isal": "0.9", "pillow": "0.9", "numpy": "0.9"}
     with toy.open_writer(tmp_path, toy.small(n=1), versions=versions) as writer:

@@ -21,7 +21,7 @@ from sdgen.cli.params import (
     split_names,
 )
 from sdgen.errors import BuildIncomplete, UsageError
-from sdgen.options import BuildOptions, Sensor
+from sdgen.options import MAX_SCENES, MAX_SEED, MAX_VIEWS, BuildOptions, Sensor
 from sdgen.render.registry import AUTO, RENDERERS
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def eye_height(text: str) -> float:
 @click.command(short_help="Build a data set of labelled homes.")
 @click.option(
     "--n",
-    type=click.IntRange(min=0, max=1_000_000),
+    type=click.IntRange(min=0, max=MAX_SCENES),
     metavar="N",
     default=10,
     show_default=True,
@@ -53,7 +53,7 @@ def eye_height(text: str) -> float:
 )
 @click.option(
     "--seed",
-    type=click.IntRange(min=0, max=2**63 - 1),
+    type=click.IntRange(min=0, max=MAX_SEED),
     metavar="N",
     default=0,
     show_default=True,
@@ -83,7 +83,7 @@ def eye_height(text: str) -> float:
 )
 @click.option(
     "--views",
-    type=click.IntRange(min=0, max=99),
+    type=click.IntRange(min=0, max=MAX_VIEWS),
     metavar="K",
     default=8,
     show_default=True,

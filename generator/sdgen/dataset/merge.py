@@ -59,9 +59,7 @@ def merge(pieces: Sequence[Path], out: Path, on_scene: OnScene | None = None) ->
         for data in data_sets:
             writer.include(data.info, data.infos)
         info = writer.finish(words=largest.vocabularies)
-    indices = {entry.index for _, entry in scenes.values()} | {
-        int(key) for key in info.failed if key.isdecimal()
-    }
+    indices = {entry.index for _, entry in scenes.values()} | {int(key) for key in info.failed}
     return Merged(info, tuple(_gaps(indices, info.n)))
 
 

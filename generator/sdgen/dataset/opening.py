@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import islice
 from pathlib import Path
 
 from sdgen.dataset.records import SCENE_ID, DatasetInfo, ManifestEntry
-from sdgen.dataset.scene_folder import BUILD_FOLDER
+from sdgen.dataset.scene_folder import BUILD_FOLDER, is_ours
 from sdgen.dataset.text import read_lines, read_record
 from sdgen.errors import InputError
 from sdgen.scene import FORMAT_VERSION
 
-SAFE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
 #: Missing scenes named in one line.
 _NAMED = 10
+#: Characters shown of a file's name that is none of ours.
+_LONGEST = 80
 
 
 def open_info(path: Path) -> DatasetInfo:
@@ -57,8 +59,10 @@ def unlisted(path: Path, info: DatasetInfo, entries: Sequence[ManifestEntry]) ->
         return []
     ids = {entry.id for entry in entries}
     # Their folders tell best; without them, whatever index of 0 to n - 1 is not accounted for.
-    gone = _folders(path) - ids or {f"{k:06d}" for k in range(info.n)} - ids - set(info.failed)
-    names = ", ".join(sorted(gone)[:_NAMED]) + (", ..." if len(gone) > _NAMED else "")
+    every: Iterable[str] = (f"{k:06d}" for k in range(info.n))
+    neither = (name for name in every if name not in ids and name not in info.failed)
+    gone = sorted(_folders(path) - ids) or list(islice(neither, _NAMED + 1))
+    names = ", ".join(gone[:_NAMED]) + (", ..." if len(gone) > _NAMED else "")
     return [
         f"manifest.jsonl: lists {listed[0]} scenes and {listed[1]} twins, dataset.json counts "
         f"{counted[0]} and {counted[1]}" + (f" (not listed: {names})" if gone else "")
@@ -72,7 +76,8 @@ def _folders(path: Path) -> set[str]:
 
 
 def read_manifest(path: Path) -> tuple[ManifestEntry, ...]:
-    """The lines of ``manifest.jsonl``: each scene once, no name that leads elsewhere."""
+    """The lines of ``manifest.jsonl``: each scene once, no file but those that sdgen writes (none
+    that leads elsewhere, then, and none that a copy or an archive could trip over)."""
     entries = read_lines(ManifestEntry, path / "manifest.jsonl", "manifest.jsonl")
     problems = []
     seen: set[str] = set()
@@ -80,11 +85,10 @@ def read_manifest(path: Path) -> tuple[ManifestEntry, ...]:
         if entry.id in seen:
             problems.append(f"manifest.jsonl: scene {entry.id} appears twice")
         seen.add(entry.id)
-        if entry.views > 10_000:
-            problems.append(f"manifest.jsonl: scene {entry.id}: {entry.views} views")
         for name in entry.files:
-            if not SAFE_NAME.fullmatch(name):
-                problems.append(f"manifest.jsonl: scene {entry.id}: unsafe file name {name!r}")
+            if not is_ours(name):
+                text = f"{name[:_LONGEST]!r} is no file that sdgen writes"
+                problems.append(f"manifest.jsonl: scene {entry.id}: files: {text}")
     if problems:
         raise InputError(problems)
     return entries

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
+from typing import Annotated
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
+from pydantic_core import PydanticCustomError
 
 from sdgen.catalog.records import Label
-from sdgen.options import BuildOptions
+from sdgen.options import MAX_SCENES, MAX_SEED, MAX_VIEWS, BuildOptions
 from sdgen.scene import FORMAT_VERSION, CauseCount, Notify, Record
 
 LICENCE = "CC-BY-4.0"
@@ -19,15 +22,33 @@ TOP_FILES = ("catalogue.json", "assets.jsonl", "README.md", "manifest.jsonl", "d
 CONTENT_FILES = ("scene.json", "graph.json", "anomalies.json", "household.json", "physics.json")
 VISIBILITY_FILE = "visibility.json"
 
-SCENE_ID = r"^[0-9]{6,}(-twin)?$"
+#: A scene's index, as its id and its folder have it: below ``MAX_SCENES``.
+_INDEX = "[0-9]{6}"
+SCENE_ID = rf"^{_INDEX}(-twin)?$"
 SHA256 = r"^[0-9a-f]{64}$"
+
+
+def _with_sdgen(versions: dict[str, str]) -> dict[str, str]:
+    if "sdgen" not in versions:
+        raise PydanticCustomError("problem", "{text}", {"text": "does not name 'sdgen'"})
+    return versions
+
+
+#: Versions of what decides bytes, by package; of sdgen itself at least.
+Versions = Annotated[
+    dict[str, str],
+    AfterValidator(_with_sdgen),
+    Field(json_schema_extra={"required": ["sdgen"]}),
+]
+#: The id of a scene that is no twin.
+FirstId = Annotated[str, Field(pattern=rf"^{_INDEX}$")]
 
 
 class ManifestEntry(Record):
     """One line of ``manifest.jsonl``: what a scene holds and the digest of each of its files."""
 
     id: str = Field(pattern=SCENE_ID)
-    index: int = Field(ge=0)
+    index: int = Field(ge=0, lt=MAX_SCENES)
     twin_of: str | None = None
     home: str
     split: str
@@ -35,7 +56,7 @@ class ManifestEntry(Record):
     hazards: dict[str, int] = Field(default_factory=dict)
     lookalikes: int = Field(ge=0)
     objects: int = Field(ge=0)
-    views: int = Field(ge=0)
+    views: int = Field(ge=0, le=MAX_VIEWS)
     all_visible: bool
     content_sha256: str = Field(pattern=SHA256)
     files: dict[str, str]
@@ -77,7 +98,7 @@ class Build(Record):
     """What decides a data set's bytes; the same for all of its scenes."""
 
     format_version: str = FORMAT_VERSION
-    versions: dict[str, str]
+    versions: Versions
     options: BuildOptions
     catalogue_sha256: str = Field(pattern=SHA256)
     assets_sha256: str = Field(pattern=SHA256)
@@ -93,10 +114,10 @@ class DatasetInfo(Record):
     """
 
     format_version: str
-    versions: dict[str, str]
+    versions: Versions
     renderers: tuple[str, ...]
-    seed: int
-    n: int
+    seed: int = Field(ge=0, le=MAX_SEED)
+    n: int = Field(ge=0, le=MAX_SCENES)
     options: BuildOptions
     catalogue_sha256: str = Field(pattern=SHA256)
     assets_sha256: str = Field(pattern=SHA256)
@@ -104,7 +125,9 @@ class DatasetInfo(Record):
     vocabularies: Vocabularies
     splits: dict[str, tuple[str, ...]]
     counts: Counts
-    failed: dict[str, tuple[CauseCount, ...]] = Field(default_factory=dict)
+    failed: dict[FirstId, tuple[CauseCount, ...]] = Field(
+        default_factory=dict, json_schema_extra={"additionalProperties": False}
+    )
     licence: str = LICENCE
 
     def build(self) -> Build:
@@ -138,8 +161,8 @@ def count(entries: tuple[ManifestEntry, ...]) -> Counts:
     """Totals of these scenes."""
     scenes = [entry for entry in entries if entry.twin_of is None]
 
-    def tally(values: list[str]) -> dict[str, int]:
-        return {value: values.count(value) for value in sorted(set(values))}
+    def tally(values: Iterable[str]) -> dict[str, int]:
+        return dict(sorted(Counter(values).items()))
 
     hazards: Counter[str] = Counter()
     for entry in scenes:
@@ -152,8 +175,8 @@ def count(entries: tuple[ManifestEntry, ...]) -> Counts:
         anomalies=sum(entry.anomalies for entry in scenes),
         lookalikes=sum(entry.lookalikes for entry in scenes),
         anomalies_by_hazard=dict(sorted(hazards.items())),
-        scenes_by_anomalies=tally([str(entry.anomalies) for entry in scenes]),
-        scenes_by_split=tally([entry.split for entry in scenes]),
-        scenes_by_home=tally([entry.home for entry in scenes]),
+        scenes_by_anomalies=tally(str(entry.anomalies) for entry in scenes),
+        scenes_by_split=tally(entry.split for entry in scenes),
+        scenes_by_home=tally(entry.home for entry in scenes),
         scenes_not_all_visible=sum(not entry.all_visible for entry in scenes),
     )

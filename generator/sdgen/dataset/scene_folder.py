@@ -30,7 +30,7 @@ BUILD_FOLDER = ".build"
 #: Where a user's own files go that lay in a scene's folder which had to be made again.
 ASIDE = "set-aside"
 
-_VIEW_FILE = re.compile(r"views/\d{2,}/(view\.json|rgb\.(png|jpg)|(depth|instance|part)\.png)")
+_VIEW_FILE = re.compile(r"views/[0-9]{2}/(view\.json|rgb\.(png|jpg)|(depth|instance|part)\.png)")
 
 
 class FinishedScene(Record):

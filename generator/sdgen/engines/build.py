@@ -144,7 +144,7 @@ def _check(
 
 
 def _renderer(options: BuildOptions, on_event: OnEvent) -> Choice | None:
-    if not options.sensors or options.views == 0:
+    if not options.draws:
         return None
     choice = choose_renderer(options.renderer)
     if choice.note:

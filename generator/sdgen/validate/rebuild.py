@@ -48,7 +48,7 @@ def rebuild(
     picked = sorted({k * total // scenes for k in range(min(scenes, total))}) if scenes else []
     if not picked:
         return Rebuilt(problems, "")
-    choice, note = _renderer(info) if info.options.sensors else (None, "")
+    choice, note = _renderer(info) if info.options.draws else (None, "")
     with usable_cache(), scratch_folder() as place:
         setup = WorkerSetup(
             catalog=data.catalog,

@@ -58,13 +58,14 @@ def test_a_written_scene_and_its_twin_stand(
 ) -> None:
     seen: list[tuple[int, int]] = []
     done = check_physics(Dataset(written), library, on_scene=lambda k, n: seen.append((k, n)))
-    assert (done, seen) == ([], [(1, 2), (2, 2)])
+    assert (done, seen) == (([], 2), [(1, 2), (2, 2)])
     assert run(["validate", str(written), "--physics"]) == 0
     assert "2 scenes checked, let stand, no problem found" in capsys.readouterr().out
 
 
 def test_other_models_are_no_measure(written: Path, tmp_path: Path) -> None:
-    (problem,) = check_physics(Dataset(written), fake_library(tmp_path / "assets"))
+    (problem,), stood = check_physics(Dataset(written), fake_library(tmp_path / "assets"))
+    assert stood == 0
     assert problem.text.startswith("dataset.json: assets_sha256: other models")
 
 
@@ -102,7 +103,8 @@ def test_many_scenes_are_shared_and_every_problem_says_where(
     temporary.mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(temporary))
     seen: list[tuple[int, int]] = []
-    found = check_physics(Dataset(data), library, 2, lambda k, n: seen.append((k, n)))
+    found, stood = check_physics(Dataset(data), library, 2, lambda k, n: seen.append((k, n)))
+    assert stood == 10
     assert seen == [(k, 10) for k in range(1, 11)]
     texts = [problem.text for problem in found]
     assert all(text.startswith(("scenes/000004/", "scenes/000007/")) for text in texts), texts

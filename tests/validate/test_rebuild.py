@@ -54,7 +54,7 @@ def test_swapped_views_are_found_when_the_scene_is_made_again(
 ) -> None:
     assert validate(drawn) == []
     again = rebuild(Dataset(drawn), load_library(), 1)
-    assert again == ([], "")
+    assert again == ([], "", 1)
     for scene in (drawn / "scenes").iterdir():
         _swap_views(scene)
     reseal(drawn)
@@ -85,7 +85,8 @@ def test_pictures_of_another_renderer_are_not_compared_and_it_says_so(
 @pytest.mark.slow
 def test_a_build_without_views_has_no_pictures_to_miss(tmp_path: Path, capsys: Captured) -> None:
     path = tmp_path / "d"
-    assert run(["build", *"--n 1 --seed 7 --views 0 --workers 1 --out".split(), str(path)]) == 0
+    options = "--n 1 --seed 7 --views 0 --workers 1"
+    assert run(["build", *options.split(), "--out", str(path)]) == 0
     capsys.readouterr()
     assert run(["validate", str(path), "--rebuild", "1"]) == 0
     told = capsys.readouterr()
@@ -99,7 +100,7 @@ def test_versions_that_decide_content_count_and_those_of_pictures_do_not(tmp_pat
         toy.add_scene(writer, 0)
         writer.finish()
     data = Dataset(tmp_path)
-    library = SimpleNamespace(sha256=data.info.assets_sha256)
-    ((problem,), note) = rebuild(data, library, 0)  # type: ignore[arg-type]
+    library = SimpleNamespace(sha256=data.info.assets_sha256, infos=toy.infos())
+    ((problem,), note, made) = rebuild(data, library, 0)  # type: ignore[arg-type]
     assert "versions.numpy: 0.9 then" in str(problem)
-    assert note == ""
+    assert (note, made) == ("", 0)

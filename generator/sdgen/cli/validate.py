@@ -72,7 +72,7 @@ def validate(
     from sdgen.dataset import Dataset
     from sdgen.validate import validate as check
 
-    catalog, note, made = None, "", 0
+    catalog, note, stood, made = None, "", 0, 0
     if catalogs:
         from sdgen.catalog.load import load_catalog
 
@@ -86,35 +86,38 @@ def validate(
 
         cores = workers or usable_cores()
         with bar("letting stand") as on_scene:
-            problems = check_physics(Dataset(dataset), load_library(assets), cores, on_scene)
+            found = check_physics(Dataset(dataset), load_library(assets), cores, on_scene)
+        problems, stood = found
     if rebuild and not problems:
         from sdgen.library import load_library
         from sdgen.validate.rebuild import rebuild as make_again
 
         with bar("making again") as on_scene:
-            problems, note = make_again(Dataset(dataset), load_library(assets), rebuild, on_scene)
-        made = min(rebuild, len(Dataset(dataset)))
+            again = make_again(Dataset(dataset), load_library(assets), rebuild, on_scene)
+        problems, note, made = again
     if as_json:
-        _print(dataset, problems, made, note)
+        _print(dataset, problems, stood, made, note)
         click.get_current_context().exit(1 if problems else 0)
     for problem in problems[:SHOWN]:
         click.echo(str(problem))
     if problems:
         noun = "problem" if len(problems) == 1 else "problems"
         rest = f" ({SHOWN} shown)" if len(problems) > SHOWN else ""
-        skipped = "; nothing was made again" if rebuild and not made else ""
+        skipped = "; nothing was let stand" if physics and not stood else ""
+        skipped += "; nothing was made again" if rebuild and not made else ""
         click.echo(f"{dataset}: {len(problems)} {noun}{rest}{skipped}", err=True)
         click.get_current_context().exit(1)
     scenes = len(Dataset(dataset).entries)
-    again = ", let stand" if physics else ""
-    again += f", {made} made again" if rebuild else ""
-    click.echo(f"{dataset}: {scenes} scenes checked{again}, no problem found")
+    deeper = ", let stand" if physics else ""
+    deeper += f", {made} made again" if rebuild else ""
+    click.echo(f"{dataset}: {scenes} scenes checked{deeper}, no problem found")
     if note:
         click.echo(note, err=True)
 
 
-def _print(dataset: Path, problems: Sequence[Problem], made: int, note: str) -> None:
-    """What was found, as one object; ``scenes`` is null when the folder is no data set."""
+def _print(dataset: Path, problems: Sequence[Problem], stood: int, made: int, note: str) -> None:
+    """What was found, as one object; ``scenes`` is null when the folder is no data set. ``stood``
+    and ``made`` count what was let stand and made again: 0 where it was not asked for, too."""
     from sdgen.dataset import Dataset
 
     try:
@@ -123,6 +126,7 @@ def _print(dataset: Path, problems: Sequence[Problem], made: int, note: str) -> 
         scenes = None
     record = {
         "scenes": scenes,
+        "let_stand": stood,
         "made_again": made,
         "note": note,
         "problems": [{"check": problem.check, "text": problem.text} for problem in problems],

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
+from typing import NamedTuple
 
 from sdgen.closing import Closing
 from sdgen.dataset import Dataset, SceneItem
@@ -16,8 +17,16 @@ from sdgen.physics.checks import penetrations, unsupported
 from sdgen.physics.client import Client
 from sdgen.physics.settle import STILL_STEPS, moving
 from sdgen.physics.world import World
+from sdgen.validate.at_hand import other_models
 from sdgen.validate.problems import Problem
 from sdgen.validate.scenes import scene_by_scene
+
+
+class LetStand(NamedTuple):
+    """What letting scenes stand found, and how many of them were."""
+
+    problems: list[Problem]
+    scenes: int
 
 
 def check_physics(
@@ -25,16 +34,16 @@ def check_physics(
     library: Library,
     workers: int = 1,
     on_scene: Callable[[int, int], None] | None = None,
-) -> list[Problem]:
+) -> LetStand:
     """What is wrong with the physics of a sound data set's scenes, twins included.
 
-    ``library`` must be the one of the build: records say nothing of collision pieces. Scenes are
-    shared by ``workers`` processes; the problems come in the manifest's order.
+    ``library`` must be the one of the build, model by model, or none is let stand: records say
+    nothing of collision pieces. Scenes are shared by ``workers`` processes; the problems come in
+    the manifest's order.
     """
-    if library.sha256 != data.info.assets_sha256:
-        text = "dataset.json: assets_sha256: other models than the ones at hand (--assets)"
-        return [Problem("physics", text)]
-    problems: list[Problem] = []
+    problems = list(other_models(data, library, "physics"))
+    if problems:
+        return LetStand(problems, 0)
     total = len(data.entries)
     setup = (data.path, library.folders, library.sha256)
     with closing(scene_by_scene(_Checker, setup, data.entries, workers)) as scenes:
@@ -42,7 +51,7 @@ def check_physics(
             problems += found
             if on_scene is not None:
                 on_scene(done, total)
-    return problems
+    return LetStand(problems, total)
 
 
 class _Checker(Closing):

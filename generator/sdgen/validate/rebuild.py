@@ -18,14 +18,17 @@ from sdgen.library import Library
 from sdgen.library.cache import usable_cache
 from sdgen.render import RENDERERS, Choice, choose_renderer
 from sdgen.scratch import scratch_folder
+from sdgen.validate.at_hand import other_models
 from sdgen.validate.problems import Problem
 
 
 class Rebuilt(NamedTuple):
-    """What making scenes again found, and a line about what could not be compared."""
+    """What making scenes again found, a line about what could not be compared, and how many
+    scenes were made (or tried in vain), twins apart."""
 
     problems: list[Problem]
     note: str
+    made: int
 
 
 def rebuild(
@@ -37,17 +40,18 @@ def rebuild(
     """Make ``scenes`` scenes and their twins again, spread over the data set, as a build does.
 
     Every file is compared byte for byte; pictures, and what is counted in them, when the renderer
-    that drew them is at hand. ``library`` must be the one of the build.
+    that drew them is at hand. ``library`` must be the one of the build, model by model, or none
+    is made.
     """
     info = data.info
-    if library.sha256 != info.assets_sha256:
-        text = "dataset.json: assets_sha256: other models than the ones at hand"
-        return Rebuilt([Problem("rebuild", text)], "")
+    problems = list(other_models(data, library, "rebuild"))
+    if problems:
+        return Rebuilt(problems, "", 0)
     problems = list(_versions(info))
     total = len(data)
     picked = sorted({k * total // scenes for k in range(min(scenes, total))}) if scenes else []
     if not picked:
-        return Rebuilt(problems, "")
+        return Rebuilt(problems, "", 0)
     choice, note = _renderer(info) if info.options.draws else (None, "")
     with usable_cache(), scratch_folder() as place:
         setup = WorkerSetup(
@@ -64,7 +68,7 @@ def rebuild(
                 if on_scene is not None:
                     on_scene(done, len(picked))
                 problems += _scene(data, data[k].entry, worker, place, note == "")
-    return Rebuilt(problems, note)
+    return Rebuilt(problems, note, len(picked))
 
 
 def _versions(info: DatasetInfo) -> Iterator[Problem]:

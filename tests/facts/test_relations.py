@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from sdgen.facts import Edge, room_at
 from sdgen.scene import Zone
 
-from .scenes import DOOR, FLOOR, HALL, ROOM, facts, thing
+from .scenes import DOOR, FLOOR, HALL, ROOM, asset, facts, thing
 
 HEAT = Zone(
     name="heat:a",
@@ -177,3 +177,27 @@ def test_what_is_fixed_is_not_inside_the_loose_vessel_that_stands_on_it():
     assert facts(vessel, middle).related(2, "INSIDE") == ()
     loose = middle.model_copy(update={"fixed": False})
     assert facts(vessel, loose).holds(2, "INSIDE") == (1,)
+
+
+def test_a_bin_that_cannot_shut_as_it_is_leaves_nothing_undecided():
+    lid = [
+        {"state": "CLOSED", "joint": "door", "max": 0.03, "variants": ["default"]},
+        {"state": "OPEN", "joint": "door", "min": 0.5, "variants": ["default"]},
+    ]
+    hollow = {"name": "in", "part": "body", "center_m": (0, 0, 0.3), "size_m": (0.3, 0.3, 0.6)}
+    info = asset(
+        "bin",
+        (0.4, 0.4, 0.6),
+        containers=[{**hollow, "closed_by": "door"}],
+        states=lid,
+        variants={"default": ["body", "door"], "full": ["body"]},
+    )
+    apple = thing(2, "apple", 2, 2, 0.2)
+
+    def inside(variant):
+        found = facts(thing(1, "bin", 2, 2, variant=variant), apple, more=[info])
+        (bin_,) = found.related(2, "INSIDE")
+        return bin_.states, bin_.undecided, found.undecided_states(1)
+
+    assert inside("default") == (("CLOSED",), (), ())
+    assert inside("full") == ((), (), ())

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from sdgen.actions import at_rest, in_state
 from sdgen.geometry import apply
-from sdgen.library.records import AssetInfo
+from sdgen.library.records import AssetInfo, StateRule
 from sdgen.library.states import derive_states, object_from_part, state_parts, undecided_states
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
@@ -63,6 +63,37 @@ FRIDGE = AssetInfo.model_validate(
 def test_open_needs_one_door_closed_needs_all(joints, states, undecided):
     assert derive_states(FRIDGE, "default", joints) == states
     assert undecided_states(FRIDGE, "default", joints) == undecided
+
+
+#: A bin that shuts with its lid unless it is full: then it has none.
+BIN = FRIDGE.model_copy(
+    update={
+        "variants": {"default": ("body", "door"), "full": ("body",)},
+        "states": tuple(
+            StateRule.model_validate(rule)
+            for rule in (
+                {"state": "CLOSED", "joint": "door", "max": 0.03, "variants": ("default",)},
+                {"state": "OPEN", "joint": "door", "min": 0.5, "variants": ("default",)},
+                {"state": "CLOSED", "joint": "freezer", "max": 0.03, "variants": ("full",)},
+            )
+        ),
+    }
+)
+
+
+@pytest.mark.parametrize(
+    ("variant", "joints", "states", "undecided"),
+    [
+        ("default", {"door": 0.2}, (), ("CLOSED", "OPEN")),
+        ("full", {"door": 0.2}, ("CLOSED",), ()),
+        # Nor does a rule that cannot hold keep the others from saying CLOSED.
+        ("default", {"door": 0.0, "freezer": 1.0}, ("CLOSED",), ()),
+        ("full", {"freezer": 0.2}, (), ("CLOSED",)),
+    ],
+)
+def test_the_rules_of_another_variant_say_nothing(variant, joints, states, undecided):
+    assert derive_states(BIN, variant, joints) == states
+    assert undecided_states(BIN, variant, joints) == undecided
 
 
 def test_the_evidence_of_open_is_the_door_that_is_open():

@@ -13,7 +13,7 @@ import numpy as np
 
 from sdgen.geometry import Array, apply, inverse
 from sdgen.library.records import AssetInfo
-from sdgen.library.states import object_from_part, rule_holds
+from sdgen.library.states import object_from_part, rule_holds, rules_of
 from sdgen.scene import ObjectInstance
 
 
@@ -51,6 +51,6 @@ def _leaf_states(
     """States of the leaf that shuts one container, and those it is too near to call."""
     if joint is None:
         return (), ()
-    rules = [rule for rule in info.states if rule.joint == joint]
+    rules = [rule for rule in rules_of(info, item.variant) if rule.joint == joint]
     holding = [r.state for r in rules if rule_holds(r, item.variant, item.joints)]
     return tuple(holding), () if holding else tuple(r.state for r in rules)

@@ -10,6 +10,11 @@ from sdgen.geometry import Array, joint_matrix
 from sdgen.library.records import AssetInfo, StateRule
 
 
+def rules_of(asset: AssetInfo, variant: str) -> tuple[StateRule, ...]:
+    """The rules that say something of a variant: those of others cannot hold, and need not."""
+    return tuple(rule for rule in asset.states if not rule.variants or variant in rule.variants)
+
+
 def rule_holds(rule: StateRule, variant: str, joints: Mapping[str, float]) -> bool:
     """True when the rule's joint limit and variant both hold."""
     if rule.variants and variant not in rule.variants:
@@ -25,9 +30,10 @@ def rule_holds(rule: StateRule, variant: str, joints: Mapping[str, float]) -> bo
 
 def derive_states(asset: AssetInfo, variant: str, joints: Mapping[str, float]) -> tuple[str, ...]:
     """States of the model, sorted. OPEN holds when any joint is open, CLOSED when all are shut."""
-    holding = {r.state for r in asset.states if rule_holds(r, variant, joints)}
+    rules = rules_of(asset, variant)
+    holding = {r.state for r in rules if rule_holds(r, variant, joints)}
     if "CLOSED" in holding and any(
-        r.state == "CLOSED" and not rule_holds(r, variant, joints) for r in asset.states
+        r.state == "CLOSED" and not rule_holds(r, variant, joints) for r in rules
     ):
         holding.discard("CLOSED")
     return tuple(sorted(holding))
@@ -39,7 +45,7 @@ def undecided_states(
     """OPEN and CLOSED when some joint lies in the dead band between the two limits."""
     out: set[str] = set()
     for joint in asset.joints:
-        rules = [r for r in asset.states if r.joint == joint.name]
+        rules = [r for r in rules_of(asset, variant) if r.joint == joint.name]
         if rules and not any(rule_holds(r, variant, joints) for r in rules):
             out.update(r.state for r in rules)
     return tuple(sorted(out))

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from sdgen.catalog.predicate_yaml import read_predicate
 from sdgen.catalog.terms import TERMS
 from sdgen.facts.relations import FINDERS
+from sdgen.scene import Pose
 from sdgen.vocabulary import RELATIONS
 from sdgen.yaml_source import parse_yaml
 
@@ -42,6 +43,23 @@ def on_level(t, x, y):
     plate = thing(3, "plate", 2 + x, 2 + y, 0.74 + t)
     apple = thing(2, "apple", 2 + x, 2 + y, 0.75 + t)
     return facts(thing(1, "table", 2 + x, 2 + y), plate, apple)
+
+
+def tilted_table(t, x, y):
+    """A table leaning over by ``t`` radians about y, and where the middle of its top is."""
+    leaning = Pose(position_m=(2 + x, 2 + y, 0), quat_xyzw=(0, math.sin(t / 2), 0, math.cos(t / 2)))
+    table = thing(1, "table", 2 + x, 2 + y).model_copy(update={"pose": leaning})
+    return table, (2 + x + 0.75 * math.sin(t), 2 + y, 0.75 * math.cos(t))
+
+
+def on_tilted(t, x, y):
+    table, top = tilted_table(t, x, y)
+    return facts(table, thing(2, "apple", *top))
+
+
+def under_tilted(t, x, y):
+    table, _ = tilted_table(t, x, y)
+    return facts(table, thing(2, "box", 2 + x, 2 + y))
 
 
 def inside(t, x, y):
@@ -142,12 +160,14 @@ SWEEPS = {
     "ON gap": (on_gap, "{relation: ON, target: table}", 0.0, 0.03),
     "ON share": (on_share, "{relation: ON, target: table}", 0.45, 0.55),
     "ON level": (on_level, "{relation: ON, target: table}", 0.0, 0.003),
+    "ON tilted": (on_tilted, "{relation: ON, target: table}", 0.0, 0.05),
     "ON, not INSIDE": (not_inside, "{relation: ON}", 0.0, 0.05),
     "INSIDE": (inside, "{relation: INSIDE, target: fridge}", 0.2, 0.3),
     "CLOSE": (close, "{relation: CLOSE, target: stove}", 1.3, 1.7),
     "FACING": (facing, "{relation: FACING, target: tv}", 0.0, math.pi),
     "UNDER share": (under_share, "{relation: UNDER, target: table}", 0.3, 0.8),
     "UNDER height": (under_height, "{relation: UNDER, target: table}", 0.4, 0.5),
+    "UNDER tilted": (under_tilted, "{relation: UNDER, target: table}", 0.0, 0.05),
     "BLOCKS share": (blocks_share, "{relation: BLOCKS, target: door}", 0.0, 0.8),
     "BLOCKS height": (blocks_height, "{relation: BLOCKS, target: door}", 0.0, 0.09),
     "BLOCKS level": (blocks_level, "{relation: BLOCKS, target: door}", 0.4, 0.6),

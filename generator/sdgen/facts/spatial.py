@@ -93,7 +93,8 @@ def under(facts: Measured, object_id: int) -> Iterable[Related]:
             continue
         off = on.get(ids[index], NO).negated()
         share, below = body.covered_by(other.footprint), float(room[index])
-        holds = all_of((*free, off, UNDER_M.at_least(below), UNDER_SHARE.more(share)))
+        level = facts.supports.over(ids[index], float(body.high[2]))
+        holds = all_of((*free, off, level, UNDER_SHARE.more(share)))
         measured = {"overlap": min(share, 1.0), "below_m": below}
         yield from _related(facts, ids[index], holds, measured)
 

@@ -20,9 +20,10 @@ from sdgen.facts.thresholds import (
     ON_GAP_M,
     ON_LEVEL_M,
     ON_SHARE,
+    UNDER_M,
 )
 from sdgen.geometry import Array
-from sdgen.kleene import NO, Kleene, all_of
+from sdgen.kleene import NO, Kleene, all_of, any_of
 from sdgen.scene import Home
 from sdgen.vocabulary import HALF_WALL_M
 
@@ -61,7 +62,7 @@ class Supports:
         for surface in self._below(body):
             gap = float(body.low[2]) - surface.z_m
             share = body.covered_by(surface.outline)
-            holds = all_of((ON_GAP_M.at_most(abs(gap)), ON_SHARE.more(share)))
+            holds = all_of((surface.level, ON_GAP_M.at_most(abs(gap)), ON_SHARE.more(share)))
             found = _Carried(surface, gap, share, holds)
             before = best.get(surface.owner)
             if holds != NO and (before is None or _rank(holds) > _rank(before.holds)):
@@ -90,13 +91,22 @@ class Supports:
         """The centre is near the edge of a surface of ``target`` that the object is on."""
         point = Point(body.center[:2])
         return any(
-            ON_GAP_M.at_most(abs(float(body.low[2]) - surface.z_m)).value
+            surface.level.value
+            and ON_GAP_M.at_most(abs(float(body.low[2]) - surface.z_m)).value
             and surface.outline.exterior.distance(point) < NEAR_EDGE_M
             for surface in self._by_owner.get(target, ())
         )
 
+    def over(self, owner: int, top_m: float) -> Kleene:
+        """A level surface of ``owner`` lies over what is as high as ``top_m``."""
+        surfaces = sorted(self._by_owner.get(owner, ()), key=lambda s: s.z_m, reverse=True)
+        return any_of(all_of((s.level, UNDER_M.at_least(s.z_m - top_m))) for s in surfaces)
+
     def roofs(self, bodies: Mapping[int, Body]) -> tuple[list[int], Array, Array]:
-        """Built-in things with surfaces: ids, their highest surface (N,), and boxes (N, 4)."""
+        """Built-in things with surfaces: ids, their highest surface (N,), and boxes (N, 4).
+
+        Those that may be too tilted count, too: :meth:`over` says how surely.
+        """
         tops: dict[int, float] = {}
         for surface in self.surfaces:
             owner = bodies.get(surface.owner)

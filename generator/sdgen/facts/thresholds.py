@@ -1,7 +1,8 @@
-"""Every threshold of a relation or tag, and the margin within which it is undecided.
+"""Every threshold of a relation, and the margin within which it is undecided.
 
 Margins are far above what re-evaluation can move (poses are rounded to 1e-5 m before they are
-proved) and wide enough that a person would call the thing borderline, too.
+proved) and wide enough that a person would call the thing borderline, too. Three limits have
+none, since no label follows from them: each says why it needs none.
 """
 
 from __future__ import annotations
@@ -52,11 +53,12 @@ ON_GAP_M = Threshold(0.01, 0.007, 0.02)
 ON_SHARE = around(0.5, 0.1)
 #: ON: of surfaces that would carry a thing, the highest does. Lower by this is another level.
 ON_LEVEL_M = around(1e-3, 5e-4)
-#: A surface tilted more than this, metres of height between its corners, carries nothing: its
-#: owner lies on its side.
-TILTED_M = 0.02
-#: What is no further from a wall or a ceiling hangs on it, metres. Hung things are put 5 mm off;
-#: what stands keeps 2 cm at its sides and 3 cm at its back.
+#: ON, UNDER: height between a surface's lowest and highest corner, metres. What is tilted more
+#: carries nothing: its owner lies on its side or leans on something, or it is a lid held open.
+TILTED_M = around(0.02, 0.005)
+#: What is no further from a wall or a ceiling hangs on it, metres. A check of homes, not a label,
+#: and nothing comes near it: hung things are fixed and put 5 mm off, what stands keeps 2 cm at its
+#: sides and 3 cm at its back.
 HUNG_M = 0.015
 #: INSIDE: how far the centre lies within the hollow's box, metres.
 INSIDE_M = around(0.0, 0.003)
@@ -65,7 +67,8 @@ CLOSE_M = around(1.5, 0.05)
 #: FACING: the angle between the front and the direction to the other's centre (VirtualHome).
 FACING_RAD = around(math.radians(75), math.radians(5))
 #: A bearing needs the other's centre at least this far away, metres, and a front that points
-#: along the floor (cosine): nearer or steeper, a small change would turn it about.
+#: along the floor (cosine): nearer or steeper, a small change would turn it about. Beyond these
+#: a bearing is unsure, never false: they are themselves the edge of a margin.
 BEARING_LEAST_M = 0.1
 BEARING_LEVEL = 0.5
 #: UNDER: share of the footprint below the other's.
@@ -89,5 +92,6 @@ ROOM_M = around(0.0, 0.04)
 #: Room: farther than this from every room's outline, metres, is outdoors: the shell ends half a
 #: wall outside, windows and doors stick out of it by their frames.
 OUTDOORS_M = around(0.13, 0.02)
-#: Tag NEAR_EDGE: the centre's distance from the edge of the surface, metres.
+#: Tag NEAR_EDGE: the centre's distance from the edge of the surface, metres. Tags say what is
+#: measured, within a margin too, and no predicate can ask for this one.
 NEAR_EDGE_M = 0.05

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from sdgen.geometry import Array, joint_matrix
-from sdgen.library.records import AssetInfo, StateRule
+from sdgen.library.records import AssetInfo, StateRule, Support
 
 
 def rules_of(asset: AssetInfo, variant: str) -> tuple[StateRule, ...]:
@@ -73,3 +73,12 @@ def object_from_part(asset: AssetInfo, part: str, joints: Mapping[str, float]) -
         return np.eye(4)
     joint = asset.joint(name)
     return joint_matrix(joint.type, joint.origin_m, joint.axis, joints.get(name, 0.0))
+
+
+def drawn_supports(
+    asset: AssetInfo, variant: str, joints: Mapping[str, float]
+) -> Iterator[tuple[Support, Array]]:
+    """The supports that a variant has, each with the 4x4 that moves it to where its joint is."""
+    for support in asset.supports:
+        if support.part in asset.variants[variant]:
+            yield support, object_from_part(asset, support.part, joints)

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from sdgen.freespace import random_point
 from sdgen.home.layout import footprint
-from sdgen.home.surfaces import CARRIED_SHARE, Surface
+from sdgen.home.surfaces import CARRIED_SHARE, PlacingSurface, placing_surfaces
 from sdgen.library.records import Support
+from sdgen.scene import ObjectInstance, Pose
 from shapely.geometry import Polygon
 
 from tests.shipped import shipped_library
@@ -25,7 +26,7 @@ def surface(corners, z=0.7):
     turned = corners @ TURN.T + (3.0, -1.0)
     polygon = tuple((float(x), float(y)) for x, y in corners)
     support = Support(name="top", part="body", z_m=z, polygon_m=polygon)
-    return Surface(support, np.column_stack([turned, np.full(len(turned), z)]))
+    return PlacingSurface(support, np.column_stack([turned, np.full(len(turned), z)]))
 
 
 @pytest.mark.parametrize("corners", [SQUARE, ROUND, ELL], ids=["square", "round", "ell"])
@@ -67,3 +68,17 @@ def test_no_point_is_drawn_from_a_sliver():
     assert there.random_point(rng) is None
     assert rng.random() == np.random.default_rng(0).random()
     assert Polygon(SQUARE * (1.0, 0.0005)).area > 0
+
+
+def test_nothing_is_put_on_a_lid_held_open():
+    info = shipped_library().infos["freezer_03"]
+    pose = Pose(position_m=(1, 1, 0), quat_xyzw=(0, 0, 0, 1))
+
+    def tops(lid):
+        item = ObjectInstance(
+            id=1, category="freezer", asset=info.id, pose=pose, joints={"lid": lid}, room_id=1
+        )
+        return [s.support.name for s in placing_surfaces(item, info) if not s.support.container]
+
+    assert tops(0.0) == ["top"]
+    assert tops(1.0) == []

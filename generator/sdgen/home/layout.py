@@ -29,7 +29,7 @@ from sdgen.geometry import (
     yaw_of,
 )
 from sdgen.home.blocks import NOBODY, Block, Table, blocks_of
-from sdgen.home.surfaces import Surface, surfaces_of
+from sdgen.home.surfaces import PlacingSurface, placing_surfaces
 from sdgen.library import Library
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
@@ -71,7 +71,7 @@ class Layout:
         self.items: dict[int, ObjectInstance] = {}
         self.intents: dict[int, Intent] = {}
         self._blocks: dict[int, list[Block]] = {}
-        self._surfaces: dict[int, tuple[ObjectInstance, list[Surface]]] = {}
+        self._surfaces: dict[int, tuple[ObjectInstance, list[PlacingSurface]]] = {}
         self._table: Table | None = Table()
 
     def info(self, object_id: int) -> AssetInfo:
@@ -148,15 +148,18 @@ class Layout:
                 return spot
         return None
 
-    def _surfaces_of(self, target: ObjectInstance, relation: str) -> list[Surface]:
+    def _surfaces_of(self, target: ObjectInstance, relation: str) -> list[PlacingSurface]:
         """The supports of a placed object that a relation means, found once as it stands."""
         known = self._surfaces.get(target.id)
         if known is None or known[0] is not target:
-            known = self._surfaces[target.id] = target, surfaces_of(target, self.info(target.id))
+            known = self._surfaces[target.id] = (
+                target,
+                placing_surfaces(target, self.info(target.id)),
+            )
         return [s for s in known[1] if (s.support.container is None) == (relation == "ON")]
 
     def _try_surface(
-        self, asset: AssetInfo, target: ObjectInstance, surface: Surface, rng: Rng
+        self, asset: AssetInfo, target: ObjectInstance, surface: PlacingSurface, rng: Rng
     ) -> Vec3Yaw | None:
         yaw = random_yaw(rng, yaw_of(target.pose.quat_xyzw))
         point = surface.random_point(rng)

@@ -9,12 +9,15 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+import numpy as np
 import shapely
 
+from sdgen.facts.thresholds import TILTED_M
 from sdgen.freespace import LEAST_M2, POINT_TRIES, random_point
 from sdgen.geometry import Array, Vec2, Vec3, apply
+from sdgen.kleene import YES
 from sdgen.library.records import AssetInfo, Support
-from sdgen.library.states import object_from_part
+from sdgen.library.states import drawn_supports
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
 
@@ -23,8 +26,12 @@ from sdgen.seeding import Rng
 CARRIED_SHARE = 0.97
 
 
-class Surface:
-    """A support of a placed object as it lies in the world."""
+class PlacingSurface:
+    """A support of a placed object as it lies in the world: where a thing may be put.
+
+    Its outline is a centimetre within the real one, that of :class:`~sdgen.facts.surfaces.Surface`,
+    which says what a thing is ON.
+    """
 
     def __init__(self, support: Support, points: Array) -> None:
         """``points`` (N, 3) is the support's outline in the world."""
@@ -68,16 +75,14 @@ class Surface:
         return bool(outline.intersection(self.shape).area >= CARRIED_SHARE * outline.area)
 
 
-def surfaces_of(item: ObjectInstance, info: AssetInfo) -> list[Surface]:
-    """The supports of a placed object as they lie in the world."""
+def placing_surfaces(item: ObjectInstance, info: AssetInfo) -> list[PlacingSurface]:
+    """The supports of a placed object that surely lie level, as they lie in the world."""
     world = item.pose.matrix()
-    drawn = info.variants[item.variant]
     out = []
-    for support in info.supports:
-        if support.part in drawn:
-            local = object_from_part(info, support.part, item.joints)
-            corners = [(x, y, support.z_m) for x, y in support.polygon_m]
-            out.append(Surface(support, apply(world @ local, corners)))
+    for support, moved in drawn_supports(info, item.variant, item.joints):
+        corners = apply(world @ moved, [(x, y, support.z_m) for x, y in support.polygon_m])
+        if TILTED_M.at_most(float(np.ptp(corners[:, 2]))) == YES:
+            out.append(PlacingSurface(support, corners))
     return out
 
 

@@ -6,6 +6,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from sdgen.errors import UsageError
 from sdgen.scene import Record
 
 Sensor = Literal["rgb", "depth", "instance"]
@@ -43,3 +44,11 @@ class BuildOptions(Record):
     def draws(self) -> bool:
         """True when these options ask for any picture, so that a renderer is needed."""
         return bool(self.sensors) and self.views > 0
+
+
+def check_index_range(first: int, end: int, n: int) -> None:
+    """UsageError when ``first`` to ``end`` - 1 are not scenes of a data set of ``n``."""
+    if not 0 <= first <= end:
+        raise UsageError(f"--range {first}:{end} holds no scene")
+    if end > n:
+        raise UsageError(f"--range {first}:{end} goes past --n {n}")

@@ -6,6 +6,7 @@ import shutil
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.engines.build import build as run_build
+from sdgen.engines.fit import Misfits
 from sdgen.engines.report import Note, SceneDone
 from sdgen.errors import InputError, SdgenError, UsageError
 from sdgen.options import BuildOptions
@@ -106,6 +107,28 @@ def test_what_cannot_be_drawn_or_made_is_said_before_anything_is_written(tools, 
     )
     with pytest.raises(InputError, match="stove_on"):
         build({**tools, "catalog": broken}, tmp_path / "b", hazards_max=1)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_build_that_starts_anew_looks_for_places_for_its_hazards(tools, tmp_path, monkeypatch):
+    out = tmp_path / "set"
+    (out / "scenes").mkdir(parents=True)
+    found = Misfits(("hazard 'mine' fits nowhere",))
+    monkeypatch.setattr("sdgen.engines.build.misfits", lambda *_: found)
+    options = BuildOptions.model_validate(OPTIONS)
+    with pytest.raises(InputError, match="fits nowhere"):
+        run_build(options, out, **tools, overwrite=True)
+    with pytest.raises(SdgenError) as caught:
+        run_build(options, out, **tools)
+    assert "fits nowhere" not in str(caught.value)
+
+
+@pytest.mark.parametrize("wanted", [(1, 3), (-1, 1), (2, 1)])
+def test_scenes_that_the_data_set_does_not_have_are_refused(tools, tmp_path, wanted):
+    with pytest.raises(UsageError, match=rf"--range {wanted[0]}:{wanted[1]} "):
+        run_build(
+            BuildOptions.model_validate(OPTIONS), tmp_path / "set", **tools, index_range=wanted
+        )
     assert list(tmp_path.iterdir()) == []
 
 

@@ -21,7 +21,14 @@ from sdgen.cli.params import (
     split_names,
 )
 from sdgen.errors import BuildIncomplete, UsageError
-from sdgen.options import MAX_SCENES, MAX_SEED, MAX_VIEWS, BuildOptions, Sensor
+from sdgen.options import (
+    MAX_SCENES,
+    MAX_SEED,
+    MAX_VIEWS,
+    BuildOptions,
+    Sensor,
+    check_index_range,
+)
 from sdgen.render.registry import AUTO, RENDERERS
 
 if TYPE_CHECKING:
@@ -237,8 +244,7 @@ def build(
         twins=twins,
     )
     first, end = index_range if index_range is not None else (0, n)
-    if end > n:
-        raise UsageError(f"--range {first}:{end} goes past --n {n}")
+    check_index_range(first, end, n)
     out = out if out is not None else Path("output") / f"sdgen-n{n}-s{seed}"
     check_destination(out)
     todo = end - first - (0 if overwrite else _present(out, first, end))

@@ -22,7 +22,7 @@ from sdgen.errors import InputError, SdgenError, WorkerFault
 from sdgen.hazards.draw import check_range
 from sdgen.library import Library
 from sdgen.library.cache import usable_cache
-from sdgen.options import BuildOptions
+from sdgen.options import BuildOptions, check_index_range
 from sdgen.render import Choice, choose_renderer
 
 #: Scenes lost to programming errors before a build ends: one may be a rare case, more are not.
@@ -42,17 +42,19 @@ def build(
 ) -> BuildReport:
     """Build scenes ``index_range`` (all by default) of a data set into ``out``, or go on with it.
 
-    Raises SdgenError for a folder that cannot be used, a catalogue that does not fit the library,
-    a hazard that fits nowhere or that most homes hold, a renderer that does not start, a full
-    disk. A scene whose attempts are spent is in ``failed``, never silently missing. ``workers``
-    processes (None: as many as there is room for), by the engine that ``engine`` names (this
-    machine when None).
+    Raises UsageError for scenes that a data set of ``options.n`` does not have, SdgenError for a
+    folder that cannot be used, a catalogue that does not fit the library, a hazard that fits
+    nowhere or that most homes hold, a renderer that does not start, a full disk. A scene whose
+    attempts are spent is in ``failed``, never silently missing. ``workers`` processes (None: as
+    many as there is room for), by the engine that ``engine`` names (this machine when None).
     """
     start = time.monotonic()
     engine = engine or EngineOptions()
     check_engine(engine)
-    _check(options, out, catalog, library, on_event)
     first, end = index_range if index_range is not None else (0, options.n)
+    check_index_range(first, end, options.n)
+    begun = (out / "scenes").exists() and not overwrite
+    _check(options, catalog, library, begun, on_event)
     wanted = {f"{index:06d}": index for index in range(first, end)}
     choice = _renderer(options, on_event)
     with (
@@ -130,12 +132,15 @@ def _run(
 
 
 def _check(
-    options: BuildOptions, out: Path, catalog: Catalog, library: Library, on_event: OnEvent
+    options: BuildOptions, catalog: Catalog, library: Library, begun: bool, on_event: OnEvent
 ) -> None:
-    """Raise SdgenError, before anything is written, for what can never be built."""
+    """Raise SdgenError, before anything is written, for what can never be built.
+
+    A build that goes on (``begun``) has found the hazards' places before.
+    """
     check_against_library(catalog, library.states_by_category())
     check_range(options.hazards_min, options.hazards_max, len(catalog.hazards))
-    if options.hazards_max and not (out / "scenes").exists():
+    if options.hazards_max and not begun:
         found = misfits(catalog, library, options)
         if found.problems:
             raise InputError(list(found.problems))

@@ -10,7 +10,7 @@ import socket
 import tempfile
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
@@ -53,7 +53,7 @@ class Actor:
             self._work = set_up(RemoteWorker, (order,))
         except SdgenError as error:
             return Broken(error)
-        return Ready(worker_share_mb(usable_cores(), free_mb()))
+        return Ready(worker_share_mb(_workers_here(order.workers), free_mb()))
 
     def do(self, job: int) -> Answer | Died:
         """Make a scene."""
@@ -99,7 +99,7 @@ class Cluster:
         try:
             self._ray = self._stack.enter_context(_session(address, workers))
             probe = None if send_home else self._stack.enter_context(_probe(self._root))
-            order = Order(setup, package_versions(), data_path("assets"), probe)
+            order = Order(setup, package_versions(), data_path("assets"), probe, workers)
             self._order = self._ray.put(order)
             self._actor = self._ray.remote(num_cpus=1, max_restarts=0)(Actor)
         except BaseException:
@@ -156,6 +156,23 @@ class Cluster:
             clear.options(scheduling_strategy=strategy(node, soft=False)).remote() for node in nodes
         ]
         ray.wait(asked, num_returns=len(asked), timeout=10)
+
+
+def _workers_here(asked: int | None) -> int:
+    """The most workers that this build may have on this actor's machine."""
+    import ray
+
+    return workers_on(ray.nodes(), ray.get_runtime_context().get_node_id(), asked)
+
+
+def workers_on(nodes: Sequence[Mapping[str, Any]], node_id: str, asked: int | None) -> int:
+    """One worker a core that the cluster has of a machine, not more than were ``asked`` for.
+
+    ``nodes`` is what ``ray.nodes()`` says.
+    """
+    of_node = [node["Resources"] for node in nodes if node["NodeID"] == node_id]
+    cores = max(1, int(of_node[0].get("CPU", 0))) if of_node else usable_cores()
+    return min(cores, asked or cores)
 
 
 @contextmanager

@@ -27,13 +27,14 @@ class Order:
 
     ``versions`` decide bytes and must be the same there; ``shipped`` is where the sender's own
     models lie, which need not be the same; ``probe`` is what PROBE holds, None when scenes shall
-    be sent home in any case.
+    be sent home in any case; ``workers`` is the most that the build has, None: one a core.
     """
 
     setup: WorkerSetup
     versions: dict[str, str]
     shipped: Path
     probe: str | None
+    workers: int | None = None
 
 
 @dataclass(frozen=True)

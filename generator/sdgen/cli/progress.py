@@ -198,7 +198,7 @@ def _histogram(counts: dict[int, int]) -> str:
 
 
 def _memory(report: BuildReport) -> str:
-    """What a worker held at most, early and late: it must not grow."""
+    """What a worker held at most, early and late: it grows with the models met so far."""
     early = human_bytes(report.worker_first_mb * 1e6)
     late = human_bytes(report.worker_last_mb * 1e6)
     span = report.memory_span

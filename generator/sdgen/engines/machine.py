@@ -43,7 +43,11 @@ def held_mb(process: int | str = "self") -> float:
 
 
 def peak_mb() -> float:
-    """The most memory this process has held since the last call (on Linux; else ever)."""
+    """The most memory this process has held since the last call (on Linux; else ever).
+
+    Unlike :func:`held_mb` with the pages of mapped files, as the kernel's mark has them: summed
+    over workers they count once for each.
+    """
     peak = held_mb()
     with contextlib.suppress(OSError, ValueError):
         with open("/proc/self/status", encoding="ascii", errors="replace") as file:

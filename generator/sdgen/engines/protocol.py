@@ -38,7 +38,8 @@ class Replaced:
 
 
 class Engine(Protocol):
-    """Runs jobs somewhere. ``peak_mb`` is the most its processes held together so far."""
+    """Runs jobs somewhere. ``peak_mb`` is the most its processes held together so far; pages that
+    they share (mapped files) count in each."""
 
     peak_mb: float
 
@@ -69,7 +70,8 @@ class Ready:
 class Answer:
     """A job is done (``error`` None) or failed by an error that has been understood.
 
-    ``held_mb`` is what the worker holds now, ``peak_mb`` the most it held during the job.
+    ``held_mb`` is what the worker alone holds now, ``peak_mb`` the most it held during the job,
+    shared pages too.
     """
 
     result: Any = None

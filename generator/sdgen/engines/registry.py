@@ -19,7 +19,9 @@ from sdgen.options import BuildOptions
 #: seconds; the rest is for slow and busy machines.
 SCENE_S = 600.0
 MEGAPIXEL_S = 5.0
-#: Within a scene a worker may hold this many times what it may keep after it.
+#: Within a scene a worker may hold this many times what it may keep after it: for two workers or
+#: more, half a share is no more than what USABLE leaves of the free memory, so that one of them at
+#: its worst still fits beside the others.
 BLOAT = 1.5
 
 

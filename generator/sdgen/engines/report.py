@@ -60,8 +60,9 @@ class BuildReport:
     be made. ``home_attempts`` counts the homes tried for the made and the failed ones;
     ``rejections`` says by cause why tries were thrown away, ``anomalies`` counts by hazard over
     all good scenes of the range, ``anomaly_counts`` these scenes by their number of anomalies.
-    ``peak_memory_mb`` is the most one run's processes held together; ``worker_mb`` the most a
-    worker held making each scene, in the order they came: it must not grow.
+    ``peak_memory_mb`` is the most one run's processes held together, shared pages counted in each;
+    ``worker_mb`` the most a worker held making each scene, in the order they came: it grows with
+    the models that workers meet for the first time, and a worker above its share is replaced.
     """
 
     out: Path

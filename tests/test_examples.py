@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -80,6 +81,41 @@ def test_an_array_of_tasks_makes_the_bytes_of_one_build(tmp_path: Path) -> None:
     assert contents(tmp_path / "homes") == contents(whole)
     names = {path.name for path in tmp_path.iterdir()}
     assert names == {"homes", "homes.piece-000000", "homes.piece-000001", "whole"}
+
+
+def test_what_slurm_signals_is_the_build_itself(tmp_path: Path) -> None:
+    """By ``--signal=B:`` SLURM signals the process it started, and no other."""
+    started = tmp_path / "started"
+    stub = tmp_path / "sdgen"
+    stub.write_text(
+        f"#!/bin/sh\ntrap 'exit 143' TERM\necho \"$@\" > {started}.part\n"
+        f"mv {started}.part {started}\nwhile :; do sleep 0.02; done\n"
+    )
+    stub.chmod(0o755)
+    env = {**os.environ, "N": "25", "PIECE": "10", "OUT": "homes", "SDGEN": str(stub)}
+    script = EXAMPLES / "slurm_array.sh"
+    task = subprocess.Popen([script], env={**env, "SLURM_ARRAY_TASK_ID": "2"})
+    try:
+        deadline = time.monotonic() + 20
+        while not started.exists() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        task.terminate()
+        assert task.wait(20) == 143
+    finally:
+        task.kill()
+        task.wait()
+    assert "--range 20:25 --out homes.piece-000002" in started.read_text()
+    assert "#SBATCH --signal=B:TERM@60\n" in script.read_text(encoding="utf-8")
+
+
+def test_the_guide_submits_the_array_as_the_script_says() -> None:
+    """The merge waits for the end of all tasks: one that lacks a scene ends with 3."""
+    script = (EXAMPLES / "slurm_array.sh").read_text(encoding="utf-8")
+    guide = (EXAMPLES.parent / "docs" / "cluster.md").read_text(encoding="utf-8")
+    lines = [line.removeprefix("#").strip() for line in script.splitlines() if " sbatch " in line]
+    assert len(lines) == 2
+    assert "--dependency=afterany:JOBID" in lines[1]
+    assert all(f"\n{line}\n" in guide for line in lines)
 
 
 def contents(folder: Path) -> dict[str, bytes]:

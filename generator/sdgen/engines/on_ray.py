@@ -12,6 +12,7 @@ import threading
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -160,8 +161,7 @@ class Cluster:
 
 def _workers_here(asked: int | None) -> int:
     """The most workers that this build may have on this actor's machine."""
-    import ray
-
+    ray: Any = import_module("ray")
     return workers_on(ray.nodes(), ray.get_runtime_context().get_node_id(), asked)
 
 

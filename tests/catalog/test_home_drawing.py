@@ -11,6 +11,7 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import FurnitureItem, HomeSpec, OpeningSpec
 from sdgen.hazards.splits import SplitModels, split_of_home
+from sdgen.home.shell import build_shell
 from sdgen.library import Library
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.seeding import lane
@@ -71,12 +72,84 @@ def test_a_drawing_is_read(tmp_path: Path) -> None:
         ("center_m: [4, 1.5], along: y", "center_m: [4, 1.5], along: x", "has 0 rooms beside it"),
         ("center_m: [1, 0], along: x", "center_m: [4, 1], along: y", "this front_door has 2 rooms"),
         ("kind: front_door", "kind: door", "openings: a home has exactly one front_door"),
+        (
+            "[[4, 0, 7, 3]]",
+            "[[4, 0, 7, 1], [4, 2, 7, 3]]",
+            "rooms[1].rectangles_m: the rectangles do",
+        ),
+        ("[[4, 0, 7, 3]]", "[[4, 0, 7, 3], [7, 3, 8, 5]]", "do not join: each must share a side"),
+        (
+            "[[4, 0, 7, 3]]",
+            "[[4, 0, 5, 3], [5, 0, 7, 1], [5, 2, 7, 3], [6, 0, 7, 3]]",
+            ":13: rooms[1].rectangles_m: the rectangles leave a hole",
+        ),
+        ("[[4, 0, 7, 3]]", "[[4, 0, 7, 0.1]]", "the room is too narrow: walls 0.12 m thick leave"),
+        (
+            "[[4, 0, 7, 3]]",
+            "[[4, 0, 7, 3], [7, 1, 8, 1.1], [8, 0, 9, 3]]",
+            "the room is too narrow",
+        ),
+        (
+            "center_m: [4, 1.5]",
+            "center_m: [4, 2.8]",
+            "this door is 0.9 m wide, and only 0.59 m of it lie in the wall of room 'stube'",
+        ),
+        ("center_m: [1, 0]", "center_m: [0.5, 0]", ":15: openings[0].center_m: this front_door is"),
+        (
+            "openings:",
+            "openings:\n  - {kind: window, center_m: [1.9, 0], along: x}",
+            "this front_door overlaps openings[0], a window",
+        ),
+        (
+            "sill_m: 0.9, small",
+            "sill_m: 2.1, small",
+            ":17: openings[2].sill_m: this window ends 2.7 m up, and the rooms at 2.6 m",
+        ),
+        ("title: A hut", "title: A hut\nheight_m: 2.0", "kind: this front_door ends 2.1 m up"),
+        (
+            "{kind: door, center_m: [4, 1.5], along: y, hinge_flip: true}",
+            "{kind: window, center_m: [5.5, 0], along: x}",
+            ":11: rooms[1]: no doors lead from the front_door to room 'kammer'",
+        ),
     ],
 )
 def test_a_bad_drawing_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:
     assert old in HOME
     found = problems(write(tmp_path, homes__hut=HOME.replace(old, new, 1)))
     assert any(problem in line for line in found), found
+
+
+CORNER = """\
+id: hut
+title: Three rooms that meet
+rooms:
+  - {name: a, type: living_room, rectangles_m: [[0, 0, 4, 4]]}
+  - {name: b, type: kitchen, rectangles_m: [[4, 0, 8, 2]]}
+  - {name: c, type: bedroom, rectangles_m: [[4, 2, 8, 6]]}
+openings:
+  - {kind: front_door, center_m: [2, 0], along: x}
+  - {kind: door, center_m: [4, 1.95], along: y}
+  - {kind: door, center_m: [6, 2], along: x}
+"""
+
+
+def test_a_door_where_three_rooms_meet_is_told(tmp_path: Path) -> None:
+    """Its centre is beside two of them, its width beside the third, too."""
+    (problem,) = problems(write(tmp_path, homes__hut=CORNER))
+    assert ":9: openings[1].center_m: this door has 3 rooms beside it (a, b, c)" in problem
+    apart = CORNER.replace("[4, 1.95]", "[4, 1.2]")
+    (hut,) = (h for h in load_catalog([write(tmp_path, homes__hut=apart)]).homes if h.id == "hut")
+    home = build_shell(hut, shipped_library(), count(1), lane(0, 0, "shell"))
+    names = {room.id: room.name for room in home.rooms}
+    between = [tuple(names[key] for key in opening.room_ids) for opening in home.openings]
+    assert between == [("a",), ("a", "b"), ("b", "c")]
+
+
+def test_a_seam_within_a_room_is_no_wall(tmp_path: Path) -> None:
+    text = HOME.replace("[[4, 0, 7, 3]]", "[[4, 0, 5.5, 3], [5.5, 0, 7, 3]]")
+    text = text.replace("{kind: window, center_m: [7, 1.5]", "{kind: window, center_m: [5.5, 1.5]")
+    (problem,) = problems(write(tmp_path, homes__hut=text))
+    assert "this window has 0 rooms beside it (none)" in problem
 
 
 CATALOG = load_catalog()

@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Annotated
 
 from pydantic import model_validator
 from pydantic_core import InitErrorDetails
 
 from sdgen.catalog.entry import as_record
+from sdgen.catalog.home_shape import (
+    SAME_M,
+    OutlineError,
+    Ring,
+    frame_size,
+    inner_ring,
+    rooms_beside,
+)
 from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
 from sdgen.catalog.words import Text, Word, between
 from sdgen.scene import Record
 from sdgen.strict import problem, refuse
+from sdgen.vocabulary import DOORS, HALF_WALL_M
 
 Rect = tuple[float, float, float, float]
 #: Far below a millimetre: what two drawn numbers that mean the same may differ by.
@@ -32,7 +41,15 @@ class HomeYaml(Record):
 
     @model_validator(mode="after")
     def _check(self) -> HomeYaml:
-        found = [*self._room_problems(), *self._opening_problems()]
+        found = list(self._room_problems())
+        rings = []
+        for index, room in enumerate(self.rooms):
+            try:
+                rings.append(inner_ring(room))
+            except OutlineError as error:
+                found.append(problem(("rooms", index, "rectangles_m"), str(error)))
+        if len(rings) == len(self.rooms):
+            found += self._opening_problems(rings)
         if found:
             refuse(*found)
         return self
@@ -60,18 +77,60 @@ class HomeYaml(Record):
                     text = f"no {item.on} is placed before it in this room"
                     yield problem((*path, "on"), text)
 
-    def _opening_problems(self) -> Iterator[InitErrorDetails]:
-        """Openings lie on walls; there is one front door."""
+    def _opening_problems(self, rings: Sequence[Ring]) -> Iterator[InitErrorDetails]:
+        """Openings lie in walls, whole and apart; the front door leads to every room."""
+        sound = True
         for index, opening in enumerate(self.openings):
-            beside = [room.name for room in self.rooms if _on_edge(room, opening)]
-            wanted = {"door": (1, 2), "front_door": (1,), "window": (1,)}[opening.kind]
-            if len(beside) not in wanted:
-                where = f"has {len(beside)} rooms beside it ({', '.join(beside) or 'none'})"
-                hint = "center_m must lie on a wall that runs along the axis 'along'"
-                text = f"this {opening.kind} {where}; {hint}"
-                yield problem(("openings", index, "center_m"), text)
+            for step, text in self._problems_of(index, opening, rings):
+                sound = False
+                yield problem(("openings", index, step), text)
         if sum(opening.kind == "front_door" for opening in self.openings) != 1:
             yield problem(("openings",), "a home has exactly one front_door")
+        elif sound:
+            reached = self._reached(rings)
+            for index, room in enumerate(self.rooms):
+                if index not in reached:
+                    text = f"no doors lead from the front_door to room {room.name!r}"
+                    yield problem(("rooms", index), text)
+
+    def _problems_of(
+        self, index: int, opening: OpeningSpec, rings: Sequence[Ring]
+    ) -> Iterator[tuple[str, str]]:
+        """What is wrong with one opening, and with which of its keys."""
+        width, height = frame_size(opening)
+        beside = rooms_beside(rings, opening)
+        names = ", ".join(self.rooms[k].name for k in beside) or "none"
+        wanted = {"door": (1, 2), "front_door": (1,), "window": (1,)}[opening.kind]
+        if len(beside) not in wanted:
+            where = f"has {len(beside)} rooms beside it ({names})"
+            hint = "center_m must lie on a wall that runs along the axis 'along'"
+            yield "center_m", f"this {opening.kind} {where}; {hint}"
+            return
+        for k, share in beside.items():
+            if share < width - SAME_M:
+                where = f"only {share:.2f} m of it lie in the wall of room {self.rooms[k].name!r}"
+                yield "center_m", f"this {opening.kind} is {width:g} m wide, and {where}"
+        for k, other in enumerate(self.openings[:index]):
+            if _overlap(_span(opening), _span(other)):
+                yield "center_m", f"this {opening.kind} overlaps openings[{k}], a {other.kind}"
+        top = opening.sill_m + height
+        if top > self.height_m:
+            text = f"this {opening.kind} ends {top:g} m up, and the rooms at {self.height_m:g} m"
+            yield "sill_m" if opening.sill_m else "kind", text
+
+    def _reached(self, rings: Sequence[Ring]) -> set[int]:
+        """The rooms one gets to from the front door."""
+        doors = [o for o in self.openings if o.kind in DOORS]
+        joined = [set(rooms_beside(rings, door)) for door in doors]
+        reached = {
+            k
+            for door, rooms in zip(doors, joined, strict=True)
+            for k in rooms
+            if door.kind == "front_door"
+        }
+        while more := {k for rooms in joined if rooms & reached for k in rooms} - reached:
+            reached |= more
+        return reached
 
 
 def _overlap(a: Rect, b: Rect) -> bool:
@@ -82,12 +141,9 @@ def _holds(rect: Rect, point: tuple[float, float, float]) -> bool:
     return rect[0] <= point[0] <= rect[2] and rect[1] <= point[1] <= rect[3]
 
 
-def _on_edge(room: RoomSpec, opening: OpeningSpec) -> bool:
-    """True when the opening's centre lies on an edge of the room along its axis."""
-    x, y = opening.center_m
-    for x0, y0, x1, y1 in room.rectangles_m:
-        if opening.along == "x" and x0 < x < x1 and min(abs(y - y0), abs(y - y1)) < _EPS:
-            return True
-        if opening.along == "y" and y0 < y < y1 and min(abs(x - x0), abs(x - x1)) < _EPS:
-            return True
-    return False
+def _span(opening: OpeningSpec) -> Rect:
+    """What an opening takes of its wall, seen from above."""
+    (x, y), half, thick = opening.center_m, frame_size(opening)[0] / 2, HALF_WALL_M
+    if opening.along == "x":
+        return x - half, y - thick, x + half, y + thick
+    return x - thick, y - half, x + thick, y + half

@@ -9,12 +9,12 @@ import numpy as np
 from shapely.geometry import Polygon
 
 from sdgen.actions import at_rest, in_state, settled_states
+from sdgen.catalog.home_shape import frame_size
 from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec, RoomSpec
 from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_quat
 from sdgen.home.blocks import Block
 from sdgen.home.context import Models
 from sdgen.home.layout import Intent, Layout, within_room
-from sdgen.home.shell import frame_size
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room

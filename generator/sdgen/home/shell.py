@@ -8,11 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from shapely import box as shapely_box
-from shapely.geometry import LineString, Point, Polygon
-from shapely.geometry.polygon import orient
-from shapely.ops import unary_union
-
+from sdgen.catalog.home_shape import frame_size, in_wall, inner_ring, rooms_beside
 from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
 from sdgen.geometry import Vec2
 from sdgen.library import Library
@@ -23,31 +19,20 @@ from sdgen.vocabulary import HALF_WALL_M
 #: Seen from one side only; thicker than what falls moves in a step (10 m/s: 4 cm).
 FLOOR_THICKNESS_M = 0.1
 CEILING_THICKNESS_M = 0.05
-#: Outer frame sizes of the library's openings (width, height); walls are cut to exactly these. Not
-#: in YAML: another size needs doors and windows modelled to it, which is assets' business.
-FRAME_M = {"door": (0.90, 2.10), "front_door": (1.00, 2.10), "window": (1.20, 1.20)}
-SMALL_WINDOW_M = (0.60, 0.60)
-
-
-def frame_size(opening: OpeningSpec) -> tuple[float, float]:
-    """Width and height of the hole an opening needs."""
-    if opening.kind == "window" and opening.small:
-        return SMALL_WINDOW_M
-    return FRAME_M[opening.kind]
 
 
 def build_shell(spec: HomeSpec, library: Library, ids: Iterator[int], rng: Rng) -> Home:
     """Rooms and structures of a home; openings get the ids of the objects to fill them."""
-    outlines = [_outline(room) for room in spec.rooms]
+    rings = [inner_ring(room) for room in spec.rooms]
     rooms = tuple(
         Room(
             id=next(ids),
             name=room.name,
             type=room.type,
-            polygon_m=_ring(outline.buffer(-HALF_WALL_M, join_style="mitre")),
+            polygon_m=ring,
             height_m=spec.height_m,
         )
-        for room, outline in zip(spec.rooms, outlines, strict=True)
+        for room, ring in zip(spec.rooms, rings, strict=True)
     )
     openings = tuple(_opening(o, rooms, next(ids)) for o in spec.openings)
     structures: list[Structure] = []
@@ -58,24 +43,9 @@ def build_shell(spec: HomeSpec, library: Library, ids: Iterator[int], rng: Rng) 
     )
 
 
-def _outline(room: RoomSpec) -> Polygon:
-    shape = unary_union([shapely_box(*r) for r in room.rectangles_m])
-    return orient(shape.simplify(1e-6))
-
-
-def _ring(polygon: Polygon) -> tuple[Vec2, ...]:
-    points = list(orient(polygon).exterior.coords)[:-1]
-    return tuple((round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in points)
-
-
 def _opening(spec: OpeningSpec, rooms: Sequence[Room], object_id: int) -> Opening:
     width, height = frame_size(spec)
-    spot = Point(spec.center_m)
-    touching = [
-        room.id
-        for room in rooms
-        if Polygon(room.polygon_m).buffer(2 * HALF_WALL_M, join_style="mitre").contains(spot)
-    ]
+    touching = [rooms[k].id for k in rooms_beside([room.polygon_m for room in rooms], spec)]
     if spec.hinge_flip:
         touching.reverse()
     return Opening(
@@ -183,12 +153,11 @@ def _wall_pieces(
     forward = end[axis] > start[axis]
     outward = (-1.0 if forward else 1.0) * (1.0 if axis == 0 else -1.0)
     outer = inner + outward * HALF_WALL_M
-    edge = LineString([start, end])
     holes = []
     for opening in openings:
-        if opening.along != along or room.id not in opening.room_ids:
+        if room.id not in opening.room_ids:
             continue
-        if edge.distance(Point(opening.center_m[:2])) > 1.5 * HALF_WALL_M:
+        if not in_wall(start, end, opening.center_m, opening.along, opening.width_m):
             continue
         middle, half = opening.center_m[axis], opening.width_m / 2
         sill = opening.center_m[2]

@@ -126,6 +126,41 @@ def test_relation_to_a_category() -> None:
     assert (unsure.value, unsure.sure) == (False, False)
 
 
+def test_two_relations_of_one_object_are_both_told() -> None:
+    """A lamp on a bed, near the heat: neither relation takes the other's place in the evidence."""
+    bed, warm = RelationTerm(relation="ON", targets=("bed",)), RelationTerm(relation="NEAR_HEAT")
+    reach = HeightTerm(max_m=1.3, evidence="reach_height_m")
+    near = Related(9, "stove", True, True, {"gap_m": 0.1})
+    lamp = Thing(height_m=0.5, related={"ON": (on(5, "bed"),), "NEAR_HEAT": (near,)})
+    both = {
+        "relation": "ON",
+        "target_id": 5,
+        "target_category": "bed",
+        "gap_m": 0.001,
+        "relation_2": "NEAR_HEAT",
+        "target_id_2": 9,
+        "target_category_2": "stove",
+        "gap_m_2": 0.1,
+    }
+    assert verdict(AllTerm(terms=(bed, warm)), lamp).evidence == both
+    assert AllTerm(terms=(bed, warm)).measure(1, World({1: lamp})) == both
+    assert AnyTerm(terms=(bed, warm)).measure(1, World({1: lamp})) == both
+    # What is measured twice alike is told once, and a height keeps its name wherever it stands.
+    assert verdict(AllTerm(terms=(bed, bed)), lamp).evidence == verdict(bed, lamp).evidence
+    nested = AllTerm(terms=(bed, AllTerm(terms=(warm, reach))))
+    assert verdict(nested, lamp).evidence == both | {"reach_height_m": 0.5}
+    gaps = {("stove",): ((2.0, 7),), ("tv",): ((3.0, 8),), ("bed",): ((4.0, 9),)}
+    three = tuple(DistanceTerm(to=to, min_m=1.0) for to in gaps)
+    assert verdict(AllTerm(terms=three), Thing(gaps=gaps)).evidence == {
+        "distance_m": 2.0,
+        "nearest_id": 7,
+        "distance_m_2": 3.0,
+        "nearest_id_2": 8,
+        "distance_m_3": 4.0,
+        "nearest_id_3": 9,
+    }
+
+
 def test_relation_to_something_in_a_state() -> None:
     term = RelationTerm(relation="INSIDE", targets=("fridge",), target_state="OPEN")
     inside = Thing("cheese", related={"INSIDE": (on(2, "fridge"),)})

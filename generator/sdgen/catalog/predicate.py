@@ -116,6 +116,17 @@ class Verdict(NamedTuple):
     evidence: Mapping[str, EvidenceValue] = MappingProxyType({})
 
 
+def add_evidence(evidence: Evidence, more: Mapping[str, EvidenceValue]) -> None:
+    """Add what a further term measured. What says something else under a key that is there (a
+    second relation, say) goes under the key and ``_2``, or the first number that is free."""
+    clashing = {key for key, value in more.items() if evidence.get(key, value) != value}
+    number = 2
+    while any(f"{key}_{number}" in evidence for key in clashing):
+        number += 1
+    for key, value in more.items():
+        evidence[f"{key}_{number}" if key in clashing else key] = value
+
+
 def all_verdicts(verdicts: Iterable[Verdict]) -> Verdict:
     """Strong Kleene conjunction; ends at the first that is surely false."""
     value, sure = True, True
@@ -125,7 +136,7 @@ def all_verdicts(verdicts: Iterable[Verdict]) -> Verdict:
             return Verdict(False, True)
         value = value and verdict.value
         sure = sure and verdict.sure
-        evidence.update(verdict.evidence)
+        add_evidence(evidence, verdict.evidence)
     return Verdict(value, sure, evidence if value else {})
 
 

@@ -6,7 +6,14 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
-from sdgen.catalog.predicate import Evidence, FactSource, Verdict, all_verdicts, any_verdict
+from sdgen.catalog.predicate import (
+    Evidence,
+    FactSource,
+    Verdict,
+    add_evidence,
+    all_verdicts,
+    any_verdict,
+)
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.term import Can, Case, Scope, Term
 from sdgen.strict import shown
@@ -119,7 +126,7 @@ def _listed(reader: Reader, key: str, scope: Scope) -> tuple[Term, ...]:
 def _measured(terms: Sequence[Term], object_id: int, facts: FactSource) -> Evidence:
     out: Evidence = {}
     for term in terms:
-        out.update(term.measure(object_id, facts))
+        add_evidence(out, term.measure(object_id, facts))
     return out
 
 

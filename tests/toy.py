@@ -6,7 +6,7 @@ of the fridge. A knife on a high shelf is the lookalike. Pictures are drawn box 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -16,6 +16,7 @@ from sdgen.cameras.pinhole import intrinsics, matrix4
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import DatasetWriter
+from sdgen.dataset.records import ManifestEntry
 from sdgen.dataset.scene_folder import SceneWriter
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, rounded_rings
@@ -336,11 +337,19 @@ def painter(writer: DatasetWriter) -> SceneWriter:
     return replace(writer.scene_writer, renderer="painted")
 
 
+def write_scene(writer: SceneWriter, made: SceneBundle, pictures: Sequence[Frame]) -> ManifestEntry:
+    """Write a whole scene, as workers do."""
+    with writer.begin(made) as folder:
+        for picture in pictures:
+            folder.add(picture)
+        return folder.finish(visibility(made, pictures))
+
+
 def add_scene(writer: DatasetWriter, index: int) -> None:
     """Write toy scene ``index``."""
     made = bundle(index, writer.build.options)
     pictures = frames(made) if writer.build.options.sensors else []
-    painter(writer).write(made, visibility(made, pictures), pictures)
+    write_scene(painter(writer), made, pictures)
 
 
 def build(path: Path, options: BuildOptions | None = None) -> Path:
@@ -368,7 +377,7 @@ def build_with_twins(path: Path, n: int = 4) -> Path:
             if f"{index:06d}" not in writer.done:
                 benign = twin(bundle(index, writer.build.options))
                 shown = frames(benign)
-                painter(writer).write(benign, visibility(benign, shown), shown)
+                write_scene(painter(writer), benign, shown)
                 add_scene(writer, index)
         writer.finish()
     return path

@@ -88,6 +88,11 @@ def test_content_digest_ignores_views_and_nothing_else(tmp_path: Path) -> None:
     assert len(set(digests("c"))) == 2
 
 
+def again(*ids: str) -> set[str]:
+    """What is noted of damaged scenes."""
+    return {f"scene {name} was damaged and will be made again" for name in ids}
+
+
 def test_a_killed_build_resumes_to_the_same_bytes(tmp_path: Path) -> None:
     whole = toy.build(tmp_path / "whole")
     path = tmp_path / "d"
@@ -100,7 +105,7 @@ def test_a_killed_build_resumes_to_the_same_bytes(tmp_path: Path) -> None:
     assert not (path / "scenes" / "000001").exists()
     with toy.open_writer(path) as writer:
         assert sorted(writer.done) == ["000000", "000002"]
-        assert writer.repaired == ()
+        assert writer.notes == ()
         assert not list((path / BUILD_FOLDER).glob("*.partial"))
     assert tree(toy.build(path)) == tree(whole)
 
@@ -141,7 +146,7 @@ def test_a_damaged_scene_is_made_again(tmp_path: Path, damage: Any, finished: bo
             writer.finish()
     damage(path / "scenes" / "000001")
     with toy.open_writer(path, toy.small(n=2)) as writer:
-        assert writer.repaired == ("000001",)
+        assert again("000001") <= set(writer.notes)
         assert list(writer.done) == ["000000"]
         toy.add_scene(writer, 1)
         writer.finish()
@@ -155,7 +160,6 @@ def test_a_user_s_file_is_no_damage(tmp_path: Path, name: str) -> None:
     (path / "scenes/000001" / name).write_text("mine")
     before = tree(path)
     with toy.open_writer(path, toy.small(n=2)) as writer:
-        assert writer.repaired == ()
         assert writer.notes == ()
         writer.finish()
     assert tree(path) == before
@@ -168,7 +172,7 @@ def test_a_user_s_files_in_a_damaged_scene_are_set_aside_and_said(tmp_path: Path
         (path / "scenes/000001/views/00/mine.txt").write_text("my notes" + turn)
         _damage_truncate(path / "scenes/000001")
         with toy.open_writer(path, toy.small(n=2)) as writer:
-            assert writer.repaired == ("000001",)
+            assert again("000001") <= set(writer.notes)
             damaged, aside = writer.notes
             assert "damaged and will be made again" in damaged
             assert str(path / f"set-aside/000001{turn}") in aside
@@ -333,7 +337,40 @@ def test_a_killed_overwrite_does_not_bring_the_old_scenes_back(
     monkeypatch.undo()
     with toy.open_writer(path, toy.small(n=2, seed=9)) as writer:
         assert writer.done == {}
-        assert writer.repaired == ("000000", "000001")
+        assert again("000000", "000001") <= set(writer.notes)
+
+
+def _other_seed(path: Path) -> None:
+    """Nothing is wrong with the folder: it is asked for another build."""
+
+
+def _broken_manifest(path: Path) -> None:
+    (path / "manifest.jsonl").write_text("no line of ours\n")
+
+
+@pytest.mark.parametrize(
+    ("spoil", "seed", "words"),
+    [(_other_seed, 9, "holds a data set built with seed 7"), (_broken_manifest, 7, "manifest")],
+)
+def test_a_refused_build_leaves_a_finished_data_set_as_it_was(
+    tmp_path: Path, spoil: Any, seed: int, words: str
+) -> None:
+    path = toy.build(tmp_path / "d", toy.small(n=2))
+    spoil(path)
+    before = sorted(path.rglob("*"))
+    with pytest.raises(SdgenError, match=words):
+        toy.open_writer(path, toy.small(n=2, seed=seed))
+    assert sorted(path.rglob("*")) == before
+
+
+def test_a_refused_build_leaves_an_unfinished_one_to_go_on_with(tmp_path: Path) -> None:
+    path = tmp_path / "d"
+    with toy.open_writer(path) as writer:
+        toy.add_scene(writer, 0)
+    with pytest.raises(SdgenError, match="seed 7"):
+        toy.open_writer(path, toy.small(seed=9))
+    with toy.open_writer(path) as writer:
+        assert list(writer.done) == ["000000"]
 
 
 def _try_to_open(path: str, queue: Any) -> None:

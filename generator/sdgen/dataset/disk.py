@@ -56,7 +56,7 @@ def replace_file(path: Path, data: bytes) -> None:
     try:
         write_synced(partial, data)
         os.replace(partial, path)
-    except OSError:
+    except BaseException:  # a full disk, or an interrupt
         partial.unlink(missing_ok=True)
         raise
     sync_folder(path.parent)

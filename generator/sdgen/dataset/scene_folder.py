@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -121,18 +120,10 @@ class SceneWriter:
         """Start a scene's folder; use as a context manager and ``finish`` it."""
         return SceneFolder(self, bundle)
 
-    def write(
-        self, bundle: SceneBundle, visibility: Visibility, frames: Iterable[Frame]
-    ) -> ManifestEntry:
-        """Write a whole scene at once. OSError (a full disk, say) leaves nothing behind."""
-        with self.begin(bundle) as folder:
-            for frame in frames:
-                folder.add(frame)
-            return folder.finish(visibility)
-
 
 class SceneFolder(Closing):
-    """A scene folder in the making; nothing of it shows in ``scenes/`` before ``finish``."""
+    """A scene folder in the making; nothing of it shows in ``scenes/`` before ``finish``. An
+    OSError on the way (a full disk, say) leaves nothing behind."""
 
     def __init__(self, writer: SceneWriter, bundle: SceneBundle) -> None:
         self.writer = writer

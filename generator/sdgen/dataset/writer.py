@@ -49,9 +49,9 @@ from sdgen.scene import cause_counts, causes_of
 class DatasetWriter(Closing):
     """Owns one data set folder for the time of a build. Use as a context manager.
 
-    ``done`` maps the ids of the scenes that are there, whole, to their manifest lines;
-    ``repaired`` lists those that were found damaged and taken away to be made again; ``notes``
-    says so, and where files that are not sdgen's went.
+    ``done`` maps the ids of the scenes that are there, whole, to their manifest lines; ``notes``
+    says which were found damaged and taken away to be made again, and where files in them that
+    are not sdgen's went.
     """
 
     def __init__(
@@ -62,7 +62,6 @@ class DatasetWriter(Closing):
         self.catalog = catalog
         self.infos = infos
         self.done: dict[str, ManifestEntry] = {}
-        self.repaired: tuple[str, ...] = ()
         self.notes: tuple[str, ...] = ()
         self._assets: set[str] = set()
         self._failed: dict[str, Causes] = {}
@@ -115,7 +114,12 @@ class DatasetWriter(Closing):
         root = root.absolute()
         refuse_data_set(root)
         refuse_foreign(root)
-        (root / BUILD_FOLDER).mkdir(parents=True, exist_ok=True)
+        root.mkdir(parents=True, exist_ok=True)
+        try:
+            (root / BUILD_FOLDER).mkdir()
+            new = True
+        except FileExistsError:
+            new = False
         writer = cls(root, build, catalog, infos)
         writer._lock = FileLock.take(root / BUILD_FOLDER / "lock")
         if writer._lock is None:
@@ -132,6 +136,10 @@ class DatasetWriter(Closing):
             replace_file(root / BUILD_FOLDER / "build.json", record_bytes(build))
             writer._resume()
         except BaseException:
+            # A finished data set stays a finished one. Not where it was to be cleared, though:
+            # without its dataset.json the folder tells whose the rest is.
+            if new and not overwrite:
+                remove_tree(root / BUILD_FOLDER)
             writer.close()
             raise
         return writer
@@ -246,7 +254,6 @@ class DatasetWriter(Closing):
                 self.done[line.id] = line
             else:
                 damaged.append(folder.name)
-        self.repaired = tuple(damaged)
         self.notes += tuple(f"scene {name} was damaged and will be made again" for name in damaged)
         self._take_away(damaged)
         if self.build.options.twins:

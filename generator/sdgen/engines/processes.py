@@ -82,10 +82,12 @@ class Processes:
 
     def __init__(self, count: int, factory: Factory, args: tuple[Any, ...]) -> None:
         self._count = max(1, count)
-        self._held = ExitStack()
-        self._scratch = self._held.enter_context(scratch_folder())
-        self._order = self._scratch / "order"
-        self._order.write_bytes(pickle.dumps((factory, args)))
+        order = pickle.dumps((factory, args))
+        with ExitStack() as held:
+            self._scratch = held.enter_context(scratch_folder())
+            self._order = self._scratch / "order"
+            self._order.write_bytes(order)
+            self._held = held.pop_all()
         self._started = 0
 
     def size(self) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import pytest
 import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from sdgen.catalog.load import catalog_sha256, load_catalog
+from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, PlaceRecipe
 from sdgen.errors import InputError
 from sdgen.resources import data_path
@@ -56,17 +57,28 @@ def test_only_and_the_shipped_folder_itself() -> None:
 
 
 def test_the_digest_follows_the_content_only(tmp_path: Path) -> None:
-    before = catalog_sha256(load_catalog())
-    assert before == catalog_sha256(load_catalog())
+    before = load_catalog().sha256
+    assert before == load_catalog().sha256
     a, b = tmp_path / "a" / "pack", tmp_path / "b" / "pack"
     write(a, hazards__wobbly_vase=HAZARD)
     write(b, hazards__wobbly_vase=f"# moved, with a comment\n{HAZARD}")
-    assert catalog_sha256(load_catalog([a])) == catalog_sha256(load_catalog([b])) != before
+    assert load_catalog([a]).sha256 == load_catalog([b]).sha256 != before
     changed = (loaded := load_catalog()).model_copy(update={"mixes": ()})
-    assert catalog_sha256(loaded) == before != catalog_sha256(changed)
-    assert catalog_sha256(loaded) == before
+    assert loaded.sha256 == before != changed.sha256
+    assert loaded.sha256 == before
+    assert loaded.model_copy(update={"mixes": ()}).sha256 == changed.sha256
+    assert pickle.loads(pickle.dumps(loaded)) == loaded == load_catalog()
     text = load_catalog([a]).model_dump_json()
     assert Catalog.model_validate_json(text) == load_catalog([a])
+
+
+def test_the_digest_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It takes ten milliseconds, and every scene and every twin names it."""
+    loaded = load_catalog()
+    digest = loaded.sha256
+    there = pickle.loads(pickle.dumps(loaded))
+    monkeypatch.setattr(Catalog, "model_dump", None)
+    assert loaded.sha256 == there.sha256 == digest
 
 
 def test_replacing_is_asked_for(tmp_path: Path) -> None:

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.dataset import Dataset
 from sdgen.dataset.merge import merge
 from sdgen.dataset.scene_folder import BUILD_FOLDER
@@ -108,7 +107,7 @@ def test_other_catalogues_assets_and_models_are_refused(tmp_path: Path, pieces: 
     info = json.loads((pieces[1] / "dataset.json").read_text())
     catalog = toy.catalog()
     fewer = catalog.model_copy(update={"hazards": catalog.hazards[1:]})
-    other = {"catalogue_sha256": catalog_sha256(fewer), "assets_sha256": "2" * 64}
+    other = {"catalogue_sha256": fewer.sha256, "assets_sha256": "2" * 64}
     (pieces[1] / "dataset.json").write_text(json.dumps({**info, **other}))
     (pieces[1] / "catalogue.json").write_bytes(record_bytes(fewer))
     with pytest.raises(InputError, match="of another build: another catalogue; other assets"):

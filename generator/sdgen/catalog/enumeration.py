@@ -1,20 +1,11 @@
-"""The unique anomalies of a catalogue, its digest, and its fit with an asset library."""
+"""The unique anomalies of a catalogue, and its fit with an asset library."""
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections.abc import Collection, Mapping
 
 from sdgen.catalog.records import Catalog, PlaceRecipe, Recipe, UniqueAnomaly
 from sdgen.errors import InputError, did_you_mean
-
-
-def catalog_sha256(catalog: Catalog) -> str:
-    """SHA-256 of the resolved catalogue's canonical JSON (sorted keys, no white space)."""
-    data = catalog.model_dump(mode="json")
-    text = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-    return hashlib.sha256(text.encode("ascii")).hexdigest()
 
 
 def enumerate_anomalies(catalog: Catalog) -> tuple[UniqueAnomaly, ...]:

@@ -14,7 +14,7 @@ from typing import Any
 
 from sdgen.catalog.consistency import check_among
 from sdgen.catalog.entry import Entry
-from sdgen.catalog.enumeration import catalog_sha256, check_against_library, enumerate_anomalies
+from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.folder import Folder, extension_names, open_extra, open_folder
 from sdgen.catalog.hazard_yaml import read_hazard
 from sdgen.catalog.home_yaml import HomeYaml
@@ -26,7 +26,7 @@ from sdgen.resources import data_path
 from sdgen.strict import no_mapping, unknown_key
 from sdgen.yaml_source import Path_, Source
 
-__all__ = ["catalog_sha256", "check_against_library", "enumerate_anomalies", "load_catalog"]
+__all__ = ["check_against_library", "enumerate_anomalies", "load_catalog"]
 
 #: What an entry of each folder or file is called.
 _KINDS = {

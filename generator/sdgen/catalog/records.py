@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+import hashlib
+import json
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
@@ -336,6 +340,19 @@ class Catalog(Record):
     reach: tuple[ReachRow, ...]
     homes: tuple[HomeSpec, ...]
     mixes: tuple[HomeMix, ...] = ()
+
+    @cached_property
+    def sha256(self) -> str:
+        """SHA-256 of the canonical JSON (sorted keys, no white space); workers get it along."""
+        data = self.model_dump(mode="json")
+        text = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+        return hashlib.sha256(text.encode("ascii")).hexdigest()
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Catalog:
+        """A copy with some fields changed, and so with a digest of its own."""
+        copied = super().model_copy(update=update, deep=deep)
+        copied.__dict__.pop("sha256", None)
+        return copied
 
     def hazard(self, hazard_id: str) -> Hazard:
         """The hazard of this id (KeyError when there is none)."""

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.images import read_gray, read_rgb
 from sdgen.dataset.opening import open_info, read_manifest, refuse_incomplete
@@ -230,7 +229,7 @@ class Dataset(Sequence[SceneItem]):
         """The catalogue the build used. Raises InputError for another one: labels would not follow
         from it."""
         catalog = read_record(Catalog, self.path / "catalogue.json", "catalogue.json")
-        if not self.partial and catalog_sha256(catalog) != self.info.catalogue_sha256:
+        if not self.partial and catalog.sha256 != self.info.catalogue_sha256:
             raise InputError(["catalogue.json: not the catalogue whose digest dataset.json has"])
         return catalog
 

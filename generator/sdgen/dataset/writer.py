@@ -12,7 +12,6 @@ import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.catalog.records import Catalog
 from sdgen.closing import Closing
 from sdgen.dataset.card import card
@@ -92,7 +91,7 @@ class DatasetWriter(Closing):
         build = Build(
             versions=dict(versions if versions is not None else package_versions()),
             options=options,
-            catalogue_sha256=catalog_sha256(catalog),
+            catalogue_sha256=catalog.sha256,
             assets_sha256=assets_sha256,
             hazards_enabled=tuple(sorted(hazard.id for hazard in catalog.hazards)),
         )

@@ -6,7 +6,6 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from sdgen.cameras import Sight, choose_views, unseen
-from sdgen.catalog.load import catalog_sha256
 from sdgen.catalog.records import Catalog
 from sdgen.facts import Facts, unheld
 from sdgen.hazards.certify import Survey, facts_of, survey
@@ -81,7 +80,7 @@ def certificate(catalog: Catalog, assets_sha256: str, surveyed: Survey) -> Certi
     """What was checked of a scene whose survey holds nothing in doubt."""
     return Certificate(
         hazards_enabled=tuple(sorted(hazard.id for hazard in catalog.hazards)),
-        catalogue_sha256=catalog_sha256(catalog),
+        catalogue_sha256=catalog.sha256,
         assets_sha256=assets_sha256,
         pairs_checked=surveyed.pairs,
         pairs_positive=len(surveyed.positives),

@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator
 from itertools import islice
 
-from sdgen.catalog.enumeration import catalog_sha256
 from sdgen.dataset import Dataset
 from sdgen.dataset.disk import file_sha256
 from sdgen.dataset.opening import unlisted
@@ -61,7 +60,7 @@ def _top(data: Dataset) -> Iterator[Problem]:
         if path.name not in known and re.match(SCENE_ID, path.name):
             yield Problem("file", f"{SCENES}/{path.name}: the manifest does not list it")
     try:
-        digest = catalog_sha256(data.catalog)
+        digest = data.catalog.sha256
         if digest != data.info.catalogue_sha256:
             yield Problem(
                 "hash", "catalogue.json: not the catalogue dataset.json has the digest of"

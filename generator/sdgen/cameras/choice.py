@@ -43,8 +43,6 @@ ANOMALY_ROUNDS = 3
 #: Things looked for: like one class's anomalies, and in all before near views are given up.
 CLASS_TRIED = 4
 BENIGN_TRIED = 40
-#: A recipe of weight 0 comes last, since keys divide by weights.
-_LEAST_WEIGHT = 1e-9
 
 
 def near_count(options: BuildOptions) -> int:
@@ -212,7 +210,7 @@ def like_anomalies(
     weight: dict[str, float] = {}
     for recipe in hazard.anomalies:
         for category in recipe.categories:
-            weight[category] = weight.get(category, 0.0) + max(recipe.weight, _LEAST_WEIGHT)
+            weight[category] = weight.get(category, 0.0) + recipe.weight
     lookalikes_first = rng.random() < LOOKALIKE_SHARE
     ids = sorted(benign)
     drawn = dict(zip(ids, rng.random(len(ids)).tolist(), strict=True))

@@ -4,22 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from sdgen.catalog.cases import cases
 from sdgen.catalog.entry import Entry
-from sdgen.catalog.records import Category, Hazard, PlaceRecipe, Recipe
+from sdgen.catalog.records import Category, Hazard
 from sdgen.catalog.terms.term import Case
 
 
 def check_recipes(entry: Entry, hazard: Hazard) -> None:
     """Note anomalies that could never be one, and lookalikes that always would be."""
     for index, recipe in enumerate(hazard.anomalies):
-        for name, case in cases(recipe):
+        for case in cases(recipe):
             if not hazard.predicate.possible(case).be_true:
-                message = f"{name} can never satisfy the predicate"
+                message = f"{_words(case)} can never satisfy the predicate"
                 entry.problem(message, "anomalies", index)
     for index, recipe in enumerate(hazard.lookalikes):
-        for name, case in cases(recipe):
+        for case in cases(recipe):
             if not hazard.predicate.possible(case).be_false:
-                message = f"{name} satisfies the predicate: it would be an anomaly"
+                message = f"{_words(case)} satisfies the predicate: it would be an anomaly"
                 entry.problem(message, "lookalikes", index)
 
 
@@ -40,14 +41,14 @@ def check_among(
             entry.problem(text, "predicate")
         for key, recipes in (("anomalies", hazard.anomalies), ("lookalikes", hazard.lookalikes)):
             for index, recipe in enumerate(recipes):
-                for name, case in cases(recipe):
+                for case in cases(recipe):
                     for other in hazards:
                         # What a pack claims of shipped recipes is no mistake in their files.
                         blamed = hazard.pack != "core" or other.pack == "core"
                         if other.id == hazard.id or not blamed:
                             continue
                         if not other.predicate.possible(case).be_false:
-                            entry.problem(_twice(key, name, other.id), key, index)
+                            entry.problem(_twice(key, _words(case), other.id), key, index)
 
 
 def _twice(key: str, name: str, other: str) -> str:
@@ -57,28 +58,6 @@ def _twice(key: str, name: str, other: str) -> str:
     return f"{name} satisfies the hazard {other!r}, too, and no object may be both: narrow one"
 
 
-def cases(recipe: Recipe) -> list[tuple[str, Case]]:
-    """What a recipe can make, by name: one case a category and target."""
-    if not isinstance(recipe, PlaceRecipe):
-        return [
-            (f"{category} {recipe.state}", Case(category, recipe.state, recipe.rooms))
-            for category in recipe.categories
-        ]
-    return [
-        (
-            f"{category} {recipe.relation} {target}",
-            Case(
-                category,
-                recipe.state,
-                recipe.rooms,
-                recipe.relation,
-                target,
-                recipe.zone,
-                recipe.avoid_zones,
-                recipe.min_height_m,
-                recipe.max_height_m,
-            ),
-        )
-        for category in recipe.categories
-        for target in recipe.targets
-    ]
+def _words(case: Case) -> str:
+    """``vase ON desk``, or ``stove ON`` of what is set."""
+    return f"{case.category} {case.relation or case.state} {case.target or ''}".rstrip()

@@ -4,38 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from sdgen.catalog.records import Catalog, PlaceRecipe, Recipe, UniqueAnomaly
+from sdgen.catalog.cases import cases, unique_anomaly
+from sdgen.catalog.records import Catalog, PlaceRecipe, UniqueAnomaly
 from sdgen.errors import InputError, did_you_mean
 
 
 def enumerate_anomalies(catalog: Catalog) -> tuple[UniqueAnomaly, ...]:
     """All unique anomalies, sorted and without repeats: what could be asked for."""
     found = {
-        _key(item): item
+        unique_anomaly(hazard.id, case)
         for hazard in catalog.hazards
         for recipe in hazard.anomalies
-        for item in _of_recipe(hazard.id, recipe)
+        for case in cases(recipe)
     }
-    return tuple(found[key] for key in sorted(found))
+    return tuple(sorted(found, key=_key))
 
 
 def _key(item: UniqueAnomaly) -> tuple[str, ...]:
     return tuple(part or "" for part in item.model_dump().values())
-
-
-def _of_recipe(hazard: str, recipe: Recipe) -> list[UniqueAnomaly]:
-    if not isinstance(recipe, PlaceRecipe):
-        return [
-            UniqueAnomaly(hazard=hazard, category=c, state=recipe.state, relation=None, target=None)
-            for c in recipe.categories
-        ]
-    return [
-        UniqueAnomaly(
-            hazard=hazard, category=c, state=recipe.state, relation=recipe.relation, target=target
-        )
-        for c in recipe.categories
-        for target in recipe.targets
-    ]
 
 
 def check_against_library(catalog: Catalog, library_states: Mapping[str, Collection[str]]) -> None:

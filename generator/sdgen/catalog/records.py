@@ -31,6 +31,8 @@ from sdgen.vocabulary import OpeningKind
 Group = Literal["safety", "sanitation", "child_safety"]
 Label = Literal["unsafe", "unsanitary", "unsafe for children"]
 WindowKind = Literal["large", "small", "none"]
+#: Weights are divided by: nothing may have none.
+AboveZero = Annotated[float, Field(gt=0)]
 CategoryKind = Literal["small", "furniture", "opening", "structure", "hazard_only"]
 
 
@@ -54,7 +56,7 @@ class PlaceRecipe(Record):
     rooms: tuple[str, ...] = ()
     min_height_m: float | None = None
     max_height_m: float | None = None
-    weight: float = 1.0
+    weight: AboveZero = 1.0
 
 
 class SetRecipe(Record):
@@ -64,7 +66,7 @@ class SetRecipe(Record):
     categories: tuple[str, ...]
     state: str
     rooms: tuple[str, ...] = ()
-    weight: float = 1.0
+    weight: AboveZero = 1.0
 
 
 Recipe = Annotated[PlaceRecipe | SetRecipe, Field(discriminator="kind")]
@@ -123,7 +125,7 @@ class Abode(Record):
     relation: Literal["ON", "INSIDE"]
     targets: tuple[str, ...]
     rooms: tuple[str, ...] = ()
-    weight: float = 1.0
+    weight: AboveZero = 1.0
 
 
 class Category(Record):
@@ -238,7 +240,7 @@ class HouseholdTemplate(Record):
     """
 
     name: str
-    weight: float
+    weight: AboveZero
     members: tuple[tuple[str, int, int], ...]
     pets: tuple[str, ...] = ()
     conditions: tuple[str, ...] = ()
@@ -325,7 +327,7 @@ class HomeMix(Record):
     """Which rooms a generated home has: all ``rooms`` open from the ``hub``."""
 
     name: str
-    weight: float
+    weight: AboveZero
     hub: str
     rooms: tuple[str, ...]
 

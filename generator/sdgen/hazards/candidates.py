@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from sdgen.catalog.cases import cases, unique_anomaly
 from sdgen.catalog.records import Recipe, SetRecipe, UniqueAnomaly
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
-from sdgen.seeding import Rng
-
-#: Recipes of weight 0 come last, in a random order.
-LEAST_WEIGHT = 1e-9
+from sdgen.seeding import Rng, weighted_keys
 
 
 @dataclass(frozen=True)
@@ -31,44 +29,17 @@ def candidates(
     """All that these recipes allow with the models and the furniture at hand, in recipe order."""
     present = {item.category for item in layout.items.values()} | {"floor"}
     return [
-        Candidate(unique, recipe)
+        Candidate(unique_anomaly(hazard, case), recipe)
         for recipe in recipes
-        for category in recipe.categories
-        if isinstance(recipe, SetRecipe) or context.models(category)
-        for unique in _unique(hazard, recipe, category, present)
-    ]
-
-
-def _unique(
-    hazard: str, recipe: Recipe, category: str, present: Collection[str]
-) -> list[UniqueAnomaly]:
-    """The unique anomalies that a recipe makes of one category with what is ``present``: one a
-    target, if it has any."""
-    relation = None if isinstance(recipe, SetRecipe) else recipe.relation
-    targets = (None,) if isinstance(recipe, SetRecipe) else recipe.targets
-    return [
-        UniqueAnomaly(
-            hazard=hazard, category=category, state=recipe.state, relation=relation, target=target
-        )
-        for target in targets
-        if (target or category) in present
+        for case in cases(recipe)
+        if (case.target or case.category) in present
+        and (isinstance(recipe, SetRecipe) or context.models(case.category))
     ]
 
 
 def weighted_order(among: Sequence[Candidate], rng: Rng) -> list[Candidate]:
-    """Candidates in a random order by their recipes' weights; no category crowds out another.
-
-    Efraimidis and Spirakis (2006): sorting by u^(1/w) draws without replacement by weight; its
-    logarithm, log(u)/w, does not underflow where weights are tiny.
-    """
-    if not among:
-        return []
+    """Candidates in a random order by their recipes' weights; no category crowds out another."""
     sharing = Counter((id(one.recipe), one.unique.category) for one in among)
-    weights = np.array(
-        [
-            max(one.recipe.weight, LEAST_WEIGHT) / sharing[id(one.recipe), one.unique.category]
-            for one in among
-        ]
-    )
-    keys = np.log(np.maximum(rng.random(len(among)), np.finfo(float).tiny)) / weights
+    weights = [one.recipe.weight / sharing[id(one.recipe), one.unique.category] for one in among]
+    keys = weighted_keys(rng, weights)
     return [among[k] for k in np.argsort(-keys, kind="stable").tolist()]

@@ -1,0 +1,38 @@
+"""What recipes make: each of their categories with each of their targets."""
+
+from __future__ import annotations
+
+from sdgen.catalog.records import Recipe, SetRecipe, UniqueAnomaly
+from sdgen.catalog.terms.term import Case
+
+
+def cases(recipe: Recipe) -> list[Case]:
+    """What a recipe can make, in its order: one case a category and target, if it has targets."""
+    if isinstance(recipe, SetRecipe):
+        return [Case(category, recipe.state, recipe.rooms) for category in recipe.categories]
+    return [
+        Case(
+            category,
+            recipe.state,
+            recipe.rooms,
+            recipe.relation,
+            target,
+            recipe.zone,
+            recipe.avoid_zones,
+            recipe.min_height_m,
+            recipe.max_height_m,
+        )
+        for category in recipe.categories
+        for target in recipe.targets
+    ]
+
+
+def unique_anomaly(hazard: str, case: Case) -> UniqueAnomaly:
+    """The case as an anomaly (or a near miss) of a hazard."""
+    return UniqueAnomaly(
+        hazard=hazard,
+        category=case.category,
+        state=case.state,
+        relation=case.relation,
+        target=case.target,
+    )

@@ -14,12 +14,13 @@ import numpy as np
 from sdgen.catalog.records import Catalog, Hazard, HouseholdTemplate, ReachRow
 from sdgen.scene import EvidenceValue, Household, Member, Notify
 from sdgen.seeding import Rng
+from sdgen.vocabulary import Urgency
 
 #: Chance that a household has a pet or a condition its template allows.
 OPTIONAL_SHARE = 0.5
 
 #: How a hazard is notified when the household made no choice of its own.
-DEFAULT_NOTIFY: Mapping[str, Notify] = {"high": "now", "medium": "now", "low": "summary"}
+DEFAULT_NOTIFY: Mapping[Urgency, Notify] = {"high": "now", "medium": "now", "low": "summary"}
 
 #: Members up to this age count as children.
 CHILD_AGE = 17

@@ -18,7 +18,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from sdgen.geometry import Array, Coordinate, Quat, Vec2, Vec3, matrix
 from sdgen.rejection import Cause, Causes
 from sdgen.rejection import Stage as PipelineStage
-from sdgen.vocabulary import OpeningKind, ZoneKind
+from sdgen.vocabulary import OpeningKind, StructureKind, ZoneKind
 
 FORMAT_VERSION = "1.1"
 
@@ -64,7 +64,7 @@ class Structure(Record):
     """A floor, a wall or a ceiling of one room, as boxes with openings already cut out."""
 
     id: int
-    category: Literal["floor", "wall", "ceiling"]
+    category: StructureKind
     room_id: int
     surface: str
     pieces: tuple[Box, ...]

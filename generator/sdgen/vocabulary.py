@@ -6,6 +6,8 @@ the same thing, or a label would say one thing and a home be built by another.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Literal, get_args
 
 #: What fills holes in walls. Categories of objects and kinds of openings are the same words.
@@ -17,6 +19,22 @@ DOORS = ("door", "front_door")
 #: Regions with a meaning.
 ZoneKind = Literal["doorway", "walkway", "swing", "heat", "water", "child_reach"]
 ZONE_KINDS: tuple[ZoneKind, ...] = get_args(ZoneKind)
+
+#: What a home itself is made of, a piece a room: categories of nodes that are no objects, and the
+#: superclasses that VirtualHome gives them and rooms ("Floor" is its commoner spelling).
+StructureKind = Literal["floor", "wall", "ceiling"]
+STRUCTURES: tuple[StructureKind, ...] = get_args(StructureKind)
+STRUCTURE_SUPERCLASS: Mapping[StructureKind, str] = MappingProxyType(
+    {"floor": "Floor", "wall": "Walls", "ceiling": "Ceiling"}
+)
+ROOM_SUPERCLASS = "Rooms"
+
+#: Relations by which one thing holds another: where a recipe may put it, what labels name.
+HoldingRelation = Literal["ON", "INSIDE"]
+HOLDING: tuple[HoldingRelation, ...] = get_args(HoldingRelation)
+
+#: How soon a hazard wants doing something about.
+Urgency = Literal["high", "medium", "low"]
 
 #: Relations between an object and another node; the first five are VirtualHome's.
 RELATIONS = (

@@ -35,6 +35,7 @@ from sdgen.catalog.words import (
 )
 from sdgen.scene import Record
 from sdgen.strict import Expect, problem, refuse
+from sdgen.vocabulary import HOLDING, HoldingRelation, Urgency
 
 #: The label each group carries, and its order in listings.
 LABELS: dict[Group, Label] = {
@@ -44,7 +45,6 @@ LABELS: dict[Group, Label] = {
 }
 Action = Literal["close", "switch_off", "put_out", "put_in", "put_on", "wipe_up", "throw_away"]
 _PLACEHOLDERS = ("object", "target", "room")
-_Relation = Literal["ON", "INSIDE"]
 #: No room is higher.
 _Height = Annotated[float, between(0.0, 10.0)]
 
@@ -54,7 +54,7 @@ class PlaceYaml(Record):
 
     place: Categories
     state: State | None = None
-    relation: _Relation
+    relation: HoldingRelation
     target: Categories
     zone: Zones = ()
     avoid_zones: Zones = ()
@@ -135,11 +135,11 @@ class HazardYaml(Record):
     group: Group
     label: Label | None = None
     concerns: Annotated[Concern, Expect("{who: everyone} or {who: children, max_age: years}")]
-    urgency: Literal["high", "medium", "low"]
+    urgency: Urgency
     message: Text
     source: Text
     predicate: Annotated[Any, Expect("terms: when is it true?")]
-    relation: _Relation | None = None
+    relation: HoldingRelation | None = None
     evidence_state: State | None = None
     anomalies: Annotated[tuple[RecipeYaml, ...], Field(min_length=1), Expect("at least one recipe")]
     lookalikes: tuple[RecipeYaml, ...] = ()
@@ -231,4 +231,4 @@ def _measures_reach(term: Predicate) -> bool:
 
 
 def _stands_somewhere(term: Predicate) -> bool:
-    return isinstance(term, RelationTerm) and term.relation in ("ON", "INSIDE")
+    return isinstance(term, RelationTerm) and term.relation in HOLDING

@@ -26,7 +26,7 @@ from sdgen.catalog.words import (
 from sdgen.geometry import Vec3
 from sdgen.scene import Notify, Record
 from sdgen.strict import Expect, problem, refuse
-from sdgen.vocabulary import OpeningKind
+from sdgen.vocabulary import HoldingRelation, OpeningKind, Urgency
 
 Group = Literal["safety", "sanitation", "child_safety"]
 Label = Literal["unsafe", "unsanitary", "unsafe for children"]
@@ -49,7 +49,7 @@ class PlaceRecipe(Record):
     kind: Literal["place"] = "place"
     categories: tuple[str, ...]
     state: str | None = None
-    relation: Literal["ON", "INSIDE"]
+    relation: HoldingRelation
     targets: tuple[str, ...]
     zone: tuple[str, ...] = ()
     avoid_zones: tuple[str, ...] = ()
@@ -107,7 +107,7 @@ class Hazard(Record):
     group: Group
     label: Label
     concerns: Concern
-    urgency: Literal["high", "medium", "low"]
+    urgency: Urgency
     message: str
     source: str
     predicate: Predicate
@@ -122,7 +122,7 @@ class Hazard(Record):
 class Abode(Record):
     """Where a category normally lives: a prior for clutter."""
 
-    relation: Literal["ON", "INSIDE"]
+    relation: HoldingRelation
     targets: tuple[str, ...]
     rooms: tuple[str, ...] = ()
     weight: AboveZero = 1.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, get_args
+from typing import Annotated, get_args
 
 from pydantic import Field, model_validator
 
@@ -37,6 +37,7 @@ from sdgen.catalog.words import (
 )
 from sdgen.scene import Notify, Record
 from sdgen.strict import Expect, problem, refuse
+from sdgen.vocabulary import HoldingRelation
 
 #: VirtualHome's spelling; ``category`` of a node in graph.json.
 SUPERCLASSES = (
@@ -84,7 +85,7 @@ PROPERTIES = (
 class AbodeYaml(Record):
     """``lives``: where a category normally is."""
 
-    relation: Literal["ON", "INSIDE"]
+    relation: HoldingRelation
     target: Categories
     rooms: RoomNames = ()
     weight: Weight = 1.0

@@ -11,6 +11,7 @@ from shapely import Polygon
 
 from sdgen.geometry import Array, Coordinate, Vec2, Vec3, box_corners
 from sdgen.scene import Record
+from sdgen.vocabulary import StructureKind
 
 Rgba = tuple[float, float, float, float]
 
@@ -168,7 +169,7 @@ class Surface(Record):
     """A tileable floor, wall or ceiling surface; the tile covers ``size_m`` metres."""
 
     id: str
-    kind: Literal["floor", "wall", "ceiling"]
+    kind: StructureKind
     texture: str
     size_m: float = Field(gt=0)
     rooms: tuple[str, ...] = ()

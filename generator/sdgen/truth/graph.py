@@ -23,10 +23,7 @@ from sdgen.scene import (
     Scene,
     Structure,
 )
-
-# VirtualHome's superclasses of what a home is made of ("Floor" is its commoner spelling).
-ROOM_CATEGORY = "Rooms"
-STRUCTURE_CATEGORY = {"floor": "Floor", "wall": "Walls", "ceiling": "Ceiling"}
+from sdgen.vocabulary import ROOM_SUPERCLASS, STRUCTURE_SUPERCLASS
 
 _UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 _SALT = "sdgen prefab 1:"
@@ -90,7 +87,7 @@ def _room_node(room: Room, box: BoundingBox) -> GraphNode:
     return GraphNode(
         id=room.id,
         class_name=room.type,
-        category=ROOM_CATEGORY,
+        category=ROOM_SUPERCLASS,
         prefab_name=opaque_name("room:" + room.type),
         obj_transform=ObjTransform(position=(x, y, 0.0), rotation=_UPRIGHT),
         bounding_box=box,
@@ -101,7 +98,7 @@ def _structure_node(structure: Structure, box: BoundingBox) -> GraphNode:
     return GraphNode(
         id=structure.id,
         class_name=structure.category,
-        category=STRUCTURE_CATEGORY[structure.category],
+        category=STRUCTURE_SUPERCLASS[structure.category],
         prefab_name=opaque_name("surface:" + structure.surface),
         obj_transform=ObjTransform(position=box.center, rotation=_UPRIGHT),
         bounding_box=box,

@@ -7,7 +7,14 @@ from pkgutil import walk_packages
 import sdgen
 from hypothesis import given
 from hypothesis import strategies as st
-from sdgen.errors import InputError, SceneRejected, SdgenError, Stopped
+from sdgen.errors import (
+    InputError,
+    SceneRejected,
+    SdgenError,
+    Stopped,
+    did_you_mean,
+    nearest,
+)
 from sdgen.rejection import Cause
 
 
@@ -64,3 +71,12 @@ def test_a_signal_has_the_exit_code_shells_expect() -> None:
     same(Stopped(15))
     assert Stopped(15).exit_code == 143
     assert not isinstance(Stopped(2), Exception)
+
+
+def test_the_nearest_word_or_the_few_there_are() -> None:
+    few, many = ["build", "view"], [f"w{k}" for k in range(20)]
+    assert nearest("biuld", few) == "build"
+    assert nearest("zzz", few) is None
+    assert did_you_mean("biuld", few) == " (did you mean 'build'?)"
+    assert did_you_mean("zzz", few) == " (one of: build, view)"
+    assert did_you_mean("zzz", many) == ""

@@ -101,13 +101,18 @@ def os_error_in_words(error: OSError, place: object = None) -> str:
     return why if where is None else f"{where}: {why}"
 
 
-def did_you_mean(word: str, choices: Sequence[str]) -> str:
-    """`` (did you mean x?)`` for the nearest choice, else the list of choices when short."""
+def nearest(word: str, choices: Sequence[str]) -> str | None:
+    """The choice that the word was probably meant to be; None when none is near."""
     import difflib
 
-    near = difflib.get_close_matches(word, choices, n=1)
-    if near:
-        return f" (did you mean {near[0]!r}?)"
+    return next(iter(difflib.get_close_matches(word, choices, n=1)), None)
+
+
+def did_you_mean(word: str, choices: Sequence[str]) -> str:
+    """`` (did you mean x?)`` for the nearest choice, else the list of choices when short."""
+    near = nearest(word, choices)
+    if near is not None:
+        return f" (did you mean {near!r}?)"
     if 0 < len(choices) <= 12:
         return f" (one of: {', '.join(sorted(choices))})"
     return ""

@@ -17,7 +17,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, InitErrorDetails, PydanticCustomError
 
-from sdgen.errors import SHOWN, did_you_mean
+from sdgen.errors import SHOWN, did_you_mean, nearest
 from sdgen.yaml_source import Path_, Source
 
 M = TypeVar("M", bound=BaseModel)
@@ -142,8 +142,9 @@ def _explain(item: ErrorDetails, model: type[BaseModel], value: Any) -> tuple[Pa
         choices = re.findall(r"'([^']*)'", context["expected"])
         if not isinstance(got, str):
             return path, f"expected one of {', '.join(choices)}, got {shown(got)}"
-        near = did_you_mean(got, choices) if len(choices) > 12 or _near(got, choices) else ""
-        return path, f"{got[:40]!r} is not one of {', '.join(choices)}{near}"
+        # All choices are told: only a near one is worth another word.
+        hint = did_you_mean(got, choices) if nearest(got, choices) else ""
+        return path, f"{got[:40]!r} is not one of {', '.join(choices)}{hint}"
     if kind in _TYPE_ERRORS:
         wanted = _expected(_field(model, loc)) or _TYPE_ERRORS[kind]
         if got is None and loc and isinstance(loc[-1], str):
@@ -155,10 +156,6 @@ def _explain(item: ErrorDetails, model: type[BaseModel], value: Any) -> tuple[Pa
         return path, str(context["text"])
     text = item["msg"]
     return path, f"{text[:1].lower()}{text[1:]} (got {shown(got)})"
-
-
-def _near(word: str, choices: Sequence[str]) -> bool:
-    return "did you mean" in did_you_mean(word, choices)
 
 
 def _existing(loc: Sequence[str | int], value: Any) -> Path_:

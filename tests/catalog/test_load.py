@@ -56,6 +56,23 @@ def test_only_and_the_shipped_folder_itself() -> None:
         load_catalog(extensions=["none_such"])
 
 
+@pytest.mark.parametrize(
+    ("shipped", "hint"),
+    [
+        ((), " (none are shipped)"),
+        (("garden", "cellar"), " (one of: cellar, garden)"),
+        (tuple(f"pack_{k:02d}" for k in range(20)), ""),  # too many to list
+    ],
+)
+def test_an_unknown_pack_is_told_with_those_there_are(
+    monkeypatch: pytest.MonkeyPatch, shipped: tuple[str, ...], hint: str
+) -> None:
+    monkeypatch.setattr("sdgen.catalog.load.extension_names", lambda: shipped)
+    with pytest.raises(InputError) as caught:
+        load_catalog(extensions=["attic"])
+    assert caught.value.problems == (f"unknown extension pack 'attic'{hint}",)
+
+
 def test_the_digest_follows_the_content_only(tmp_path: Path) -> None:
     before = load_catalog().sha256
     assert before == load_catalog().sha256
@@ -250,6 +267,7 @@ def test_all_problems_come_at_once_in_order(tmp_path: Path) -> None:
         ("mass_kg: [0.1, 1]", "mass_kg: [0, 1]", "mass_kg: masses must be above 0"),
         ("mass_kg: [0.1, 1]", "mass_kg: 1", "mass_kg: expected a list of 2 numbers, got the"),
         ("superclass: Props", "superclass: props", "(did you mean 'Props'?)"),
+        ("superclass: Props", "superclass: Zzz", "Walls, Windows\n"),  # told once
         ("gizmo:", "Gizmo:", "'Gizmo' is not a name"),
         ("gizmo:", "mug:", "category 'mug' is already defined at hazard_catalog/categories/"),
         (
@@ -264,7 +282,7 @@ def test_all_problems_come_at_once_in_order(tmp_path: Path) -> None:
 def test_a_bad_category_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:
     assert old in CATEGORY
     found = problems(write(tmp_path, categories__mine=CATEGORY.replace(old, new, 1)))
-    assert any(problem in line for line in found), found
+    assert any(problem in f"{line}\n" for line in found), found
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from sdgen.errors import InputError, did_you_mean
+from sdgen.errors import InputError, did_you_mean, nearest
 from sdgen.resources import data_path
 from sdgen.yaml_source import Source, read_yaml
 
@@ -74,9 +74,9 @@ def _misplaced(path: Path) -> str:
         return f"no file of a catalogue{near}"
     if not path.is_dir() or path.name == "extensions":
         return ""
-    near = did_you_mean(path.name, [*FOLDERS, "extensions"])
-    if "did you mean" in near or any(map(_is_yaml, path.iterdir())):
-        return f"no folder of a catalogue{near}"
+    known = (*FOLDERS, "extensions")
+    if nearest(path.name, known) or any(map(_is_yaml, path.iterdir())):
+        return f"no folder of a catalogue{did_you_mean(path.name, known)}"
     return ""
 
 

@@ -13,7 +13,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, ValidationInfo
 
-from sdgen.errors import did_you_mean
+from sdgen.errors import did_you_mean, nearest
 from sdgen.geometry import Vec2, Vec3
 from sdgen.strict import Expect, problem, refuse, shown, unknown
 from sdgen.vocabulary import ZONE_KINDS
@@ -69,7 +69,8 @@ def one_of(choices: tuple[str, ...]) -> BeforeValidator:
     def fits(text: str) -> str:
         if text in choices:
             return ""
-        return f"{text[:40]!r} is not one of {', '.join(choices)}{did_you_mean(text, choices)}"
+        hint = did_you_mean(text, choices) if nearest(text, choices) else ""
+        return f"{text[:40]!r} is not one of {', '.join(choices)}{hint}"
 
     return _matching(fits)
 

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from sdgen.errors import AssetError, InputError, did_you_mean
+from sdgen.errors import AssetError, InputError
 from sdgen.files import kind_of, read_plain
 from sdgen.library.plausible import inconsistencies
 from sdgen.library.records import Asset, Surface
 from sdgen.scene import Record
-from sdgen.strict import read, shown
+from sdgen.strict import read, shown, unknown_key
 from sdgen.yaml_source import Path_, Source, parse_yaml
 
 R = TypeVar("R", bound=Record)
@@ -60,7 +60,7 @@ def read_manifest(folder: Path, raw: bytes) -> Manifest:
     if isinstance(data, dict):
         for key in data:
             if key not in _KEYS:
-                source.problem((key,), f"unknown key{did_you_mean(key, _KEYS)}")
+                source.problem((key,), unknown_key(key, _KEYS))
     elif not source.noted:
         source.problem((), "expected a mapping with the key 'assets'")
     assets = _records(source, "assets", Asset)

@@ -242,7 +242,7 @@ def household(child_age: int | None = 5) -> Household:
 
 #: Where the cameras stand and what they look at: the kitchen with all that can be wrong, and the
 #: shelf with the knife that is not.
-_LOOKS = (((2.3, -0.7, 2.0), (2.2, 1.0, 0.8)), ((1.8, 3.9, 2.3), (0.3, 5.0, 1.5)))
+_LOOKS = (((2.3, 0.0, 2.0), (2.2, 1.0, 0.8)), ((1.8, 3.9, 2.3), (0.3, 5.0, 1.5)))
 
 
 def camera(index: int, options: BuildOptions) -> Camera:

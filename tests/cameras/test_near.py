@@ -59,6 +59,28 @@ def test_a_near_view_stands_free_and_promises_what_the_picture_shows(
     assert (frame.instance == number).sum() == pytest.approx(view.estimated_pixels, rel=0.15)
 
 
+def test_a_view_from_a_doorway_is_of_the_room_on_whose_side_it_stands(
+    library: Library, scene: Scene
+) -> None:
+    """Between two rooms, 2 cm nearer to the one that the target is not in."""
+    (room,) = scene.home.rooms
+    here, there = (
+        room.model_copy(update={"id": number, "polygon_m": polygon})
+        for number, polygon in (
+            (1, ((0, -2), (2, -2), (2, 2), (0, 2))),
+            (40, ((-2, -2), (-0.12, -2), (-0.12, 2), (-2, 2))),
+        )
+    )
+    gap = ((-0.08, -1.0), (-0.07, -1.0), (-0.07, 1.5), (-0.08, 1.5))
+    home = scene.home.model_copy(update={"rooms": (here, there)})
+    made = scene.model_copy(update={"home": home, "free_space": (gap,)})
+    with RayWorld(library, made) as world:
+        view = best_near_pose(library, made, world.cast, Target(11), lane(1, 2, "door"))
+    assert made.object(11).room_id == 1
+    assert view is not None
+    assert view.room_id == 40
+
+
 def test_parts_are_asked_for_by_name(library: Library, scene: Scene) -> None:
     """The pixels of the parts add up to those of the whole."""
     item = scene.object(12)

@@ -205,6 +205,10 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("visibility.json", _put("evidence_pixels_needed", 1), "view", "evidence_pixels_needed"),
     ("visibility.json", _put("all_visible", False), "view", "all_visible"),
     ("views/00/view.json", _put("index", 1), "view", "index: 1, expected 0"),
+    # a camera is in the room where it stands, whatever it looks at
+    ("views/00/view.json", _put("room_id", 101), "view", "room_id: 101 stored, 100 derived"),
+    ("views/00/view.json", _put("room_id", 5), "view", "room_id: 5 stored, 100 derived"),
+    ("views/00/view.json", _put("world_from_camera.1.3", -9.0), "view", "stands outdoors"),
     ("views/00/view.json", _put("width", 320), "view", "not that of the options"),
     ("views/00/view.json", _put("K.0.2", 80.0), "view", "K: not a pinhole"),
     ("views/00/view.json", _put("K", [[57, 0, 79.5], [0, 57, 59.5], [0, 0, 1]]), "view", "K: not"),

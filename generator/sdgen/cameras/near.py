@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.cameras.parts import part_numbers, part_points
 from sdgen.cameras.sight import Cast, estimate_pixels, in_picture
 from sdgen.cameras.view import EYE_HEIGHT_M, HEIGHT_JITTER_M, View, clear, free_area
+from sdgen.facts import room_at
 from sdgen.geometry import Array, Vec2, look_at, rotation_matrix, vec3
 from sdgen.library import Library
 from sdgen.scene import ObjectInstance, Scene
@@ -111,8 +111,9 @@ def best_near_pose(
                 break
             (pixels,) = estimate_pixels(cast, [poses[k]], points, item.id, numbers)
             if pixels >= pixels_needed:
-                room = _room_at(scene, stands[k], item.room_id)
-                return View("near", room, poses[k], float(pixels))
+                room = room_at(scene.home.rooms, *stands[k].tolist())
+                if room is not None:
+                    return View("near", room.id, poses[k], float(pixels))
     return None
 
 
@@ -142,10 +143,3 @@ def _aimed(eye: Array, centre: Array, aim: Array) -> Array:
     reach = float(np.linalg.norm(centre - eye))
     beside = straight[:3, 0] * aim[0] * _BESIDE[0] + straight[:3, 1] * aim[1] * _BESIDE[1]
     return look_at(vec3(eye), vec3(centre + reach * beside))
-
-
-def _room_at(scene: Scene, eye: Array, default: int) -> int:
-    for room in scene.home.rooms:
-        if Polygon(room.polygon_m).covers(Point(eye)):
-            return room.id
-    return default

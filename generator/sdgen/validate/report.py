@@ -11,13 +11,12 @@ from sdgen.dataset.reader import SceneItem
 from sdgen.scene import Contact
 from sdgen.validate.labels import known_ids
 from sdgen.validate.problems import SHOWN, Problem
+from sdgen.validate.whose_room import not_in_room
 from sdgen.vocabulary import DRIFT_LIMIT_M
 
 #: The start is drawn from the free floor; the polygons written of it are that floor simplified by
 #: up to 1 cm, and both are rounded to millimetres.
 START_M = 0.015
-#: In the middle of a doorway the rounding of the start decides which room is nearer.
-ROOM_TIE_M = 0.002
 
 
 def check_start(item: SceneItem) -> Iterator[Problem]:
@@ -31,11 +30,9 @@ def check_start(item: SceneItem) -> Iterator[Problem]:
     gap = min((Polygon(ring).distance(point) for ring in scene.free_space), default=0.0)
     if gap > START_M:
         yield Problem("scene", f"{where}.position_m: {gap:.2f} m outside the free space")
-    apart = {room.id: Polygon(room.polygon_m).distance(point) for room in scene.home.rooms}
-    nearest = min(apart, key=apart.__getitem__)
-    if apart[start.room_id] > apart[nearest] + ROOM_TIE_M:
-        text = f"{start.room_id} stored, {nearest} derived"
-        yield Problem("scene", f"{where}.room_id: {text}")
+    wrong = not_in_room(scene.home, start.room_id, x, y)
+    if wrong is not None:
+        yield Problem("scene", f"{where}: {wrong}")
 
 
 def check_report(item: SceneItem) -> Iterator[Problem]:

@@ -14,12 +14,13 @@ from sdgen.dataset.reader import SceneItem
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import InputError
 from sdgen.library.records import AssetInfo
-from sdgen.scene import Camera, ViewVisibility
+from sdgen.scene import Camera, Home, ViewVisibility
 from sdgen.truth.visibility import assemble, measure_masks, part_names
 from sdgen.validate.colours import Ids, Rgb, follows_mask
 from sdgen.validate.labels import known_ids
 from sdgen.validate.problems import SHOWN, Problem, differences
 from sdgen.validate.surfaces import off_surface
+from sdgen.validate.whose_room import not_in_room
 
 
 def check_views(
@@ -33,7 +34,7 @@ def check_views(
         yield Problem("view", f"manifest.jsonl: scene {item.id}: {text}")
     for k, camera in enumerate(cameras):
         where = item.where(f"{view_folder(k)}/view.json")
-        for text in _camera(camera, k, data, {room.id for room in item.scene.home.rooms}):
+        for text in _camera(camera, k, data, item.scene.home):
             yield Problem("view", f"{where}: {text}")
     expected_views = list(range(len(cameras))) if options.sensors else []
     where = item.where("visibility.json")
@@ -49,15 +50,16 @@ def check_views(
         yield Problem("view", f"manifest.jsonl: scene {item.id}: all_visible is not its files'")
 
 
-def _camera(camera: Camera, k: int, data: Dataset, rooms: set[int]) -> Iterator[str]:
+def _camera(camera: Camera, k: int, data: Dataset, home: Home) -> Iterator[str]:
     options = data.info.options
     if camera.index != k:
         yield f"index: {camera.index}, expected {k}"
     if (camera.width, camera.height) != (options.width, options.height):
         yield f"size {camera.width}x{camera.height}: not that of the options"
-    if camera.room_id not in rooms:
-        yield f"room_id: no room {camera.room_id}"
     pose = np.asarray(camera.world_from_camera)
+    wrong = not_in_room(home, camera.room_id, float(pose[0, 3]), float(pose[1, 3]))
+    if wrong is not None:
+        yield wrong
     turn = pose[:3, :3]
     if not np.allclose(turn @ turn.T, np.eye(3), atol=1e-5) or np.linalg.det(turn) < 0:
         yield "world_from_camera: not a rotation"

@@ -14,6 +14,7 @@ import pytest
 import yaml
 from sdgen.errors import AssetError
 from sdgen.library import Library, load_library
+from sdgen.library.glb import glb_document
 from sdgen.library.meshes import read_glb
 from sdgen.library.quantized import plain_glb
 from sdgen.resources import data_path
@@ -109,6 +110,12 @@ def _variant(model: Folder, surface: Folder) -> None:
     model["variants"]["default"] = ["nope"]
 
 
+def _crowded(model: Folder, surface: Folder) -> None:
+    names = [f"p{k}" for k in range(np.iinfo(np.uint8).max + 1)]  # part.png has eight bits
+    model["parts"] += [{"name": name, "faces": 1} for name in names]
+    model["variants"] |= {"all": names, "most": names[1:]}
+
+
 def _heavy(model: Folder, surface: Folder) -> None:
     model["mass_kg"] = 1000000
 
@@ -144,6 +151,7 @@ def _reserved(model: Folder, surface: Folder) -> None:
         (_crossed, "polygon_m is no simple polygon"),
         (_key, "unknown key (did you mean 'mass_kg'?)"),
         (_variant, "variants.default[0]: no part 'nope'"),
+        (_crowded, "variants.all: draws 256 parts; a variant draws at most 255"),
     ],
 )
 def test_bad_entries_are_located(
@@ -355,7 +363,8 @@ def test_extents_that_are_not_the_meshs_are_told(
 def test_a_mesh_without_normals_gets_them(folder: Path, caplog: pytest.LogCaptureFixture) -> None:
     path = folder / "meshes/fridge_01.glb"
     asset = Library([folder]).assets["my_fridge"]
-    raw = bytearray(plain_glb(path.read_bytes()))
+    small = path.read_bytes()
+    raw = bytearray(plain_glb(small, glb_document(small)))
     size = int.from_bytes(raw[12:16], "little")
     # Another name for the attribute, of the same length: the file has no normals then.
     raw[20 : 20 + size] = raw[20 : 20 + size].replace(b'"NORMAL"', b'"_NORMA"')

@@ -10,6 +10,7 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.errors import AssetError
+from sdgen.library.glb import glb_document
 from sdgen.library.meshes import read_glb
 from sdgen.library.quantized import plain_glb
 
@@ -18,11 +19,14 @@ from tests.shipped import shipped_library
 ROOT = Path(__file__).resolve().parent.parent.parent
 
 
-def small_glb(component: int, width: int, stride: int, blob: bytes, count: int) -> bytes:
-    """A GLB that holds one normalized accessor."""
+def small_glb(
+    component: int, width: int, stride: int, blob: bytes, count: int, extras: str = ""
+) -> bytes:
+    """A GLB that holds one normalized accessor, after whatever else somebody wrote."""
     kind = {2: "VEC2", 3: "VEC3"}[width]
     document = {
         "asset": {"version": "2.0"},
+        "extras": extras,
         "accessors": [
             {
                 "bufferView": 0,
@@ -56,30 +60,39 @@ def floats(raw: bytes) -> np.ndarray:
     return np.frombuffer(data, "<f4").reshape(accessor["count"], -1)
 
 
+def plain(raw: bytes) -> bytes:
+    return plain_glb(raw, glb_document(raw))
+
+
 @settings(max_examples=40, deadline=None)
 @given(st.lists(st.tuples(*[st.integers(0, 65535)] * 2), min_size=1, max_size=20))
 def test_texture_coordinates_come_back_as_fractions(rows: list[tuple[int, int]]) -> None:
     values = np.array(rows, "<u2")
-    found = floats(plain_glb(small_glb(5123, 2, 4, values.tobytes(), len(rows))))
+    found = floats(plain(small_glb(5123, 2, 4, values.tobytes(), len(rows))))
     assert found == pytest.approx(values / 65535, abs=1e-6)
 
 
 def test_normals_with_a_stride_come_back() -> None:
     values = np.array([(127, 0, 0, 9), (0, -128, 0, 9), (0, 90, 90, 9)], "i1")
-    found = floats(plain_glb(small_glb(5120, 3, 4, values.tobytes(), 3)))
+    found = floats(plain(small_glb(5120, 3, 4, values.tobytes(), 3)))
     assert found == pytest.approx(np.array([(1, 0, 0), (0, -1, 0), (0, 0.709, 0.709)]), abs=1e-3)
 
 
 def test_anything_else_is_left_alone() -> None:
-    plain = trimesh.creation.box().export(file_type="glb")
-    assert plain_glb(plain) is plain
-    assert plain_glb(b"glTF, not really") == b"glTF, not really"
+    box = trimesh.creation.box().export(file_type="glb")
+    assert plain(box) is box
+
+
+def test_small_numbers_are_seen_wherever_the_file_names_them() -> None:
+    raw = small_glb(5123, 2, 4, b"\0" * 8, 2, extras="x" * 300_000)
+    assert raw.index(b"normalized") > 200_000
+    assert floats(plain(raw)).tolist() == [[0.0, 0.0], [0.0, 0.0]]
 
 
 @pytest.mark.parametrize(("count", "stride"), [(3, 4), (0, 4), (2, 1)])
 def test_accessors_beyond_their_buffer_are_refused(count: int, stride: int) -> None:
     with pytest.raises(ValueError, match="accessor"):
-        plain_glb(small_glb(5123, 2, stride, b"\0" * 8, count))
+        glb_document(small_glb(5123, 2, stride, b"\0" * 8, count))
 
 
 def test_a_lying_file_is_a_located_error(tmp_path: Path) -> None:
@@ -135,7 +148,7 @@ def test_compact_meshes_are_the_meshes(tmp_path: Path) -> None:
     small = compact.compact(raw)
     assert len(small) < 0.75 * len(raw)
     scene = trimesh.load_scene(
-        trimesh.util.wrap_as_stream(plain_glb(small)), file_type="glb", process=False
+        trimesh.util.wrap_as_stream(plain(small)), file_type="glb", process=False
     )
     (mesh,) = scene.dump()
     found = mesh.vertices[mesh.faces]

@@ -9,17 +9,31 @@ from __future__ import annotations
 import json
 from typing import Annotated, Any
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sdgen.strict import explain
 from sdgen.yaml_source import show_path
 
-_JSON = 0x4E4F534A
-#: componentType -> bytes, type -> components.
-_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
-_WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+#: A model beyond this many vertices would crowd all others out of the renderer's one buffer
+#: (3.7 million a scene), which then drops shapes without a word.
+MAX_VERTICES = 300_000
+#: A closed mesh has twice as many triangles as vertices, of three corners each.
+MAX_CORNERS = 6 * MAX_VERTICES
+#: A file larger than this holds no model of so many vertices. Nor do all its views together, or
+#: its accessors: several may speak of the same bytes, and each is read into arrays of its own.
+MAX_BYTES = 200_000_000
+#: A node, a mesh and their accessors take 1 kB, and no model has as many as a thousand parts.
+MAX_JSON = 2_000_000
+
+#: Types of the two chunks.
+JSON, BIN = 0x4E4F534A, 0x004E4942
+#: componentType -> NumPy's name of it, type -> components.
+COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 #: Triangles, and strips of them.
 _MODES = (4, 5)
+_STRIP = 5
 _ATTRIBUTES = {"POSITION": "VEC3", "NORMAL": "VEC3", "TEXCOORD_0": "VEC2"}
 
 Index = Annotated[int, Field(ge=0)]
@@ -84,7 +98,8 @@ class _Document(_Part):
 
 
 def glb_document(raw: bytes) -> dict[str, Any]:
-    """The JSON chunk of a GLB, whose frame, accessors and nodes are sound.
+    """The JSON chunk of a GLB, whose frame, accessors and nodes are sound and ask for no more
+    memory than a model may have.
 
     Raises ValueError that says what is wrong.
     """
@@ -96,8 +111,10 @@ def glb_document(raw: bytes) -> dict[str, Any]:
     if length > len(raw):
         raise ValueError(f"it is cut off: {len(raw)} of {length} bytes are there")
     size = int.from_bytes(raw[12:16], "little")
-    if int.from_bytes(raw[16:20], "little") != _JSON or 20 + size > len(raw):
+    if int.from_bytes(raw[16:20], "little") != JSON or 20 + size > len(raw):
         raise ValueError("its first chunk is no whole JSON chunk")
+    if size > MAX_JSON:
+        raise ValueError(f"its JSON chunk has {size} bytes, at most {MAX_JSON}")
     try:
         document = json.loads(raw[20 : 20 + size])
     except (ValueError, RecursionError):
@@ -109,16 +126,39 @@ def glb_document(raw: bytes) -> dict[str, Any]:
     except ValidationError as error:
         path, text = next(explain(error, _Document, document))
         raise ValueError(f"{show_path(path)}: {text}") from None
+    _check_buffers(found, len(binary_chunk(raw)))
     _check_accessors(found)
     _check_meshes(found)
     _check_nodes(found)
+    _check_sizes(found)
     return document
 
 
-def _check_accessors(found: _Document) -> None:
+def binary_chunk(raw: bytes) -> bytes:
+    """The second chunk of a GLB, which holds the numbers; empty when there is none.
+
+    Raises ValueError when it is cut off.
+    """
+    start = 20 + int.from_bytes(raw[12:16], "little")
+    size = int.from_bytes(raw[start : start + 4], "little")
+    if int.from_bytes(raw[start + 4 : start + 8], "little") != BIN:
+        return b""
+    if start + 8 + size > len(raw):
+        raise ValueError("its binary chunk is cut off")
+    return raw[start + 8 : start + 8 + size]
+
+
+def _check_buffers(found: _Document, there: int) -> None:
     for k, buffer in enumerate(found.buffers):
         if buffer.uri is not None:
             raise ValueError(f"buffers[{k}].uri: another file; all must lie in the GLB")
+        if k > 0:
+            raise ValueError(f"buffers[{k}]: a GLB has one")
+        if buffer.byteLength > there:
+            raise ValueError(f"buffers[{k}]: {there} of {buffer.byteLength} bytes are there")
+
+
+def _check_accessors(found: _Document) -> None:
     for k, view in enumerate(found.bufferViews):
         where = f"bufferViews[{k}]"
         buffer = _at(found.buffers, view.buffer, f"{where}.buffer")
@@ -126,19 +166,23 @@ def _check_accessors(found: _Document) -> None:
             raise ValueError(f"{where}: reaches beyond its buffer")
     for k, accessor in enumerate(found.accessors):
         where = f"accessors[{k}]"
-        if accessor.componentType not in _BYTES:
+        if accessor.componentType not in COMPONENTS:
             raise ValueError(f"{where}.componentType: glTF has no {accessor.componentType}")
-        if accessor.type not in _WIDTH:
+        if accessor.type not in WIDTH:
             raise ValueError(f"{where}.type: glTF has no {accessor.type[:40]!r}")
         if accessor.sparse is not None or accessor.bufferView is None:
             raise ValueError(f"{where}: sparse or compressed data is not read; write it plain")
         view = _at(found.bufferViews, accessor.bufferView, f"{where}.bufferView")
-        item = _BYTES[accessor.componentType] * _WIDTH[accessor.type]
+        item = _item_bytes(accessor)
         stride = view.byteStride or item
         if stride < item:
             raise ValueError(f"{where}: its stride is less than its width")
         if accessor.byteOffset + stride * (accessor.count - 1) + item > view.byteLength:
             raise ValueError(f"{where}: reaches beyond its bufferView")
+
+
+def _item_bytes(accessor: _Accessor) -> int:
+    return np.dtype(COMPONENTS[accessor.componentType]).itemsize * WIDTH[accessor.type]
 
 
 def _check_meshes(found: _Document) -> None:
@@ -188,6 +232,40 @@ def _check_nodes(found: _Document) -> None:
     for n, scene in enumerate(found.scenes):
         for index in scene.nodes:
             _at(found.nodes, index, f"scenes[{n}].nodes")
+
+
+def _check_sizes(found: _Document) -> None:
+    """A small file may ask for any amount of memory: by nodes that share a mesh, primitives and
+    accessors that share their numbers."""
+    vertices, corners = [], []
+    for mesh in found.meshes:
+        vertices.append(sum(_count(found, p.attributes["POSITION"]) for p in mesh.primitives))
+        corners.append(sum(_corners(found, primitive) for primitive in mesh.primitives))
+    drawn = [node.mesh for node in found.nodes if node.mesh is not None]
+    for what, of_mesh, most in (
+        ("vertices", vertices, MAX_VERTICES),
+        ("corners of triangles", corners, MAX_CORNERS),
+    ):
+        # All meshes are read, those that no node shows, too.
+        total = max(sum(of_mesh), sum(of_mesh[k] for k in drawn))
+        if total > most:
+            raise ValueError(f"{total} {what}, at most {most}")
+    for name, total in (
+        ("bufferViews", sum(view.byteLength for view in found.bufferViews)),
+        ("accessors", sum(_item_bytes(item) * item.count for item in found.accessors)),
+    ):
+        if total > MAX_BYTES:
+            raise ValueError(f"{name}: {total} bytes together, at most {MAX_BYTES}")
+
+
+def _count(found: _Document, accessor: int) -> int:
+    return found.accessors[accessor].count
+
+
+def _corners(found: _Document, primitive: _Primitive) -> int:
+    """Corners of a primitive's triangles; in a strip nearly every one belongs to three."""
+    named = primitive.attributes["POSITION"] if primitive.indices is None else primitive.indices
+    return _count(found, named) * (3 if primitive.mode == _STRIP else 1)
 
 
 def _at(items: list[Any], index: int, where: str) -> Any:

@@ -17,7 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from sdgen.errors import AssetError, InputError
 from sdgen.files import read_plain
 from sdgen.geometry import Vec3, vec3
-from sdgen.library.glb import glb_document
+from sdgen.library.glb import MAX_BYTES, glb_document
 from sdgen.library.quantized import lacks_normals, plain_glb
 from sdgen.library.records import Asset
 from sdgen.strict import explain
@@ -26,16 +26,10 @@ from sdgen.yaml_source import show_path
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
 
-#: A model beyond this many vertices would crowd all others out of the renderer's one buffer
-#: (3.7 million a scene), which then drops shapes without a word.
-MAX_VERTICES = 300_000
-
 #: Left of a piece beyond its part's box: less than checks of penetration see, and enough that the
 #: piece of a part without thickness (a leaf, a sheet) is no flat one.
 HULL_SLACK_M = 0.002
 
-#: A file larger than this holds no model of so many vertices.
-MAX_BYTES = 200_000_000
 #: Meshes are quantized, sizes written with four digits: 2 mm is more than both, less than any eye.
 EXTENTS_SLACK_M = 0.002
 
@@ -105,7 +99,8 @@ def read_glb(path: Path, asset: Asset, raw: bytes | None = None) -> dict[str, Me
         # Scales may be beyond all numbers: what comes of them is judged below.
         with np.errstate(all="ignore"):
             # Without normals trimesh asks scipy for them, and prints tracebacks where none is.
-            scene = trimesh.load_scene(io.BytesIO(plain_glb(raw)), file_type="glb", process=False)
+            plain = io.BytesIO(plain_glb(raw, document))
+            scene = trimesh.load_scene(plain, file_type="glb", process=False)
             found = _by_node(scene, lacks_normals(document))
     except ModuleNotFoundError:
         raise
@@ -129,9 +124,6 @@ def read_glb(path: Path, asset: Asset, raw: bytes | None = None) -> dict[str, Me
                 f"{path}: {asset.id}: part {part.name!r} has {len(data.faces)} faces, "
                 f"the manifest says {part.faces}"
             )
-    vertices = sum(len(data.vertices) for data in found.values())
-    if vertices > MAX_VERTICES:
-        problems.append(f"{path}: {asset.id}: {vertices} vertices, at most {MAX_VERTICES}")
     if problems:
         raise AssetError(problems)
     return {part.name: found[part.name] for part in asset.parts}

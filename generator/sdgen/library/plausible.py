@@ -28,6 +28,8 @@ _THIN_M = 0.001
 _UNIT_SLACK = 0.01
 #: No furniture is longer, metres.
 _LONGEST_M = 10.0
+#: ``part.png`` has eight bits a pixel for the drawn part seen there, 0 for none.
+MAX_DRAWN = 255
 
 Found = Iterator[tuple[Path_, str]]
 
@@ -68,6 +70,9 @@ def _names(asset: Asset) -> Found:
             yield from no_part(("variants", variant, index), name)
         if not names:
             yield ("variants", variant), "draws nothing"
+        if len(names) > MAX_DRAWN:
+            text = f"draws {len(names)} parts; a variant draws at most {MAX_DRAWN}"
+            yield ("variants", variant), text
     for index, part in enumerate(asset.parts):
         yield from no_joint(("parts", index, "joint"), part.joint)
     for index, rule in enumerate(asset.states):

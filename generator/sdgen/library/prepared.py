@@ -183,5 +183,6 @@ def _read(folder: Path, asset: Asset, glb: bytes, hulls: bytes) -> Model:
 def _code() -> bytes:
     """What else decides the arrays: the code that reads models, ours and that of others."""
     here = Path(__file__).parent
-    sources = [(here / name).read_bytes() for name in ("meshes.py", "prepared.py", "quantized.py")]
+    names = ("glb.py", "meshes.py", "prepared.py", "quantized.py")
+    sources = [(here / name).read_bytes() for name in names]
     return digest(f"{version('trimesh')} {np.__version__}".encode(), *sources).encode()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -43,3 +44,23 @@ def test_what_was_verified_stays_so_until_it_changes(checkout: Path) -> None:
 
 def test_all_it_covers_is_there() -> None:
     assert len(DIGEST.library_digest(ROOT)) == 64
+
+
+def test_it_covers_all_that_reads_and_checks_models() -> None:
+    """What the checks import of ``library``, ``physics`` and ``validate``, and what that does."""
+    covered = {path for pattern in DIGEST.CHECKED for path in ROOT.glob(pattern)}
+    source = ROOT / "generator" / "sdgen"
+    waiting = [source / "validate" / "assets.py"]
+    needed: set[Path] = set()
+    while waiting:
+        path = waiting.pop()
+        needed.add(path)
+        named = re.findall(
+            r"^ *from sdgen\.((?:library|physics|validate)\.\w+) import",
+            path.read_text(encoding="utf-8"),
+            re.M,
+        )
+        found = {source / f"{name.replace('.', '/')}.py" for name in named}
+        waiting += sorted(found - needed)
+    assert len(needed) > 15
+    assert needed <= covered

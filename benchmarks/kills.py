@@ -38,8 +38,8 @@ def digests(folder: Path) -> dict[str, str]:
 
 
 @dataclass(frozen=True)
-class Way:
-    """A way to stop a build: the signal, to whom, and the exit code it must lead to."""
+class Stop:
+    """How a build is stopped: the signal, to whom, and the exit code it must lead to."""
 
     number: int
     to_all: bool
@@ -47,11 +47,11 @@ class Way:
     line: str = ""
 
 
-WAYS = (
-    Way(signal.SIGKILL, True, -signal.SIGKILL),
-    Way(signal.SIGTERM, False, 143, "terminated: resume with the same command"),
-    Way(signal.SIGKILL, False, -signal.SIGKILL),
-    Way(signal.SIGINT, True, 130, "interrupted: resume with the same command"),
+STOPS = (
+    Stop(signal.SIGKILL, True, -signal.SIGKILL),
+    Stop(signal.SIGTERM, False, 143, "terminated: resume with the same command"),
+    Stop(signal.SIGKILL, False, -signal.SIGKILL),
+    Stop(signal.SIGINT, True, 130, "interrupted: resume with the same command"),
 )
 #: Seconds in which workers must be gone after the build.
 GONE_S = 1.0
@@ -102,7 +102,7 @@ class Moment:
 
 
 def stop_at(
-    out: Path, options: Sequence[str], scratch: Path, moment: Moment, way: Way
+    out: Path, options: Sequence[str], scratch: Path, moment: Moment, stop: Stop
 ) -> list[str] | None:
     """Start a build and stop it; what is wrong then. None when it had ended by itself."""
     build = start(out, options, scratch)
@@ -115,18 +115,18 @@ def stop_at(
         build.communicate(timeout=moment.seconds)
         return None
     except subprocess.TimeoutExpired:
-        (os.killpg if way.to_all else os.kill)(build.pid, way.number)
+        (os.killpg if stop.to_all else os.kill)(build.pid, stop.number)
         said = build.communicate()[1].decode(errors="replace")
     wrong = []
-    if build.returncode != way.code:
-        wrong.append(f"exit code {build.returncode}, not {way.code}")
-    if "Traceback" in said or "Error" in said or not said.rstrip().endswith(way.line):
+    if build.returncode != stop.code:
+        wrong.append(f"exit code {build.returncode}, not {stop.code}")
+    if "Traceback" in said or "Error" in said or not said.rstrip().endswith(stop.line):
         wrong.append(f"said: {said[-1000:]}")
     deadline = time.monotonic() + GONE_S
     while (left := living(scratch)) and time.monotonic() < deadline:
         time.sleep(0.02)
     wrong += [f"process {number} lives on" for number in left]
-    if way.number != signal.SIGKILL:
+    if stop.number != signal.SIGKILL:
         wrong += [f"{path} stays" for path in scratch.iterdir()]
     return wrong
 
@@ -161,11 +161,11 @@ def compare(folder: Path, options: Sequence[str], kills: int, seed: int) -> Foun
     goals = sorted(int(n) for n in rng.integers(0, max(1, scenes - 1), kills))
     hits = 0
     for number, goal in enumerate(goals):
-        way = WAYS[number % len(WAYS)]
+        stop = STOPS[number % len(STOPS)]
         moment = Moment(goal, float(rng.uniform(0.0, seconds / scenes)))
-        wrong = stop_at(stopped, options, scratch, moment, way)
+        wrong = stop_at(stopped, options, scratch, moment, stop)
         hits += wrong is not None
-        name = signal.Signals(way.number).name
+        name = signal.Signals(stop.number).name
         stayed += [f"{name} at {moment}: {text}" for text in wrong or ()]
     finish(stopped, options, scratch)
     stayed += [f"{path} stays at the end" for path in scratch.iterdir()]

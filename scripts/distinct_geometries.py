@@ -107,9 +107,9 @@ def main(categories: list[str]) -> None:
     chosen = [a for a in library.assets.values() if not categories or a.category in categories]
     found = count_shapes(library, chosen)
     for category, distances in found.items():
-        told = ["far" if np.isinf(d) else f"{d:.3f}" for d in distances]
+        shown = ["far" if np.isinf(d) else f"{d:.3f}" for d in distances]
         distinct = sum(d > LIMIT for d in distances)
-        print(f"{category:22} {distinct:2} of {len(distances):2}  {' '.join(told)}")
+        print(f"{category:22} {distinct:2} of {len(distances):2}  {' '.join(shown)}")
     every = [d for distances in found.values() for d in distances]
     print(f"{sum(d > LIMIT for d in every)} distinct geometries in {len(every)} models")
 

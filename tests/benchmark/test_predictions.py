@@ -39,7 +39,7 @@ def _line(reports: str, scene: str = "000003") -> str:
     ("text", "expected"),
     [
         ("not json", ":1: not JSON"),
-        (_line("") + "\n" + _line(""), ":2: scene: '000003' was told on line 1 already"),
+        (_line("") + "\n" + _line(""), ":2: scene: '000003' is on line 1 already"),
         (_line("", "000009"), ":1: scene: no scene '000009' (did you mean"),
         (
             _line('{"object_id": 12, "label": "unsafe"}'),

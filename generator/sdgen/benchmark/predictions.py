@@ -2,8 +2,8 @@
 
 An error (about a hundred of them at once, ``file:line: key path: problem``): text that is no JSON,
 unknown or missing keys, wrong types, a label or notify outside the vocabulary, a scene the data set
-does not have, a scene told twice, an object id the scene's graph does not have, an object told
-twice in a scene. No error: a scene without a line (nothing detected there), any order of lines and
+does not have, a scene on two lines, an object id the scene's graph does not have, an object twice
+in a scene. No error: a scene without a line (nothing detected there), any order of lines and
 reports, a wall or a floor among the objects (a false alarm like any other).
 """
 
@@ -26,7 +26,7 @@ def read_predictions(path: str | Path, data: Dataset) -> dict[str, tuple[Report,
     there are too many."""
     path = Path(path)
     out: dict[str, tuple[Report, ...]] = {}
-    told_at: dict[str, int] = {}
+    line_of: dict[str, int] = {}
     problems: list[str] = []
     for number, line in enumerate(read_bytes(path, str(path)).split(b"\n"), start=1):
         if not line.strip():
@@ -40,13 +40,11 @@ def read_predictions(path: str | Path, data: Dataset) -> dict[str, tuple[Report,
         except InputError as error:
             problems.extend(error.problems)
             continue
-        if prediction.scene in told_at:
-            first = told_at[prediction.scene]
-            problems.append(
-                f"{where}: scene: {prediction.scene!r} was told on line {first} already"
-            )
+        if prediction.scene in line_of:
+            first = line_of[prediction.scene]
+            problems.append(f"{where}: scene: {prediction.scene!r} is on line {first} already")
             continue
-        told_at[prediction.scene] = number
+        line_of[prediction.scene] = number
         problems.extend(_check(prediction, data, where))
         out[prediction.scene] = prediction.reports
     if problems:

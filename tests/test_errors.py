@@ -5,7 +5,7 @@ from importlib import import_module
 from pkgutil import walk_packages
 
 import sdgen
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.errors import (
     InputError,
@@ -52,6 +52,7 @@ def same(one: BaseException) -> None:
     assert vars(two) == vars(one)
 
 
+@settings(deadline=None)  # the first time, all modules are imported
 @given(TEXTS, st.lists(TEXTS, max_size=4), CAUSES)
 def test_every_error_class_survives_pickling(
     text: str, problems: list[str], causes: dict[Cause, int]

@@ -18,7 +18,7 @@ from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
-from sdgen.facts import Body, drawn
+from sdgen.facts import Body, with_footprints
 from sdgen.freespace import Grid, opening_rectangle, polygons
 from sdgen.geometry import Vec2, apply
 from sdgen.scene import Home, Opening, Room, Zone
@@ -56,7 +56,7 @@ def floor_obstacles(bodies: Iterable[Body]) -> list[BaseGeometry]:
 def _standing(bodies: Iterable[Body]) -> Sequence[Body]:
     """What a walker cannot step over or pass under; no doors and windows."""
     solid = (body for body in bodies if body.item.category not in OPENINGS)
-    return drawn([b for b in solid if b.low[2] < OVERHEAD_M and b.high[2] > FLAT_M])
+    return with_footprints([b for b in solid if b.low[2] < OVERHEAD_M and b.high[2] > FLAT_M])
 
 
 def swing_sectors(bodies: Iterable[Body]) -> list[BaseGeometry]:

@@ -12,7 +12,9 @@ from sdgen.yaml_source import Source, read_yaml
 
 #: Folders of a catalogue, a file an entry (of ``categories`` several), and its single files.
 FOLDERS = ("categories", "hazards", "homes")
-FILES = ("rooms", "plans", "households")
+FILES = ("rooms", "mixes", "households")
+#: What a file was called before, when a plan meant two things.
+_RENAMED = {"plans": "mixes"}
 _SUFFIXES = (".yaml", ".yml")
 
 
@@ -29,7 +31,7 @@ class Folder:
 
     def all(self) -> Iterator[tuple[str, Source]]:
         """Every file with its kind, in reading order: what others refer to first."""
-        for kind in ("categories", "rooms", "hazards", "households", "homes", "plans"):
+        for kind in ("categories", "rooms", "hazards", "households", "homes", "mixes"):
             for source in self.sources.get(kind, ()):
                 yield kind, source
 
@@ -70,6 +72,8 @@ def _misplaced(path: Path) -> str:
     if path.name.startswith("."):
         return ""
     if _is_yaml(path):
+        if path.stem in _RENAMED:
+            return f"is called {_RENAMED[path.stem]}.yaml now: rename it"
         near = did_you_mean(path.name, [f"{name}.yaml" for name in FILES])
         return f"no file of a catalogue{near}"
     if not path.is_dir() or path.name == "extensions":
@@ -95,6 +99,9 @@ def open_extra(path: Path) -> Folder:
         return Folder(pack="core")  # loaded already
     if not path.is_dir():
         single = Folder(pack=path.stem)
+        if path.stem in _RENAMED and _is_yaml(path):
+            single.problems.append(f"{path}: {_misplaced(path)}")
+            return single
         folder = path.resolve().parent.name
         kind = path.stem if path.stem in FILES else folder if folder in FOLDERS else "hazards"
         single.add(kind, path, str(path))

@@ -1,7 +1,7 @@
 """The hazard catalogue, from YAML folders to one resolved :class:`Catalog`.
 
 A folder holds ``hazards/*.yaml``, ``categories/*.yaml``, ``homes/*.yaml``, ``rooms.yaml``,
-``plans.yaml`` and ``households.yaml``, each optional except in the shipped one. Later folders add
+``mixes.yaml`` and ``households.yaml``, each optional except in the shipped one. Later folders add
 to earlier ones; to replace an entry they say ``replaces: true``. A single file may stand in for a
 folder.
 """
@@ -32,7 +32,7 @@ __all__ = ["check_against_library", "enumerate_anomalies", "load_catalog"]
 _KINDS = {
     "categories": "category",
     "rooms": "room type",
-    "plans": "mix of rooms",
+    "mixes": "mix of rooms",
     "hazards": "hazard",
     "homes": "home",
     "households": "household",
@@ -103,7 +103,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         households=named("households", HouseholdYaml),
         reach=tuple(row for table in reach if table is not None for row in table.rows),
         homes=tuple(home.record() for home in homes if home is not None),
-        mixes=named("plans", MixYaml),
+        mixes=named("mixes", MixYaml),
     )
     if not any(source.problems for folder in folders for _, source in folder.all()):
         check_among(found["hazards"], catalog.hazards, catalog.categories)

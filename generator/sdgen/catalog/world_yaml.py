@@ -181,7 +181,7 @@ class RoomTypeYaml(Record):
 
 
 class MixYaml(Record):
-    """One entry of ``plans.yaml``; a room type may come twice."""
+    """One entry of ``mixes.yaml``; a room type may come twice."""
 
     weight: Weight = 1.0
     hub: RoomName

@@ -5,7 +5,7 @@ Every threshold is in :mod:`sdgen.facts.thresholds`, with the margin within whic
 claimed. Predicates, graph edges and tags all ask :class:`Facts`, so they cannot disagree.
 """
 
-from sdgen.facts.body import Body, bodies_of, drawn
+from sdgen.facts.body import Body, bodies_of, with_footprints
 from sdgen.facts.front import Edge, Facts
 from sdgen.facts.held import in_the_air, unheld
 from sdgen.facts.measured import Measured
@@ -18,8 +18,8 @@ __all__ = [
     "Measured",
     "Rooms",
     "bodies_of",
-    "drawn",
     "in_the_air",
     "room_at",
     "unheld",
+    "with_footprints",
 ]

@@ -56,8 +56,8 @@ class Body:
         return float(shared / max(self.footprint.area, LEAST_M2))
 
 
-def drawn(bodies: Sequence[Body]) -> Sequence[Body]:
-    """The same bodies, their footprints drawn in one call where they were not."""
+def with_footprints(bodies: Sequence[Body]) -> Sequence[Body]:
+    """The same bodies, the footprints they do not have yet computed in one call."""
     missing = [body for body in bodies if "footprint" not in vars(body)]
     for body, shape in zip(missing, footprints(missing), strict=True):
         body.footprint = shape
@@ -65,7 +65,7 @@ def drawn(bodies: Sequence[Body]) -> Sequence[Body]:
 
 
 def bodies_of(objects: Iterable[ObjectInstance], infos: Mapping[str, AssetInfo]) -> list[Body]:
-    """The bodies of objects, their footprints not drawn yet."""
+    """The bodies of objects, their footprints not computed yet."""
     return [Body(item, infos[item.asset]) for item in objects]
 
 

@@ -9,7 +9,7 @@ from collections.abc import Collection, Mapping
 from functools import cached_property
 
 from sdgen.catalog.predicate import Related, ZoneShare
-from sdgen.facts.body import Body, drawn, rows
+from sdgen.facts.body import Body, rows, with_footprints
 from sdgen.facts.containers import Containers
 from sdgen.facts.rooms import Rooms
 from sdgen.facts.supports import Supports
@@ -41,7 +41,7 @@ class Measured:
         same_home = known and known.scene.home is scene.home and known.scene.zones == scene.zones
         self._known = known if same_home else None
         bodies = [self._known_body(item) or Body(item, infos[item.asset]) for item in scene.objects]
-        self.bodies = {body.item.id: body for body in drawn(bodies)}
+        self.bodies = {body.item.id: body for body in with_footprints(bodies)}
         self.structures = {s.id: s for s in scene.home.structures}
         self.rooms: Rooms = self._known.rooms if self._known else Rooms(scene.home)
         self.supports = Supports(self.bodies, scene.home)

@@ -45,7 +45,7 @@ class Block:
 
     @cached_property
     def shape(self) -> Polygon:
-        """The outline as a polygon: only drawn for what comes near something."""
+        """The outline as a polygon: only computed for what comes near something."""
         return shapely.polygons(self.outline)
 
     def same_space(self, other: Block) -> bool:

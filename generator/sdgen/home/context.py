@@ -41,18 +41,18 @@ class HomeContext:
         )
 
     def zone_shape(self, kinds: Sequence[str], room_id: int | None = None) -> BaseGeometry:
-        """Union of the zones of these kinds (of one room); drawn once a home."""
+        """Union of the zones of these kinds (of one room); computed once a home."""
         key = (tuple(kinds), room_id)
-        if key not in self._drawn:
-            self._drawn[key] = union(
+        if key not in self._zone_shapes:
+            self._zone_shapes[key] = union(
                 [
                     shapely.polygons(zone.polygon_m)
                     for zone in self.zones
                     if zone.kind in kinds and (room_id is None or zone.room_id == room_id)
                 ]
             )
-        return self._drawn[key]
+        return self._zone_shapes[key]
 
     @cached_property
-    def _drawn(self) -> dict[tuple[tuple[str, ...], int | None], BaseGeometry]:
+    def _zone_shapes(self) -> dict[tuple[tuple[str, ...], int | None], BaseGeometry]:
         return {}

@@ -19,7 +19,7 @@ TRIES = 6
 def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> HomeSpec | None:
     """A home of one of the catalogue's mixes of rooms; None when no plan came out valid."""
     if not catalog.mixes:
-        raise UsageError("the catalogue has no mix of rooms to generate homes from (plans.yaml)")
+        raise UsageError("the catalogue has no mix of rooms to generate homes from (mixes.yaml)")
     weights = np.array([mix.weight for mix in catalog.mixes])
     for _ in range(TRIES):
         mix = catalog.mixes[int(rng.choice(len(weights), p=weights / weights.sum()))]

@@ -47,7 +47,7 @@ def test_a_room_type_and_a_mix_of_ones_own(tmp_path):
         + "    - {category: chair, where: before, of: desk, gap_m: -0.2}\n"
         + "  area_m2: [6, 9]\n"
     )
-    (tmp_path / "plans.yaml").write_text("with_den: {hub: hall, rooms: [den, kitchen, bathroom]}\n")
+    (tmp_path / "mixes.yaml").write_text("with_den: {hub: hall, rooms: [den, kitchen, bathroom]}\n")
     catalog = load_catalog([tmp_path])
     den = next(t for t in catalog.room_types if t.name == "den")
     assert den.area_m2 == (6.0, 9.0)
@@ -76,7 +76,19 @@ def test_mistakes_in_rules_are_located(tmp_path, rule, said):
 
 
 def test_mistakes_in_mixes_are_located(tmp_path):
-    found = problems(tmp_path, "plans.yaml", "mine: {hub: halll, rooms: [kitchen, barn]}\n")
-    assert "plans.yaml:1" in found
+    found = problems(tmp_path, "mixes.yaml", "mine: {hub: halll, rooms: [kitchen, barn]}\n")
+    assert "mixes.yaml:1" in found
     assert "unknown room type 'barn'" in found
     assert "halll" in found
+
+
+@pytest.mark.parametrize("alone", [False, True])
+def test_a_file_of_mixes_under_its_old_name_is_told_the_new_one(tmp_path, alone):
+    text = "mine: {hub: hall, rooms: [kitchen, bathroom]}\n"
+    path = tmp_path / "plans.yaml"
+    path.write_text(text)
+    with pytest.raises(InputError) as caught:
+        load_catalog([path if alone else tmp_path])
+    assert caught.value.problems == (f"{path}: is called mixes.yaml now: rename it",)
+    path.rename(path.with_name("mixes.yaml"))
+    assert any(mix.name == "mine" for mix in load_catalog([tmp_path]).mixes)

@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from sdgen.physics import client as client_module
+from sdgen.physics.bodies import STRUCTURE_FRICTION
 from sdgen.physics.bullet import pb
-from sdgen.physics.client import Client, convex_obj
+from sdgen.physics.client import FRICTION, Client, convex_obj
 
 
 def box(size_m: float) -> str:
@@ -85,3 +86,28 @@ def test_what_a_killed_simulator_left_the_next_one_takes_away(tmp_path: Path) ->
         assert len(list(tmp_path.iterdir())) == 1
     subprocess.run([sys.executable, "-c", closed], env=environment, check=True)
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("ground", "degrees", "slides"),
+    [
+        (FRICTION, 18, False),
+        (FRICTION, 22, True),
+        (STRUCTURE_FRICTION, 24, False),
+        (STRUCTURE_FRICTION, 28, True),
+    ],
+)
+def test_frictions_of_two_bodies_multiply(ground: float, degrees: float, slides: bool) -> None:
+    """On a slope a thing stays as long as its tangent is below the product of the two."""
+    angle = np.radians(degrees)
+    quat = (0.0, float(np.sin(angle / 2)), 0.0, float(np.cos(angle / 2)))
+    up = np.array([np.sin(angle), 0.0, np.cos(angle)])
+    with Client() as client:
+        client.body(client.box((20.0, 20.0, 1.0)), (0, 0, 0), quat, friction=ground)
+        thing = client.body(client.box((0.4, 0.4, 0.1)), (up * 0.551).tolist(), quat, mass_kg=1.0)
+        client.step(120)  # it has met the slope
+        before = client.pose(thing).position_m
+        client.step(240)
+        moved = float(np.linalg.norm(np.subtract(client.pose(thing).position_m, before)))
+    assert (moved > 0.1) == slides
+    assert slides or moved < 0.001

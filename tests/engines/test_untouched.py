@@ -39,6 +39,13 @@ def test_only_states_that_furniture_stands_in_are_a_risk(tmp_path, predicate, an
     assert ("mine" in at_risk(catalog, shipped_library())) == risky
 
 
+def test_doors_that_no_home_leaves_open_are_no_risk(tmp_path, monkeypatch):
+    catalog = with_hazard(tmp_path, "{category: door, state: OPEN}", "{set: door, state: OPEN}")
+    assert "mine" in at_risk(catalog, shipped_library())
+    monkeypatch.setattr("sdgen.home.furnish.DOOR_OPEN_SHARE", 0.0)
+    assert "mine" not in at_risk(catalog, shipped_library())
+
+
 def test_furniture_of_homes_stands_in_the_states_that_are_reckoned_with():
     catalog, library = load_catalog(), shipped_library()
     known = {c.name: set(stands(c, library)) for c in catalog.categories}

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from sdgen.actions import at_rest
 from sdgen.catalog.records import Catalog, Category, Hazard
 from sdgen.catalog.terms.term import Case
 from sdgen.hazards.certify import categories_of, survey
+from sdgen.home.furnish import may_stand
 from sdgen.library import Library
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.scene import ObjectInstance, Pose
@@ -103,14 +103,9 @@ def _possible(hazard: Hazard, category: str, states: tuple[str, ...]) -> bool:
 
 
 def stands(category: Category, library: Library) -> Iterator[tuple[str, ...]]:
-    """The states that homes leave such furniture in (see ``home.furnish``)."""
+    """The states that homes leave such furniture in, whatever its model."""
     for asset in library.by_category(category.name):
         item = ObjectInstance(
             id=0, category=category.name, asset=asset.id, pose=_POSE, room_id=0, fixed=True
         )
-        states = at_rest(item, asset).states
-        yield states
-        if category.name == "door":
-            yield tuple("OPEN" if s == "CLOSED" else s for s in states)
-        if category.switched_on:
-            yield tuple("ON" if s == "OFF" else s for s in states)
+        yield from may_stand(item, asset, category)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from shapely.geometry import Polygon
 
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.home_shape import frame_size
-from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec, RoomSpec
+from sdgen.catalog.records import Catalog, Category, FurnitureItem, HomeSpec, RoomSpec
 from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_quat
 from sdgen.home.blocks import Block
 from sdgen.home.context import Models
@@ -46,7 +46,7 @@ def fill_openings(
             fixed=True,
         )
         item = at_rest(item, asset)
-        if opening.kind == "door" and asset.joints and rng.random() < DOOR_OPEN_SHARE:
+        if _stands_open(opening.kind, asset) and rng.random() < DOOR_OPEN_SHARE:
             joint = asset.joints[0]
             value = float(rng.uniform(0.75, 0.98) * joint.upper)
             opened = _opened(item, asset, joint.name, value)
@@ -56,6 +56,10 @@ def fill_openings(
             item = opened
         layout.put(item)
     return layout
+
+
+def _stands_open(category: str, asset: AssetInfo) -> bool:
+    return category == "door" and DOOR_OPEN_SHARE > 0 and bool(asset.joints)
 
 
 def _opened(item: ObjectInstance, asset: AssetInfo, joint: str, value: float) -> ObjectInstance:
@@ -167,6 +171,19 @@ def stand_in(item: ObjectInstance, asset: AssetInfo, catalog: Catalog, rng: Rng)
     if share and rng.random() < share:
         item = in_state(item, asset, "ON", rng) or item
     return item
+
+
+def may_stand(
+    item: ObjectInstance, asset: AssetInfo, category: Category
+) -> Iterator[tuple[str, ...]]:
+    """The states that homes leave an opening or a piece in: see :func:`fill_openings` and
+    :func:`stand_in`."""
+    states = at_rest(item, asset).states
+    yield states
+    if _stands_open(category.name, asset):
+        yield tuple("OPEN" if s == "CLOSED" else s for s in states)
+    if category.switched_on:
+        yield tuple("ON" if s == "OFF" else s for s in states)
 
 
 def put_piece(

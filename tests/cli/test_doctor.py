@@ -1,4 +1,8 @@
 import json
+import os
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
@@ -43,3 +47,19 @@ def test_a_cache_that_cannot_be_written(
     found = next(f for f in examine() if f.what == "Model cache")
     assert found.level == "bad"
     assert "SDGEN_CACHE" in found.text
+
+
+def test_a_package_that_is_there_and_cannot_be_loaded_is_a_line(tmp_path: Path) -> None:
+    """Built for another Python, say, or without a library of the system."""
+    (tmp_path / "pybullet.py").write_text("raise ImportError('libGL.so.1: cannot open it')\n")
+    (tmp_path / "shapely.py").write_text("raise OSError(2, 'No such file', 'libgeos_c.so')\n")
+    env = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])}
+    done = subprocess.run(
+        [sys.executable, "-m", "sdgen", "doctor"], env=env, capture_output=True, text=True
+    )
+    assert done.returncode == 1
+    assert done.stderr == ""
+    lines = [line for line in done.stdout.splitlines() if line.startswith("BAD ")]
+    assert lines[0].startswith("BAD   PyBullet      cannot be loaded: libGL.so.1: cannot open it; ")
+    assert "BAD   Catalogue     libgeos_c.so: No such file" in lines
+    assert any(line.startswith("ok    Python") for line in done.stdout.splitlines())

@@ -13,7 +13,7 @@ from typing import Literal
 
 import click
 
-from sdgen.errors import SdgenError
+from sdgen.errors import SdgenError, os_error_in_words
 
 Level = Literal["ok", "note", "bad"]
 _MARK: dict[Level, str] = {"ok": "ok  ", "note": "note", "bad": "BAD "}
@@ -112,7 +112,8 @@ _CHECKS: dict[str, Callable[[], Finding]] = {
 
 
 def examine() -> list[Finding]:
-    """All findings; a check that meets broken input becomes a bad finding itself."""
+    """All findings; a check that meets broken input, or a package or a library of the system that
+    cannot be loaded, becomes a bad finding itself."""
     out: list[Finding] = []
     for what, check in _CHECKS.items():
         if what == "EGL renderer" and any(f.what == "PyBullet" and f.level == "bad" for f in out):
@@ -121,6 +122,12 @@ def examine() -> list[Finding]:
             out.append(check())
         except SdgenError as error:
             out.append(Finding(what, "bad", str(error)))
+        except ImportError as error:
+            text = " ".join(str(error).split())
+            advice = "install it anew (pip install --force-reinstall), or what it lacks"
+            out.append(Finding(what, "bad", f"cannot be loaded: {text}; {advice}"))
+        except OSError as error:
+            out.append(Finding(what, "bad", os_error_in_words(error)))
     return out
 
 

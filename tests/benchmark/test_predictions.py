@@ -94,9 +94,9 @@ def test_all_problems_are_told_at_once(data: Dataset, tmp_path: Path) -> None:
 
 
 def test_a_missing_file_is_an_input_error(data: Dataset, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="missing"):
+    with pytest.raises(InputError, match="no such file"):
         read_predictions(tmp_path / "none.jsonl", data)
-    with pytest.raises(InputError, match="not a plain file"):
+    with pytest.raises(InputError, match="is a folder, not a file"):
         read_predictions(tmp_path, data)
 
 

@@ -130,7 +130,7 @@ def test_a_pipe_for_a_picture_is_not_waited_for(
     with at_most(5):
         assert run([command, str(path)]) == 1
     told = capsys.readouterr()
-    assert "rgb.png: not a plain file" in told.out + told.err
+    assert "rgb.png: is a FIFO, not a file" in told.out + told.err
 
 
 @pytest.mark.parametrize(

@@ -34,7 +34,7 @@ def _dangling(path: Path) -> None:
 #: What may stand at the place -> what the error calls it.
 ODD: dict[str, Callable[[Path], None]] = {
     "a device": _device,
-    "a pipe": os.mkfifo,
+    "a FIFO": os.mkfifo,
     "a socket": _socket,
     "a folder": Path.mkdir,
     "a symbolic link": _link,
@@ -65,7 +65,7 @@ def test_what_appears_meanwhile_is_not_written_over(tmp_path: Path) -> None:
         with output_file(tmp_path / "o"):
             os.mkfifo(tmp_path / "o")
 
-    with pytest.raises(SdgenError, match="is a pipe"):
+    with pytest.raises(SdgenError, match="is a FIFO"):
         write()
     assert os.listdir(tmp_path) == ["o"]
 

@@ -225,5 +225,5 @@ def test_a_missing_picture_is_located_when_it_is_read(tmp_path: Path) -> None:
     (path / "scenes/000000/views/00/depth.png").unlink()
     item = Dataset(path)[0]
     assert item.rgb(0).shape == (120, 160, 3)
-    with pytest.raises(InputError, match=r"scenes/000000/views/00/depth.png: missing"):
+    with pytest.raises(InputError, match=r"scenes/000000/views/00/depth.png: no such file"):
         item.depth(0)

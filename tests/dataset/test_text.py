@@ -8,7 +8,16 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sdgen.dataset.text import LINE, line_bytes, plain, pretty, read_lines, record_bytes, to_record
+from sdgen.dataset.text import (
+    LINE,
+    line_bytes,
+    plain,
+    pretty,
+    read_lines,
+    read_record,
+    record_bytes,
+    to_record,
+)
 from sdgen.errors import InputError
 from sdgen.scene import Household, Member
 
@@ -134,3 +143,11 @@ def toy_scene() -> Any:
     from tests import toy
 
     return toy.scene(3)
+
+
+def test_a_file_far_too_large_is_not_read(tmp_path: Path) -> None:
+    with (tmp_path / "a.json").open("wb") as file:  # nothing but a hole
+        file.truncate(201 * 10**6)
+    for reader in (read_record, read_lines):
+        with pytest.raises(InputError, match=r"^a\.json(:1)?: is larger than 200000 kB"):
+            reader(Member, tmp_path / "a.json", "a.json")

@@ -83,11 +83,11 @@ def _gone(path: Path) -> None:
 @pytest.mark.parametrize(
     ("damage", "words"),
     [
-        (_link_file, "graph.json: not a plain file"),
-        (_link_folder, "000001/anomalies.json: not a plain file"),
-        (_fifo, "graph.json: not a plain file"),
+        (_link_file, "graph.json: a symbolic link leads elsewhere"),
+        (_link_folder, "000001/anomalies.json: a symbolic link leads elsewhere"),
+        (_fifo, "graph.json: is a FIFO, not a file"),
         (_changed, "graph.json: changed since"),
-        (_gone, "catalogue.json: missing"),
+        (_gone, "catalogue.json: no such file"),
     ],
 )
 def test_odd_files_are_refused_and_nothing_is_left(

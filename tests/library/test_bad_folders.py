@@ -374,6 +374,22 @@ def test_a_mesh_without_normals_gets_them(folder: Path, caplog: pytest.LogCaptur
     assert not caplog.records
 
 
+def test_a_file_far_too_large_is_not_read(folder: Path) -> None:
+    # Of nothing but holes: it takes no room on the disk.
+    for name, size in (("textures/large.png", 301 * 10**6), ("meshes/fridge_01.glb", 201 * 10**6)):
+        with (folder / name).open("wb") as file:
+            file.write(b"\x89PNG")
+            file.truncate(size)
+    data = yaml.safe_load((folder / "manifest.yaml").read_text(encoding="utf-8"))
+    data["assets"][0]["texture"] = "textures/large.png"
+    write(folder, data)
+    told = problems(folder)
+    assert "textures/large.png: is larger than 300000 kB" in told
+    assert "meshes/fridge_01.glb: is larger than 200000 kB" in told
+    with pytest.raises(AssetError, match="is larger than"):
+        _ = Library([folder]).sha256
+
+
 def test_a_pipe_among_the_files_is_named(folder: Path) -> None:
     (folder / "textures/pipe.png").unlink(missing_ok=True)
     os.mkfifo(folder / "textures/pipe.png")

@@ -15,7 +15,7 @@ from pathlib import Path
 from sdgen.dataset import Dataset
 from sdgen.dataset.output_file import write_output
 from sdgen.dataset.records import Prediction, Report
-from sdgen.dataset.text import line_bytes, read_bytes, to_record
+from sdgen.dataset.text import line_bytes, numbered_lines, to_record
 from sdgen.errors import SHOWN, InputError, did_you_mean
 
 Predictions = Mapping[str, tuple[Report, ...]]
@@ -28,9 +28,7 @@ def read_predictions(path: str | Path, data: Dataset) -> dict[str, tuple[Report,
     out: dict[str, tuple[Report, ...]] = {}
     line_of: dict[str, int] = {}
     problems: list[str] = []
-    for number, line in enumerate(read_bytes(path, str(path)).split(b"\n"), start=1):
-        if not line.strip():
-            continue
+    for number, line in numbered_lines(path, str(path)):
         where = f"{path}:{number}"
         if len(problems) >= SHOWN:
             problems.append(f"{where}: not read further: too many problems")

@@ -13,6 +13,7 @@ from sdgen.library import Library, load_library
 from sdgen.library.records import Asset
 from sdgen.library.select import select
 from sdgen.render.registry import AUTO, RENDERERS
+from sdgen.resources import data_path
 
 EXTRA = click.option(
     "--assets",
@@ -214,7 +215,7 @@ def validate_assets(
     from sdgen.engines.machine import usable_cores
     from sdgen.validate.assets import check_assets
 
-    library = _library(tuple(str(folder) for folder in folders))
+    library = Library([data_path("assets"), *folders])  # its files are read by what checks them
     count = sum(
         not folders or library.folder_of(asset_id) in folders for asset_id in select(library, only)
     )

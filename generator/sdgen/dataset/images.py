@@ -14,6 +14,7 @@ import numpy.typing as npt
 from isal import isal_zlib
 from PIL import Image
 
+from sdgen.dataset.text import read_bytes
 from sdgen.errors import InputError
 
 #: Near enough to lossless for training: no chroma is thrown away.
@@ -88,10 +89,7 @@ def read_gray(path: Path, size: tuple[int, int], bits: int, where: str) -> npt.N
 
 def _open(path: Path, size: tuple[int, int], modes: tuple[str, ...], where: str) -> Image.Image:
     try:
-        # Opening a pipe would wait for ever.
-        if path.is_symlink() or (path.exists() and not path.is_file()):
-            raise InputError([f"{where}: not a plain file"])
-        with Image.open(path, formats=("PNG", "JPEG")) as image:
+        with Image.open(io.BytesIO(read_bytes(path, where)), formats=("PNG", "JPEG")) as image:
             if image.size != size:
                 raise InputError([f"{where}: {image.size} pixels, the view says {size}"])
             if image.size[0] * image.size[1] > MAX_PIXELS or image.mode not in modes:
@@ -99,7 +97,5 @@ def _open(path: Path, size: tuple[int, int], modes: tuple[str, ...], where: str)
             image.load()
             picture: Image.Image = image
             return picture
-    except FileNotFoundError:
-        raise InputError([f"{where}: missing"]) from None
     except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
         raise InputError([f"{where}: not a readable picture ({error})"]) from None

@@ -17,18 +17,10 @@ from sdgen.dataset.disk import sync_folder
 from sdgen.dataset.records import TOP_FILES
 from sdgen.dataset.scene_folder import BUILD_FOLDER
 from sdgen.errors import SdgenError
+from sdgen.files import kind_of
 
 #: Files that show a folder to be a data set, finished or in the making.
 _MARKS = ("dataset.json", f"{BUILD_FOLDER}/build.json")
-
-_KINDS = {
-    stat.S_IFDIR: "a folder",
-    stat.S_IFLNK: "a symbolic link",
-    stat.S_IFIFO: "a pipe",
-    stat.S_IFSOCK: "a socket",
-    stat.S_IFCHR: "a device",
-    stat.S_IFBLK: "a device",
-}
 
 
 def check_output(path: Path) -> None:
@@ -40,8 +32,7 @@ def check_output(path: Path) -> None:
     with contextlib.suppress(FileNotFoundError):
         mode = path.lstat().st_mode
         if not stat.S_ISREG(mode):
-            kind = _KINDS.get(stat.S_IFMT(mode), "no plain file")
-            raise SdgenError(f"{path}: is {kind}; name a plain file or a new one")
+            raise SdgenError(f"{path}: is {kind_of(mode)}; name a plain file or a new one")
     refuse_data_set(path)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
@@ -17,6 +17,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from sdgen.errors import SHOWN, InputError
+from sdgen.files import lines_of, read_plain
 from sdgen.strict import explain
 from sdgen.yaml_source import show_path
 
@@ -118,6 +119,10 @@ def line_bytes(record: BaseModel) -> bytes:
 _DIGITS = 40
 _SHOWN_DIGITS = 20
 
+#: Of one file, or one line where it has many: three times the ``dataset.json`` of a million
+#: homes, and of a picture of the largest size twice what it takes when nothing can be packed.
+MAX_BYTES = 200_000_000
+
 
 def _refuse_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     out: dict[str, Any] = {}
@@ -181,14 +186,14 @@ def parse(data: bytes, where: str) -> Any:
 
 
 def read_bytes(path: Path, where: str) -> bytes:
-    """Bytes of a regular file. Raises InputError when it is missing or not a plain file."""
-    try:
-        if path.is_symlink() or not path.is_file():
-            what = "not a plain file" if path.exists() or path.is_symlink() else "missing"
-            raise InputError([f"{where}: {what}"])
-        return path.read_bytes()
-    except OSError as error:
-        raise InputError([f"{where}: cannot be read ({error.strerror})"]) from None
+    """Bytes of a file. Raises InputError when it is missing, too large, a link or no file."""
+    return read_plain(path, where, MAX_BYTES, links=False)
+
+
+def numbered_lines(path: Path, where: str) -> Iterator[tuple[int, bytes]]:
+    """Lines of a file that are not empty, with their numbers. InputError as ``read_bytes``, which
+    looks at one line at a time: a manifest may be larger than any other file."""
+    return ((k, line) for k, line in lines_of(path, where, MAX_BYTES) if line.strip())
 
 
 def to_record(model: type[T], data: bytes, where: str) -> T:
@@ -216,9 +221,7 @@ def read_lines(model: type[T], path: Path, where: str) -> tuple[T, ...]:
     stops reading where there are too many."""
     out: list[T] = []
     problems: list[str] = []
-    for number, line in enumerate(read_bytes(path, where).split(b"\n"), start=1):
-        if not line.strip():
-            continue
+    for number, line in numbered_lines(path, where):
         try:
             out.append(to_record(model, line, f"{where}:{number}"))
         except InputError as error:

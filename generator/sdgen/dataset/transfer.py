@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sdgen.dataset.disk import remove_tree, sha256_hex
 from sdgen.dataset.scene_folder import BUILD_FOLDER, FinishedScene, show
-from sdgen.dataset.text import read_record
+from sdgen.dataset.text import read_bytes, read_record
 from sdgen.errors import InputError
 
 
@@ -47,12 +47,7 @@ def copy(source: Path, done: FinishedScene, root: Path) -> None:
     """
     folder = source / "scenes" / done.entry.id
 
-    def read(name: str) -> bytes | None:
-        path = folder / name
-        # A link could lead anywhere, reading a pipe would wait for ever.
-        return path.read_bytes() if path.is_file() and not path.is_symlink() else None
-
-    _put(root, done, read, str(folder))
+    _put(root, done, lambda name: read_bytes(folder / name, f"{folder}/{name}"), str(folder))
 
 
 def _put(root: Path, done: FinishedScene, read: Callable[[str], bytes | None], where: str) -> None:
@@ -60,7 +55,7 @@ def _put(root: Path, done: FinishedScene, read: Callable[[str], bytes | None], w
         for name, digest in done.entry.files.items():
             data = read(name)
             if data is None:
-                raise InputError([f"{where}/{name}: missing, or no plain file"])
+                raise InputError([f"{where}/{name}: missing"])
             if sha256_hex(data) != digest:
                 raise InputError([f"{where}/{name}: changed since it was written"])
             path = partial / name

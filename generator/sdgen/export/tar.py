@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import gzip
 import io
+import os
 import tarfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -20,6 +21,7 @@ from sdgen.dataset.output_file import output_file
 from sdgen.dataset.records import TOP_FILES
 from sdgen.dataset.text import read_bytes
 from sdgen.errors import InputError, SdgenError
+from sdgen.files import open_plain
 
 ENDINGS = (".tar", ".tar.gz", ".tgz")
 
@@ -58,28 +60,30 @@ def _write(data: Dataset, stream: IO[bytes], on_scene: Callable[[int, int], None
     root = f"sdgen-n{data.info.n}-s{data.info.seed}"
     with tarfile.open(fileobj=stream, mode="w|", format=tarfile.USTAR_FORMAT) as archive:
         for name in sorted(TOP_FILES):
-            _add(archive, root, name, _plain_bytes(data, name))
+            # The manifest of many scenes is larger than any file that is read whole.
+            with open_plain(_within(data, name), name, links=False) as file:
+                _add(archive, root, name, file, os.fstat(file.fileno()).st_size)
         for done, entry in enumerate(data.entries, start=1):
             for name in sorted(entry.files):
                 where = f"scenes/{entry.id}/{name}"
-                content = _plain_bytes(data, where)
+                content = read_bytes(_within(data, where), where)
                 if sha256_hex(content) != entry.files[name]:
                     raise InputError([f"{where}: changed since it was written (sdgen validate)"])
-                _add(archive, root, where, content)
+                _add(archive, root, where, io.BytesIO(content), len(content))
             if on_scene is not None:
                 on_scene(done, len(data.entries))
 
 
-def _plain_bytes(data: Dataset, name: str) -> bytes:
+def _within(data: Dataset, name: str) -> Path:
     # A linked folder on the way would lead out of the data set as well as a linked file.
     if (data.path / name).resolve() != data.path.resolve() / name:
-        raise InputError([f"{name}: not a plain file"])
-    return read_bytes(data.path / name, name)
+        raise InputError([f"{name}: a symbolic link leads elsewhere"])
+    return data.path / name
 
 
-def _add(archive: tarfile.TarFile, root: str, name: str, content: bytes) -> None:
+def _add(archive: tarfile.TarFile, root: str, name: str, content: IO[bytes], size: int) -> None:
     member = tarfile.TarInfo(f"{root}/{name}")
-    member.size = len(content)
+    member.size = size
     member.mode = 0o644
     member.mtime = 0
-    archive.addfile(member, io.BytesIO(content))
+    archive.addfile(member, content)

@@ -15,6 +15,7 @@ from sdgen.library.cache import digest
 from sdgen.library.kept import kept_manifest
 from sdgen.library.meshes import Floats, Hull, MeshData, check_extents, read_glb, read_hulls
 from sdgen.library.prepared import Model, Prepared, open_files
+from sdgen.library.raw import file_bytes
 from sdgen.library.records import Asset, AssetInfo, Surface
 from sdgen.library.unpack import cached_texture, check_texture, unpack
 from sdgen.resources import data_path
@@ -72,10 +73,10 @@ class Library:
                 files = {asset.mesh, asset.hulls, asset.texture}
                 files |= {part.texture for part in asset.parts if part.texture}
                 for name in sorted(files):
-                    total.update(_bytes(folder / name, asset.id))
+                    total.update(file_bytes(folder / name))
             for surface in self.surfaces.values():
                 folder = self._folder_of["surface:" + surface.id]
-                total.update(_bytes(folder / surface.texture, surface.id))
+                total.update(file_bytes(folder / surface.texture))
             self._sha256 = total.hexdigest()
         return self._sha256
 
@@ -229,13 +230,6 @@ class _Infos(Mapping[str, AssetInfo]):
 
     def __len__(self) -> int:
         return len(self._library.assets)
-
-
-def _bytes(path: Path, owner: str) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise AssetError([f"{path}: file of {owner} cannot be read: {error.strerror}"]) from None
 
 
 def load_library(extra: Sequence[Path] = ()) -> Library:

@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from sdgen.errors import AssetError, InputError
-from sdgen.files import kind_of, read_plain
+from sdgen.errors import AssetError
+from sdgen.files import kind_of
 from sdgen.library.plausible import inconsistencies
+from sdgen.library.raw import file_bytes
 from sdgen.library.records import Asset, Surface
 from sdgen.scene import Record
 from sdgen.strict import read, shown, unknown_key
@@ -43,11 +44,7 @@ class Manifest:
 
 def manifest_bytes(folder: Path) -> bytes:
     """The manifest of a folder. Raises AssetError when there is none, or none that is a file."""
-    path = folder / "manifest.yaml"
-    try:
-        return read_plain(path, str(path), MAX_BYTES)
-    except InputError as error:
-        raise AssetError(error.problems) from None
+    return file_bytes(folder / "manifest.yaml", MAX_BYTES)
 
 
 def read_manifest(folder: Path, raw: bytes) -> Manifest:

@@ -14,11 +14,11 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from sdgen.errors import AssetError, InputError
-from sdgen.files import read_plain
+from sdgen.errors import AssetError
 from sdgen.geometry import Vec3, vec3
 from sdgen.library.glb import MAX_BYTES, glb_document
 from sdgen.library.quantized import lacks_normals, plain_glb
+from sdgen.library.raw import file_bytes
 from sdgen.library.records import Asset
 from sdgen.strict import explain
 from sdgen.yaml_source import show_path
@@ -74,14 +74,6 @@ class _Pieces(BaseModel):
     pieces: list[_Piece]
 
 
-def read_bytes(path: Path) -> bytes:
-    """The bytes of a mesh or hull file. Raises AssetError for what is missing or no file."""
-    try:
-        return read_plain(path, str(path), MAX_BYTES)
-    except InputError as error:
-        raise AssetError(error.problems) from None
-
-
 def read_glb(path: Path, asset: Asset, raw: bytes | None = None) -> dict[str, MeshData]:
     """Meshes of all parts by name; ``raw`` are the file's bytes where they are known.
 
@@ -89,7 +81,7 @@ def read_glb(path: Path, asset: Asset, raw: bytes | None = None) -> dict[str, Me
     """
     import trimesh
 
-    raw = read_bytes(path) if raw is None else raw
+    raw = file_bytes(path, MAX_BYTES) if raw is None else raw
     unreadable = f"{path}: mesh of {asset.id} cannot be read"
     try:
         document = glb_document(raw)
@@ -154,7 +146,7 @@ def read_hulls(path: Path, asset: Asset, raw: bytes | None = None) -> tuple[Hull
 
     Raises AssetError for a missing or broken file.
     """
-    raw = read_bytes(path) if raw is None else raw
+    raw = file_bytes(path, MAX_BYTES) if raw is None else raw
     try:
         hulls = tuple(
             Hull(piece.part, np.array(piece.vertices_m, dtype=np.float64)) for piece in _pieces(raw)

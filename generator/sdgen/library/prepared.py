@@ -25,15 +25,16 @@ import numpy as np
 from sdgen.errors import AssetError
 from sdgen.geometry import Vec3, vec3
 from sdgen.library.cache import cache_root, digest, write
+from sdgen.library.glb import MAX_BYTES
 from sdgen.library.meshes import (
     Hull,
     MeshData,
     outline,
-    read_bytes,
     read_glb,
     read_hulls,
     within_meshes,
 )
+from sdgen.library.raw import file_bytes
 from sdgen.library.records import Asset
 
 try:
@@ -76,7 +77,7 @@ class Prepared:
         known = self._paths.get((folder, asset.id))
         if known is not None and (found := _mapped(known)) is not None:
             return found
-        glb, hulls = (read_bytes(folder / name) for name in (asset.mesh, asset.hulls))
+        glb, hulls = (file_bytes(folder / name, MAX_BYTES) for name in (asset.mesh, asset.hulls))
         path = cache_root() / "prepared" / _key(asset, glb, hulls)
         self._paths[folder, asset.id] = path
         found = _mapped(path)

@@ -16,6 +16,7 @@ from PIL import Image
 from sdgen.errors import AssetError
 from sdgen.library.cache import cache_root, digest, write
 from sdgen.library.meshes import MeshData
+from sdgen.library.raw import file_bytes
 
 #: Pixels: what graphics cards take at least, and 268 MB unpacked.
 MAX_SIDE = 8192
@@ -50,10 +51,7 @@ def check_texture(source: Path) -> None:
 
 
 def _texture_bytes(source: Path) -> bytes:
-    try:
-        data = source.read_bytes()
-    except OSError as error:
-        raise AssetError([f"{source}: texture cannot be read: {error.strerror}"]) from None
+    data = file_bytes(source)
     if not data.startswith((b"\x89PNG", b"\xff\xd8")):
         raise AssetError([f"{source}: texture is neither PNG nor JPEG"])
     return data

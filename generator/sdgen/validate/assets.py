@@ -42,7 +42,7 @@ def check_assets(
     categories = {c.name: c for c in catalog.categories}
     problems: list[str] = []
     done = 0
-    work = (tuple(folders), categories, chunks)
+    work = (library.folders, categories, chunks)
     with closing(in_order(_Checker, work, len(chunks), workers)) as outcomes:
         for outcome in outcomes:
             chunk = chunks[outcome.job]
@@ -68,7 +68,7 @@ class _Checker:
         categories: dict[str, Category],
         chunks: Sequence[Sequence[str]],
     ) -> None:
-        self._library = load_library(folders)
+        self._library = Library(folders)  # whose files were read when the work was shared out
         self._categories = categories
         self._chunks = chunks
 

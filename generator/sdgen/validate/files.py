@@ -19,6 +19,7 @@ from sdgen.dataset.records import (
     count,
 )
 from sdgen.dataset.scene_folder import content_sha256, is_ours, view_files, view_folder
+from sdgen.dataset.text import read_bytes
 from sdgen.errors import InputError, did_you_mean
 from sdgen.hazards.splits import split_of_home
 from sdgen.validate.problems import SHOWN, Problem, differences
@@ -51,8 +52,8 @@ def _top(data: Dataset) -> Iterator[Problem]:
     for name in TOP_FILES:
         if not (data.path / name).is_file():
             yield Problem("file", f"{name}: missing")
-        elif name == "README.md" and not (data.path / name).read_bytes().strip():
-            yield Problem("file", f"{name}: empty")  # its words change with sdgen's version
+        elif name == "README.md":
+            yield from _card(data)
     known = {entry.id for entry in data.entries}
     folder = data.path / SCENES
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():
@@ -73,6 +74,14 @@ def _top(data: Dataset) -> Iterator[Problem]:
     try:
         if list(data.infos) != sorted(data.infos):
             yield Problem("file", "assets.jsonl: not sorted by id")
+    except InputError as error:
+        yield from (Problem("file", text) for text in error.problems)
+
+
+def _card(data: Dataset) -> Iterator[Problem]:
+    try:
+        if not read_bytes(data.path / "README.md", "README.md").strip():
+            yield Problem("file", "README.md: empty")  # its words change with sdgen's version
     except InputError as error:
         yield from (Problem("file", text) for text in error.problems)
 
@@ -134,12 +143,12 @@ def check_files(data: Dataset, item: SceneItem) -> Iterator[Problem]:
             yield Problem("file", f"{item.where(name)}: {_state(name in found)}")
         elif file_sha256(path) != entry.files[name]:
             yield Problem("hash", f"{item.where(name)}: changed since it was written")
-    if all((item.folder / name).is_file() for name in CONTENT_FILES):
-        content = {name: (item.folder / name).read_bytes() for name in CONTENT_FILES}
-        if content_sha256(content) != entry.content_sha256:
-            yield Problem(
-                "hash", f"manifest.jsonl: scene {entry.id}: content_sha256 is not its files'"
-            )
+    try:
+        content = {name: read_bytes(item.folder / name, item.where(name)) for name in CONTENT_FILES}
+    except InputError:
+        return  # told above, or where its records are read
+    if content_sha256(content) != entry.content_sha256:
+        yield Problem("hash", f"manifest.jsonl: scene {entry.id}: content_sha256 is not its files'")
 
 
 def _state(found: bool) -> str:

@@ -16,14 +16,13 @@ from sdgen.scene import EvidenceValue, Household, Member, Notify
 from sdgen.seeding import Rng
 from sdgen.vocabulary import Urgency
 
-#: Chance that a household has a pet or a condition its template allows.
+#: Chance that a household has a pet or a condition its template allows. Not counted anywhere, but
+#: chosen: both sides are equally common in a data set, and no label depends on it.
 OPTIONAL_SHARE = 0.5
 
-#: How a hazard is notified when the household made no choice of its own.
+#: How a hazard is notified when the household made no choice of its own. A judgement: only of low
+#: urgency is what may wait till the day's summary, and an interruption for it would cost more.
 DEFAULT_NOTIFY: Mapping[Urgency, Notify] = {"high": "now", "medium": "now", "low": "summary"}
-
-#: Members up to this age count as children.
-CHILD_AGE = 17
 
 
 class Decision(NamedTuple):
@@ -109,10 +108,9 @@ def _concerned(
     household: Household,
     reach: Sequence[ReachRow],
 ) -> tuple[bool, str]:
-    concern = hazard.concerns
-    if concern.who == "everyone":
+    concern, oldest = hazard.concerns, hazard.concerns.max_age
+    if oldest is None:  # a concern of children has their age
         return True, "it concerns everyone"
-    oldest = CHILD_AGE if concern.max_age is None else concern.max_age
     ages = sorted(member.age for member in household.members if member.age <= oldest)
     if not ages:
         return False, f"nobody in the household is {oldest} or younger"

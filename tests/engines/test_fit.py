@@ -103,7 +103,7 @@ def test_what_is_true_of_some_homes_is_a_warning_that_a_build_tells(tools, tmp_p
     assert found.problems == ()
     assert "'mine' is true of furniture (tv) in" in warning
     events = []
-    building._check(BuildOptions(n=2), tmp_path / "set", catalog, tools["library"], events.append)
+    building._check(BuildOptions(n=2), catalog, tools["library"], False, events.append)
     assert events == [Note(warning)]
 
 

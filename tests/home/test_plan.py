@@ -7,8 +7,10 @@ from itertools import combinations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sdgen.catalog.home_yaml import HomeYaml
 from sdgen.catalog.load import load_catalog
 from sdgen.home import plan as planning
+from sdgen.home.generate import generate_home
 from sdgen.home.plan import DOOR_WALL_M, FRONT_DOOR_WALL_M, LARGEST_M, Plan, plan_random
 from sdgen.home.plan_openings import openings_random
 from sdgen.home.walls import Owners, shared_walls
@@ -147,3 +149,13 @@ def _on(wall, point):
     near, along = (point[1], point[0]) if wall.along == "x" else (point[0], point[1])
     at = wall.point(wall.low_m)[1 if wall.along == "x" else 0]
     return abs(near - at) < 1e-3 and wall.low_m <= along <= wall.high_m
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=st.integers(0, 10_000))
+def test_a_generated_home_could_have_been_drawn(seed):
+    """Its rooms and openings pass what is asked of base homes: one computation finds the walls."""
+    home = generate_home("made", CATALOG, lane(seed, 0, "plan"))
+    assert home is not None
+    drawing = HomeYaml.model_validate(home.model_dump(exclude={"kind"}))
+    assert drawing.record() == home.model_copy(update={"kind": "base"})

@@ -6,6 +6,7 @@ import math
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import HomeSpec
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, opening_rectangle, rounded_rings
 from sdgen.geometry import yaw_of
@@ -30,7 +31,7 @@ OPTIONS = BuildOptions(n=20, seed=9, homes="procedural")
 def stage(index: int) -> FurnishedHome:
     choice = pick_home(CATALOG, OPTIONS, index)
     base = choice.spec(CATALOG, lane(9, index, "plan:0"))
-    assert base is not None
+    assert isinstance(base, HomeSpec), base
     ids = iter((lane(9, index, "ids").permutation(65535) + 1).tolist())
     models = SplitModels(LIBRARY, "test")
     made = furnished_home(base, CATALOG, LIBRARY, models, ids, lane(9, index, "furnish"))
@@ -125,8 +126,8 @@ def test_homes_differ_and_have_three_to_six_rooms(stages):
 def test_a_generated_home_keeps_its_id_and_split_through_attempts():
     choice = pick_home(CATALOG, OPTIONS, 3)
     first, second = (choice.spec(CATALOG, lane(9, 3, f"plan:{k}")) for k in range(2))
-    assert first is not None
-    assert second is not None
+    assert isinstance(first, HomeSpec)
+    assert isinstance(second, HomeSpec)
     assert first.id == second.id == choice.id
     assert first.rooms != second.rooms
 

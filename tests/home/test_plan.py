@@ -13,7 +13,8 @@ from sdgen.home import plan as planning
 from sdgen.home.generate import generate_home
 from sdgen.home.plan import DOOR_WALL_M, FRONT_DOOR_WALL_M, LARGEST_M, Plan, plan_random
 from sdgen.home.plan_openings import openings_random
-from sdgen.home.walls import Owners, shared_walls
+from sdgen.home.walls import Owners, Wall, shared_walls
+from sdgen.rejection import Rejection, reject
 from sdgen.seeding import lane
 from shapely import box
 from shapely.ops import unary_union
@@ -78,7 +79,7 @@ def test_openings_sit_in_walls_clear_of_corners_and_of_each_other(seed, k):
     plan = plan_random(CATALOG.mixes[k], CATALOG.room_types, lane(seed, 0, "plan"))
     assert plan is not None
     openings = openings_random(plan, lane(seed, 0, "openings"))
-    if openings is None:
+    if isinstance(openings, Rejection):
         return
     doors = [o for o in openings if o.kind == "door"]
     assert [o.kind for o in openings].count("front_door") == 1
@@ -95,6 +96,40 @@ def test_openings_sit_in_walls_clear_of_corners_and_of_each_other(seed, k):
         assert len(walls) == 1, opening
         outdoors = planning.OUTSIDE in (walls[0].first, walls[0].second)
         assert outdoors == (opening.kind != "door")
+
+
+def test_every_room_that_needs_daylight_has_a_window():
+    asked = 0
+    for seed in range(120):
+        mix = CATALOG.mixes[seed % len(CATALOG.mixes)]
+        plan = plan_random(mix, CATALOG.room_types, lane(seed, 0, "plan"))
+        assert plan is not None
+        openings = openings_random(plan, lane(seed, 0, "openings"))
+        if isinstance(openings, Rejection):
+            continue
+        for k, room in enumerate(plan.rooms):
+            windows = [
+                o
+                for o in openings
+                if o.kind == "window" and any(_on(wall, o.center_m) for wall in plan.outer(k))
+            ]
+            assert len(windows) <= (1 if room.spec.windows == "small" else 2)
+            if room.spec.daylight and room.spec.windows != "none":
+                asked += 1
+                assert windows, (seed, room.name)
+    assert asked > 300
+
+
+def test_a_room_whose_only_wall_to_the_outside_is_taken_by_the_door_has_no_daylight():
+    outer = Wall(planning.OUTSIDE, 0, "x", 0.0, 0.0, 2.0)
+    answers = {}
+    for daylight in (True, False):
+        spec = TYPES["living_room"].model_copy(update={"daylight": daylight})
+        room = planning.PlannedRoom("hub", spec, ((0.0, 0.0, 2.0, 4.0),))
+        plan = Plan((room,), (outer,))
+        answers[daylight] = openings_random(plan, lane(1, 0, "openings"))
+    assert answers[True] == reject("home", "no_daylight", category="living_room")
+    assert [o.kind for o in answers[False]] == ["front_door"]
 
 
 def test_shared_walls_of_a_known_grid():
@@ -122,8 +157,9 @@ def test_windows_and_doors_are_as_the_room_types_ask():
     sills, joined, shared = [], 0, 0
     for seed in range(30):
         plan = plan_random(MIXES["living_hub_5"], types, lane(seed, 0, "plan"))
-        openings = plan and openings_random(plan, lane(seed, 0, "openings"))
-        if not openings:
+        assert plan is not None
+        openings = openings_random(plan, lane(seed, 0, "openings"))
+        if isinstance(openings, Rejection):
             continue
         names = [room.type for room in plan.rooms]
         kitchen, bedroom = names.index("kitchen"), names.index("bedroom")

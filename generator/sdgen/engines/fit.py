@@ -22,7 +22,7 @@ from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.pipeline.spec import node_ids
-from sdgen.rejection import Cause, Rejection, most_frequent, reject
+from sdgen.rejection import Cause, Rejection, most_frequent
 from sdgen.seeding import lane
 
 #: 240 tries in all: of hazards that fit once in fifty tries, one in a hundred is missed.
@@ -102,8 +102,8 @@ def _home(
     rng = lane(options.seed, index, "fit")
     ids = node_ids(rng)
     spec = pick_home(catalog, options, index).spec(catalog, rng)
-    if spec is None:
-        return reject("home", "no_floor_plan")
+    if isinstance(spec, Rejection):
+        return spec
     return furnished_home(spec, catalog, library, SplitModels(library, "test"), ids, rng)
 
 

@@ -8,6 +8,7 @@ from sdgen.catalog.records import Catalog, HomeSpec, RoomSpec
 from sdgen.errors import UsageError
 from sdgen.home.plan import plan_random
 from sdgen.home.plan_openings import openings_random
+from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
 
 #: Ceilings of flats: Germany's model building code (MBO, section 47) allows no less than 2.4 m.
@@ -16,16 +17,21 @@ HEIGHTS_M = (2.4, 2.5, 2.6, 2.7)
 TRIES = 6
 
 
-def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> HomeSpec | None:
-    """A home of one of the catalogue's mixes of rooms; None when no plan came out valid."""
+def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> HomeSpec | Rejection:
+    """A home of one of the catalogue's mixes of rooms; why the last of some tries was none."""
     if not catalog.mixes:
         raise UsageError("the catalogue has no mix of rooms to generate homes from (mixes.yaml)")
+    last = reject("home", "no_floor_plan")
     weights = np.array([mix.weight for mix in catalog.mixes])
     for _ in range(TRIES):
         mix = catalog.mixes[int(rng.choice(len(weights), p=weights / weights.sum()))]
         plan = plan_random(mix, catalog.room_types, rng)
-        openings = None if plan is None else openings_random(plan, rng)
-        if plan is None or openings is None:
+        if plan is None:
+            last = reject("home", "no_floor_plan")
+            continue
+        openings = openings_random(plan, rng)
+        if isinstance(openings, Rejection):
+            last = openings
             continue
         return HomeSpec(
             id=home_id,
@@ -38,4 +44,4 @@ def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> HomeSpec | None:
             ),
             openings=openings,
         )
-    return None
+    return last

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 from sdgen.catalog.records import OpeningSpec
 from sdgen.geometry import Vec2
-from sdgen.home.plan import DOOR_WALL_M, FRONT_DOOR_WALL_M, Plan
+from sdgen.home.plan import DOOR_WALL_M, FRONT_DOOR_WALL_M, Plan, PlannedRoom
 from sdgen.home.walls import Wall
+from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
 
 #: From a corner (walls' middle lines) to the middle of a door, a front door, a window.
@@ -25,19 +26,21 @@ SECOND_WINDOW_CHANCE = 0.5
 SECOND_WINDOW_AREA_M2 = 11.0
 #: Places drawn for a door; of 909 doors that found one, all did within six.
 TRIES = 12
+#: Where on a wall (shares of what its margins leave) a window may be: nearer the middle than ends.
+WINDOW_ALONG = (0.25, 0.75)
 
 
-def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | None:
-    """Openings of a plan, doors first; None when some door finds no place."""
+def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | Rejection:
+    """Openings of a plan, doors first; rejected when some door, or daylight, finds no place."""
     doors: list[OpeningSpec] = []
     front = _door(plan.outer(0), "front_door", doors, FRONT_DOOR_WALL_M, rng)
     if front is None:
-        return None
+        return reject("home", "no_place", category="front_door")
     doors.append(front)
     for room in range(1, len(plan.rooms)):
         door = _door(plan.between(0, room), "door", doors, DOOR_WALL_M, rng)
         if door is None:
-            return None
+            return reject("home", "no_place", category="door")
         # The leaf opens away from the hub, which comes first in the list of rooms.
         doors.append(door.model_copy(update={"hinge_flip": True}))
     for a, b, chance in _also_joined(plan):
@@ -45,7 +48,8 @@ def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | None:
         door = _door(plan.between(a, b), "door", doors, DOOR_WALL_M, rng)
         if wanted and door is not None:
             doors.append(door)
-    return (*doors, *_windows(plan, doors, rng))
+    windows = _windows(plan, doors, rng)
+    return windows if isinstance(windows, Rejection) else (*doors, *windows)
 
 
 def _also_joined(plan: Plan) -> list[tuple[int, int, float]]:
@@ -73,14 +77,15 @@ def _door(
             t = float(rng.uniform(0.0, spare))
         t = wall.low_m + margin + t if rng.random() < 0.5 else wall.high_m - margin - t
         center = _rounded(wall.point(t))
-        if all(math.dist(center, other.center_m) >= DOORS_APART_M for other in others):
+        if _apart(center, others):
             return OpeningSpec.model_validate(
                 {"kind": kind, "center_m": center, "along": wall.along}
             )
     return None
 
 
-def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[OpeningSpec]:
+def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[OpeningSpec] | Rejection:
+    """Windows of all rooms; rejected when one that needs daylight finds no place for any."""
     out: list[OpeningSpec] = []
     for index, room in enumerate(plan.rooms):
         if room.spec.windows == "none":
@@ -90,22 +95,39 @@ def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[Opening
         second = rng.random() < SECOND_WINDOW_CHANCE and area > SECOND_WINDOW_AREA_M2
         margin = SMALL_WINDOW_MARGIN_M if small else WINDOW_MARGIN_M
         walls = [w for w in plan.outer(index) if w.length_m >= 2 * margin]
-        order = rng.permutation(len(walls)).tolist()
-        for k in order[: 2 if second and not small else 1]:
-            wall = walls[k]
-            spare = wall.length_m - 2 * margin
-            t = wall.low_m + margin + spare * float(rng.uniform(0.25, 0.75))
-            window = OpeningSpec(
-                kind="window",
-                center_m=_rounded(wall.point(t)),
-                along=wall.along,
-                sill_m=room.spec.sill_m,
-                small=small,
-            )
-            near = [math.dist(window.center_m, other.center_m) for other in (*doors, *out)]
-            if min(near, default=9.0) >= DOORS_APART_M:
-                out.append(window)
+        missing = 2 if second and not small else 1
+        found: list[OpeningSpec] = []
+        # At most one a wall, so that two are never side by side.
+        for k in rng.permutation(len(walls)).tolist():
+            if len(found) == missing:
+                break
+            window = _window(walls[k], room, margin, (*doors, *out, *found), rng)
+            found += [] if window is None else [window]
+        if room.spec.daylight and not found:
+            return reject("home", "no_daylight", category=room.type)
+        out += found
     return out
+
+
+def _window(
+    wall: Wall, room: PlannedRoom, margin: float, others: Sequence[OpeningSpec], rng: Rng
+) -> OpeningSpec | None:
+    """A window near the middle of a wall; None when that is beside another opening."""
+    spare = wall.length_m - 2 * margin
+    center = _rounded(wall.point(wall.low_m + margin + spare * float(rng.uniform(*WINDOW_ALONG))))
+    if not _apart(center, others):
+        return None
+    return OpeningSpec(
+        kind="window",
+        center_m=center,
+        along=wall.along,
+        sill_m=room.spec.sill_m,
+        small=room.spec.windows == "small",
+    )
+
+
+def _apart(center: Vec2, others: Sequence[OpeningSpec]) -> bool:
+    return all(math.dist(center, other.center_m) >= DOORS_APART_M for other in others)
 
 
 def _rounded(point: Vec2) -> Vec2:

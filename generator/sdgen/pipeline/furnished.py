@@ -86,8 +86,8 @@ class HomeChoice:
     id: str
     base: HomeSpec | None
 
-    def spec(self, catalog: Catalog, rng: Rng) -> HomeSpec | None:
-        """The home to build and furnish; None when no generated floor plan came out valid."""
+    def spec(self, catalog: Catalog, rng: Rng) -> HomeSpec | Rejection:
+        """The home to build and furnish; rejected when no generated floor plan came out valid."""
         return self.base or generate_home(self.id, catalog, rng)
 
 

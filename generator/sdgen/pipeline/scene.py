@@ -22,7 +22,7 @@ from sdgen.pipeline.attempt import attempt
 from sdgen.pipeline.finish import finish, with_history
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import SceneSpec, draw_spec, node_ids
-from sdgen.rejection import Cause, Causes, Rejection, reject
+from sdgen.rejection import Cause, Causes, Rejection
 from sdgen.scene import SceneBundle
 
 #: Of 20 scenes (seed 7) 14 stood at the first try, five within three, one in its second home.
@@ -92,8 +92,8 @@ def furnish_for(
 ) -> FurnishedHome | Rejection:
     """The home of a scene as this attempt plans and furnishes it; nothing else decides it."""
     home = spec.home.spec(catalog, spec.lane(f"plan:{home_attempt}"))
-    if home is None:
-        return reject("home", "no_floor_plan")
+    if isinstance(home, Rejection):
+        return home
     return furnished_home(
         home,
         catalog,

@@ -86,6 +86,16 @@ def test_default_workers_are_cores_as_far_as_memory_goes(monkeypatch):
     assert machine.default_workers() == 2
 
 
+def test_without_proc_the_most_ever_held_is_in_the_system_s_own_unit(monkeypatch):
+    resource = pytest.importorskip("resource")
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    monkeypatch.setattr(resource, "getrusage", lambda _: used)
+    monkeypatch.setattr(machine.sys, "platform", "linux")
+    assert machine._ever_mb() == pytest.approx(used.ru_maxrss * 1024 / 1e6)
+    monkeypatch.setattr(machine.sys, "platform", "darwin")
+    assert machine._ever_mb() == pytest.approx(used.ru_maxrss / 1e6)
+
+
 @pytest.mark.skipif(not os.path.exists("/proc/self/clear_refs"), reason="Linux only")
 def test_peak_memory_is_that_since_the_last_call():
     peak_mb()

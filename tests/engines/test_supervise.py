@@ -141,6 +141,16 @@ def test_what_the_system_refuses_concerns_all_and_is_no_bug(tmp_path):
     assert str(caught.value) == "/nowhere/at/all: No such file or directory"
 
 
+def test_no_room_for_the_order_of_workers_is_said_with_its_place(monkeypatch, own_temporary_folder):
+    def full(path, data):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    said = rf"^{own_temporary_folder}/{PREFIX}\w+/order: No space left on device$"
+    with pytest.raises(SdgenError, match=said):
+        Processes(1, Work, ("folder", {}))
+
+
 def test_what_workers_leave_among_temporary_files_goes_with_them(tmp_path, own_temporary_folder):
     with engine(2, Work, (str(tmp_path), dict.fromkeys(range(4), "litter"))) as running:
         assert sum(isinstance(e, Outcome) for e in running.run(range(4))) == 4

@@ -25,7 +25,7 @@ from sdgen.library.cache import usable_cache
 from sdgen.options import BuildOptions, check_index_range
 from sdgen.render import Choice, choose_renderer
 
-#: Scenes lost to programming errors before a build ends: one may be a rare case, more are not.
+#: Scenes lost to programming errors that end a build: one or two may be rare cases, three are not.
 FAULTS = 3
 
 

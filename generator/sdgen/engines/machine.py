@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -30,7 +31,8 @@ def default_workers() -> int:
 
 
 def held_mb(process: int | str = "self") -> float:
-    """Memory that a process alone holds now, megabytes; 0 when nobody can tell.
+    """Memory that a process alone holds now, megabytes; 0 when nobody can tell (without ``/proc``,
+    as on macOS, the most that this process ever held, and of others nothing).
 
     Pages of mapped files are left out: all workers share them, and the system can drop them.
     """
@@ -64,7 +66,8 @@ def _ever_mb() -> float:
         import resource
     except ImportError:  # Windows
         return 0.0
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 / 1e6
+    unit = 1 if sys.platform == "darwin" else 1024  # bytes there, kilobytes elsewhere
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit / 1e6
 
 
 def free_mb(root: Path = Path("/")) -> float:

@@ -23,6 +23,7 @@ from typing import Any
 
 from sdgen.engines.machine import held_mb
 from sdgen.engines.protocol import Died, Factory, Message, Worker
+from sdgen.errors import SdgenError, os_error_in_words
 from sdgen.scratch import scratch_folder
 
 _BOOT = "import sys; sys.path[:] = {path!r}; from sdgen.engines.serve import main; main({args})"
@@ -78,7 +79,10 @@ class Process:
 
 
 class Processes:
-    """Launches ``count`` worker processes that do what ``factory(*args)`` makes."""
+    """Launches ``count`` worker processes that do what ``factory(*args)`` makes.
+
+    Raises SdgenError when there is no room for their order.
+    """
 
     def __init__(self, count: int, factory: Factory, args: tuple[Any, ...]) -> None:
         self._count = max(1, count)
@@ -86,7 +90,10 @@ class Processes:
         with ExitStack() as held:
             self._scratch = held.enter_context(scratch_folder())
             self._order = self._scratch / "order"
-            self._order.write_bytes(order)
+            try:
+                self._order.write_bytes(order)
+            except OSError as error:
+                raise SdgenError(os_error_in_words(error, self._order)) from None
             self._held = held.pop_all()
         self._started = 0
 

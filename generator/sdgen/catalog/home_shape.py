@@ -75,11 +75,14 @@ def in_wall(
     start: Vec2, end: Vec2, center: Sequence[float], along: Literal["x", "y"], width: float
 ) -> float:
     """How much of an opening's width lies in the wall behind an edge of a floor, metres; 0 when
-    it is in another."""
+    it is in another. The edge runs counter-clockwise round the floor."""
     axis = 0 if along == "x" else 1
     across = 1 - axis
+    # The wall is to the right of the edge, its middle line half its thickness away.
+    forward = end[axis] > start[axis]
+    outward = HALF_WALL_M if forward == (along == "y") else -HALF_WALL_M
     level = abs(end[across] - start[across]) < SAME_M
-    if not level or abs(abs(start[across] - center[across]) - HALF_WALL_M) > SAME_M:
+    if not level or abs(start[across] + outward - center[across]) > SAME_M:
         return 0.0
     low, high = sorted((start[axis], end[axis]))
     low, high = max(low, center[axis] - width / 2), min(high, center[axis] + width / 2)

@@ -215,6 +215,28 @@ def test_missing_scenes_exit_3_and_are_named(
     assert "1 of 10 scenes could not be made: 000004" in capsys.readouterr().err
 
 
+def test_the_account_for_programs_counts_causes_in_fields(
+    asked: list[Any], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Both read "spill: no place (mug)": one would have taken the other's place.
+    causes = {
+        Cause("hazards", "no_place", hazard="spill", category="mug"): 3,
+        Cause("twin", "no_place", hazard="spill", category="mug"): 2,
+    }
+    made = report(made=9, failed=(SceneFailed(4, "000004", causes),), rejections=causes)
+    monkeypatch.setattr(build_module, "_run", lambda *_: made)
+    assert run(["build", "--json"]) == 3
+    told = json.loads(capsys.readouterr().out)
+    fields = {"check": "no_place", "hazard": "spill", "category": "mug"}
+    fields |= {"other": None, "state": None}
+    counted = [
+        {"stage": "hazards", **fields, "count": 3},
+        {"stage": "twin", **fields, "count": 2},
+    ]
+    assert told["rejections"] == counted
+    assert told["failed"] == {"000004": counted}
+
+
 def test_closing_table_has_the_promised_figures() -> None:
     text = summary(report())
     rows = {line[:12].strip(): line[12:].strip() for line in text.splitlines()}

@@ -21,6 +21,7 @@ from sdgen.engines.report import (
     SceneFailed,
 )
 from sdgen.rejection import Causes, causes_in_words
+from sdgen.scene import cause_counts
 
 #: Scenes made between two lines about the pace, where there is no bar.
 LINES_BETWEEN = 20
@@ -129,28 +130,29 @@ def _counts(counts: Mapping[str, int]) -> str:
 
 
 def as_record(report: BuildReport) -> dict[str, object]:
-    """The closing account for programs; numbers unrounded, memory in megabytes."""
+    """The closing account for programs; numbers unrounded, memory in megabytes, causes counted."""
     return {
         "out": str(report.out),
         "requested": report.requested,
         "made": report.made,
         "resumed": report.resumed,
-        "failed": {item.scene_id: _in_words(item.causes) for item in report.failed},
+        "failed": {item.scene_id: _counted(item.causes) for item in report.failed},
         "frames": report.frames,
         "seconds": report.seconds,
         "homes_per_hour": report.homes_per_hour,
         "frames_per_second": report.frames_per_second,
         "peak_memory_mb": report.peak_memory_mb,
         "home_attempts": report.home_attempts,
-        "rejections": _in_words(report.rejections),
+        "rejections": _counted(report.rejections),
         "anomalies": report.anomalies,
         "scenes_by_anomalies": {str(key): n for key, n in report.anomaly_counts.items()},
         "renderer": report.renderer,
     }
 
 
-def _in_words(causes: Causes) -> dict[str, int]:
-    return {cause.in_words(): count for cause, count in causes.items()}
+def _counted(causes: Causes) -> list[dict[str, object]]:
+    """Causes as ``dataset.json`` has them: in fields, none read back from words."""
+    return [count.model_dump() for count in cause_counts(causes)]
 
 
 def summary(report: BuildReport) -> str:

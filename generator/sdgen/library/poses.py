@@ -13,9 +13,11 @@ import numpy as np
 from sdgen.geometry import Array, vec3
 from sdgen.library.records import RestingPose
 
-#: Poses less likely than this are left out, and no more than this many are kept.
+#: Poses less likely than this are left out: in every twelfth shipped model they have 7 % of the
+#: chance together. No more than a box has are kept; long round things have up to 16 as likely.
 _LEAST_SHARE, _MOST = 0.04, 6
-#: Faces of the hull closer than this count as one foot.
+#: Faces of the hull closer than this count as one foot: steps of a rounded edge. Its size matters
+#: little: from 4 to 12 degrees about 3 of 149 shipped models get more or fewer poses.
 _SAME_RAD = np.radians(8)
 
 

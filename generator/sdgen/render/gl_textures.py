@@ -16,25 +16,18 @@ class PluginTextures:
     """
 
     def __init__(self) -> None:
-        self._gen = _function("glGenTextures", None, ctypes.c_int, _NAMES)
-        self._delete = _function("glDeleteTextures", None, ctypes.c_int, _NAMES)
-        self._is_texture = _function("glIsTexture", ctypes.c_ubyte, ctypes.c_uint)
+        self._gen = gl_function("glGenTextures", None, ctypes.c_int, _NAMES)
+        self._delete = gl_function("glDeleteTextures", None, ctypes.c_int, _NAMES)
+        self._is_texture = gl_function("glIsTexture", ctypes.c_ubyte, ctypes.c_uint)
         # The plugin's own (the white one, the shadow map) are older, and stay.
         self._first = self._last = self._next()
 
-    def count(self) -> int:
-        """How many there are."""
-        return len(self._names())
-
     def free(self) -> None:
         """Delete them all. Nothing that is still drawn may wear one."""
-        names = self._names()
+        self._last = max(self._last, self._next())
+        names = [k for k in range(self._first, self._last) if self._is_texture(k)]
         if names:
             self._delete(len(names), (ctypes.c_uint * len(names))(*names))
-
-    def _names(self) -> list[int]:
-        self._last = max(self._last, self._next())
-        return [k for k in range(self._first, self._last) if self._is_texture(k)]
 
     def _next(self) -> int:
         """The name that OpenGL gives next: names rise, and may be given again when deleted."""
@@ -47,7 +40,7 @@ class PluginTextures:
 _NAMES = ctypes.POINTER(ctypes.c_uint)
 
 
-def _function(name: str, result: Any, *arguments: Any) -> Callable[..., Any]:
+def gl_function(name: str, result: Any, *arguments: Any) -> Callable[..., Any]:
     """A function of the OpenGL whose context is current; one that does nothing if there is none."""
     try:
         egl = ctypes.CDLL("libEGL.so.1")

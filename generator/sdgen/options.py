@@ -9,6 +9,9 @@ from pydantic import Field
 from sdgen.errors import UsageError
 from sdgen.scene import Record
 
+#: About where home robots that reach table tops (Stretch, TIAGo) carry their head camera.
+EYE_HEIGHT_M = 1.2
+
 Sensor = Literal["rgb", "depth", "instance"]
 
 #: Scenes of one data set: their ids have six digits, and what is listed a scene stays small.
@@ -37,7 +40,7 @@ class BuildOptions(Record):
     supersample: Literal[1, 2] = 1
     #: ``auto`` or a name in ``sdgen.render.RENDERERS``, which ``choose_renderer`` checks.
     renderer: str = "auto"
-    eye_height_m: float = Field(default=1.2, gt=0.1, le=2.2)
+    eye_height_m: float = Field(default=EYE_HEIGHT_M, gt=0.1, le=2.2)
     twins: bool = False
 
     @property

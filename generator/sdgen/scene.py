@@ -25,6 +25,9 @@ FORMAT_VERSION = "1.1"
 Notify = Literal["now", "summary", "silent"]
 EvidenceValue = bool | int | float | str
 
+#: Ids of nodes are pixels of the instance mask: 16 bits wide, 0 is nothing.
+LARGEST_ID = 65535
+
 
 class Record(BaseModel):
     """Base of all records: frozen, unknown keys are errors."""
@@ -301,7 +304,7 @@ class BoundingBox(Record):
 class GraphNode(Record):
     """A room, structure, door or object, with VirtualHome's keys and our ``tags``."""
 
-    id: int = Field(ge=1, le=65535)
+    id: int = Field(ge=1, le=LARGEST_ID)
     class_name: str
     category: str
     prefab_name: str

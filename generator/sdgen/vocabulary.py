@@ -76,6 +76,16 @@ ZONE_KEEP_SHARE = 0.7
 #: in nobody's way, and zones taken whole would leave small rooms bare.
 ZONE_AVOID_SHARE = 0.2
 
+#: People judge headings to about so many degrees: nearer to a limit, an angle is undecided.
+HEADING_MARGIN_DEG = 5.0
+
+#: Pixels are counted at this size (width, height), whatever size is rendered: options of pictures
+#: must not decide content.
+REFERENCE_SIZE = (640, 480)
+#: So many pixels of its evidence at that size, and an anomaly counts as seen: what data sets
+#: promise. A judgement: a patch of 10 by 10.
+EVIDENCE_PIXELS = 100
+
 #: What moved further than this while the scene came to rest is not where it was put (Habitat 2.0,
 #: SceneSmith).
 DRIFT_LIMIT_M = 0.1

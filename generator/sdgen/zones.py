@@ -19,7 +19,7 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
 from sdgen.facts import Body, with_footprints
-from sdgen.freespace import Grid, opening_rectangle, polygons
+from sdgen.freespace import ROBOT_RADIUS_M, Grid, opening_rectangle, polygons
 from sdgen.geometry import Vec2, apply
 from sdgen.scene import Home, Opening, Room, Zone
 from sdgen.vocabulary import (
@@ -132,7 +132,7 @@ def derive_zones(
         zones += _zones("swing", swing, first, 0.0, 2.0, opening.object_id)
     for room in home.rooms:
         zones += _walkways(home, room, free)
-        reach = free.intersection(Polygon(room.polygon_m)).buffer(CHILD_ARM_M + 0.25)
+        reach = free.intersection(Polygon(room.polygon_m)).buffer(CHILD_ARM_M + ROBOT_RADIUS_M)
         shape = reach.intersection(Polygon(room.polygon_m))
         zones += _zones("child_reach", _filled(shape), room, 0.0, CHILD_REACH_M, None)
     for body in furniture:

@@ -14,10 +14,10 @@ from sdgen.cameras.near import PIXELS_NEEDED, Target, best_near_pose
 from sdgen.cameras.overview import room_views
 from sdgen.cameras.parts import part_area
 from sdgen.cameras.sight import Cast
-from sdgen.cameras.view import EYE_HEIGHT_M, View, to_cameras
+from sdgen.cameras.view import View, to_cameras
 from sdgen.catalog.records import Catalog, Hazard
 from sdgen.library import Library
-from sdgen.options import BuildOptions
+from sdgen.options import EYE_HEIGHT_M, BuildOptions
 from sdgen.scene import Anomaly, Camera, Lookalike, Scene
 from sdgen.seeding import Rng, lane, weighted_keys
 

@@ -11,16 +11,18 @@ from shapely.geometry.base import BaseGeometry
 
 from sdgen.cameras.parts import part_numbers, part_points
 from sdgen.cameras.sight import Cast, estimate_pixels, in_picture
-from sdgen.cameras.view import EYE_HEIGHT_M, HEIGHT_JITTER_M, View, clear, free_area
+from sdgen.cameras.view import HEIGHT_JITTER_M, View, clear, free_area
 from sdgen.facts import room_at
 from sdgen.geometry import Array, Vec2, look_at, rotation_matrix, vec3
 from sdgen.library import Library
+from sdgen.options import EYE_HEIGHT_M
 from sdgen.scene import ObjectInstance, Scene
 from sdgen.seeding import Rng
+from sdgen.vocabulary import EVIDENCE_PIXELS
 
-#: A near view counts when rays promise this many pixels at 640x480: twice what is needed, since
-#: rays are few and pictures exact.
-PIXELS_NEEDED = 200
+#: A near view counts when rays promise this many pixels at the reference size: twice what is
+#: needed, since rays are few and pictures exact.
+PIXELS_NEEDED = 2 * EVIDENCE_PIXELS
 
 #: Near enough to tell what a thing is, far enough for a robot that wants to look at it.
 _DISTANCE_M = (0.8, 2.2)

@@ -11,8 +11,9 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.cameras.sight import Cast, overview_rays
-from sdgen.cameras.view import EYE_HEIGHT_M, HEIGHT_JITTER_M, View, clear, free_area
+from sdgen.cameras.view import HEIGHT_JITTER_M, View, clear, free_area
 from sdgen.geometry import Array, look_at, vec3
+from sdgen.options import EYE_HEIGHT_M
 from sdgen.scene import Room, Scene
 from sdgen.seeding import Rng
 

@@ -10,12 +10,12 @@ import numpy.typing as npt
 
 from sdgen.cameras.pinhole import intrinsics
 from sdgen.geometry import Array, apply, inverse
+from sdgen.vocabulary import REFERENCE_SIZE
 
 Ints = npt.NDArray[np.int64]
 
-#: Pixels are always counted at this size, whatever size is rendered: options of pictures must
-#: not decide content.
-WIDTH, HEIGHT = 640, 480
+#: The size that pixels are counted at.
+WIDTH, HEIGHT = REFERENCE_SIZE
 #: Length of an overview's rays: longer than any home.
 REACH_M = 25.0
 

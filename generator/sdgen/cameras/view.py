@@ -14,16 +14,15 @@ from shapely.geometry.base import BaseGeometry
 
 from sdgen.cameras.pinhole import FAR_M, NEAR_M, intrinsics, matrix4
 from sdgen.cameras.sight import Cast
+from sdgen.freespace import ROBOT_RADIUS_M
 from sdgen.geometry import Array
 from sdgen.scene import Camera, Scene
 from sdgen.seeding import Rng
 
-#: About where home robots that reach table tops (Stretch, TIAGo) carry their head camera.
-EYE_HEIGHT_M = 1.2
 #: Robots differ, and one height would be a regularity to learn.
 HEIGHT_JITTER_M = 0.1
-#: Half a robot's width: nothing may be nearer to a camera, or it would stand inside of it.
-CLEARANCE_M = 0.3
+#: Nothing may be nearer to a camera, or the robot would stand inside of it, or see nothing else.
+CLEARANCE_M = ROBOT_RADIUS_M + 0.05
 _CLEARANCE_RAYS = 8
 
 

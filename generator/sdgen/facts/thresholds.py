@@ -65,7 +65,7 @@ INSIDE_M = around(0.0, 0.003)
 #: CLOSE: the gap between the boxes, metres (VirtualHome).
 CLOSE_M = around(1.5, 0.05)
 #: FACING: the angle between the front and the direction to the other's centre (VirtualHome).
-FACING_RAD = around(math.radians(75), math.radians(5))
+FACING_RAD = around(math.radians(75), math.radians(vocabulary.HEADING_MARGIN_DEG))
 #: A bearing needs the other's centre at least this far away, metres, and a front that points
 #: along the floor (cosine): nearer or steeper, a small change would turn it about. Beyond these
 #: a bearing is unsure, never false: they are themselves the edge of a margin.
@@ -81,7 +81,7 @@ ZONE_SHARE = around(vocabulary.ZONE_SHARE, vocabulary.ZONE_SHARE_MARGIN)
 #: Zones: how far the object's range of heights and the zone's overlap, metres.
 ZONE_LEVEL_M = around(0.0, 0.02)
 #: BLOCKS: a thing lower than this, metres, is stepped over without noticing.
-BLOCKING_HEIGHT_M = around(0.03, 0.005)
+BLOCKING_HEIGHT_M = around(vocabulary.FLAT_M, 0.005)
 #: NEAR_HEAT: gap to the heat zone, metres: radiant heat ignites paper and cloth so near a hob.
 NEAR_HEAT_M = around(0.3, 0.05)
 #: NEAR_WATER: gap to the basin, metres: about how far a splash or an arm carries water.

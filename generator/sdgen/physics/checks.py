@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 import numpy as np
 
+from sdgen.facts.thresholds import ON_GAP_M
 from sdgen.physics.client import ContactPoint
 from sdgen.physics.world import Placed, World
 from sdgen.scene import Violation
@@ -14,7 +15,7 @@ from sdgen.scene import Violation
 #: things at rest had less than half a millimetre.
 PENETRATION_LIMIT_M = 0.004
 #: Up to here a thing is ON another; in 16 scenes all loose things had something within 1 mm.
-GAP_LIMIT_M = 0.01
+GAP_LIMIT_M = ON_GAP_M.limit
 
 
 def penetrations(

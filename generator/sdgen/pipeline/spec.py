@@ -11,11 +11,8 @@ from sdgen.hazards.splits import Split, split_of_home
 from sdgen.households import sample_household
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import HomeChoice, pick_home
-from sdgen.scene import Household
+from sdgen.scene import LARGEST_ID, Household
 from sdgen.seeding import Rng, lane
-
-#: Pixels of the instance mask are 16 bits wide, 0 is nothing.
-LARGEST_ID = 65535
 
 
 @dataclass(frozen=True)

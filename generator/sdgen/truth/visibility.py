@@ -17,10 +17,8 @@ from sdgen.scene import (
     Visibility,
     VisibleObject,
 )
+from sdgen.vocabulary import EVIDENCE_PIXELS, REFERENCE_SIZE
 
-#: Pixels of evidence a 640x480 view must show; other sizes in proportion.
-EVIDENCE_PIXELS = 100
-REFERENCE_PIXELS = 640 * 480
 #: What is seen at all is never written as nothing: one pixel of a wall that fills the view.
 LEAST_FRACTION = 1e-4
 
@@ -28,8 +26,8 @@ Box = tuple[int, int, int, int]
 
 
 def evidence_pixels_needed(width: int, height: int) -> int:
-    """Evidence pixels that count as seen at this picture size."""
-    return math.ceil(EVIDENCE_PIXELS * width * height / REFERENCE_PIXELS)
+    """Evidence pixels that count as seen at this picture size, in proportion."""
+    return math.ceil(EVIDENCE_PIXELS * width * height / math.prod(REFERENCE_SIZE))
 
 
 def part_names(scene: Scene) -> dict[int, tuple[str, ...]]:

@@ -17,7 +17,7 @@ from sdgen.hazards.certify import Survey, facts_of, survey
 from sdgen.hazards.labels import anomaly_records
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import derive_states
-from sdgen.scene import FORMAT_VERSION, ObjectInstance, Scene
+from sdgen.scene import FORMAT_VERSION, LARGEST_ID, ObjectInstance, Scene
 from sdgen.truth import build_graph
 from sdgen.validate.problems import SHOWN, Problem, differences
 from sdgen.zones import derive_zones, floor_obstacles, swing_blocked
@@ -43,8 +43,8 @@ def check_scene(
     for node_id, times in sorted(Counter(ids).items()):
         if times > 1:
             yield problem(f"id {node_id} is used {times} times")
-        if not 1 <= node_id <= 65535:
-            yield problem(f"id {node_id} is not in 1 to 65535")
+        if not 1 <= node_id <= LARGEST_ID:
+            yield problem(f"id {node_id} is not in 1 to {LARGEST_ID}")
     if objects != sorted(objects):
         yield problem("objects are not sorted by id")
     for opening in scene.home.openings:

@@ -13,11 +13,10 @@ from sdgen.catalog.predicate import Bearing, Evidence, FactSource, Verdict, any_
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.term import Scope, Term, either
 from sdgen.kleene import Kleene, all_of, at_least
+from sdgen.vocabulary import HEADING_MARGIN_DEG
 
 #: More behind than ahead.
 MIN_DEG = 90.0
-#: As wide as FACING's: people judge headings to about five degrees.
-MARGIN_DEG = 5.0
 
 
 class FacingAwayTerm(Term):
@@ -27,7 +26,7 @@ class FacingAwayTerm(Term):
     kind: Literal["facing_away"] = "facing_away"
     away_from: tuple[str, ...]
     min_deg: float = MIN_DEG
-    margin_deg: float = MARGIN_DEG
+    margin_deg: float = HEADING_MARGIN_DEG
 
     @classmethod
     def read(cls, reader: Reader, scope: Scope) -> FacingAwayTerm | None:
@@ -37,7 +36,7 @@ class FacingAwayTerm(Term):
         term = cls(
             away_from=below.words("from", choices=scope.categories, what="category"),
             min_deg=below.number("min_deg", MIN_DEG, low=1.0, high=179.0),
-            margin_deg=below.number("margin_deg", MARGIN_DEG, low=0.0, high=45.0),
+            margin_deg=below.number("margin_deg", HEADING_MARGIN_DEG, low=0.0, high=45.0),
         )
         if not term.margin_deg <= term.min_deg <= 180.0 - term.margin_deg:
             below.problem(f"nothing surely faces away: the margin is {term.margin_deg:g} degrees")

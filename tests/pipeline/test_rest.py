@@ -5,6 +5,7 @@ import math
 import pytest
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
+from sdgen.physics.settle import TILT_LIMIT_RAD, Settled
 from sdgen.physics.world import World
 from sdgen.pipeline.contents import Contents
 from sdgen.pipeline.rest import come_to_rest, will_not_stay
@@ -12,6 +13,7 @@ from sdgen.pipeline.scene import furnish_for
 from sdgen.pipeline.spec import draw_spec
 from sdgen.rejection import Cause
 from sdgen.scene import ObjectInstance, Pose
+from sdgen.vocabulary import DRIFT_LIMIT_M
 
 
 @pytest.fixture(scope="module")
@@ -40,6 +42,32 @@ def test_furniture_in_the_air_is_an_offence(home, library):
     assert offence.objects == (key,)
     assert offence.measured is not None
     assert offence.measured > offence.limit
+
+
+def test_what_falls_is_an_offence_that_says_how_far(home, library):
+    info = library.by_category("cutting_board")[0]
+    room = home.context.home.rooms[0]
+    x, y = home.agent_start.position_m[:2]
+    board = ObjectInstance(
+        id=60_000,
+        category="cutting_board",
+        asset=info.id,
+        pose=Pose(position_m=(x, y, 0.4), quat_xyzw=(0, 0, 0, 1)),
+        room_id=room.id,
+        parts=info.variants["default"],
+    )
+    offenders = rested(home, library, {**home.layout.items, board.id: board}).offenders
+    assert offenders[board.id].cause.check == "would_not_stand"
+    # Nothing waits for what has left its place: how far it had come by then.
+    assert DRIFT_LIMIT_M < offenders[board.id].measured < 0.4
+    assert offenders[board.id].limit == DRIFT_LIMIT_M
+
+
+def test_a_fall_is_told_before_a_tilt_and_what_only_moves_has_no_measure():
+    settled = Settled({}, {1: 0.2, 2: 0.05, 3: 0.0}, {1: 1.5, 2: 1.0, 3: 0.1}, (), 1, (1, 2, 3))
+    assert settled.beyond(1) == (0.2, DRIFT_LIMIT_M)
+    assert settled.beyond(2) == (1.0, TILT_LIMIT_RAD)
+    assert settled.beyond(3) is None
 
 
 def staying(home, library, items):

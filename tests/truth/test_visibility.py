@@ -9,8 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from sdgen.scene import AnomalyVisibility
-from sdgen.truth import all_visible, evidence_pixels_needed
-from sdgen.truth.visibility import measure_masks
+from sdgen.truth.visibility import all_visible, evidence_pixels_needed, measure_masks
 
 from tests import toy
 

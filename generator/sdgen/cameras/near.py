@@ -115,7 +115,7 @@ def best_near_pose(
             if pixels >= pixels_needed:
                 room = room_at(scene.home.rooms, *stands[k].tolist())
                 if room is not None:
-                    return View("near", room.id, poses[k], float(pixels))
+                    return View("near", room.id, poses[k])
     return None
 
 

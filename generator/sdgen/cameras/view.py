@@ -28,12 +28,11 @@ _CLEARANCE_RAYS = 8
 
 @dataclass(frozen=True)
 class View:
-    """A camera pose, and for a near view the pixels at 640x480 that rays promise."""
+    """A camera's pose, what it is for and the room it stands in."""
 
     kind: Literal["room", "near"]
     room_id: int
     world_from_camera: Array
-    estimated_pixels: float = 0.0
 
 
 def to_cameras(views: Sequence[View], size: tuple[int, int], rng: Rng) -> tuple[Camera, ...]:

@@ -56,6 +56,18 @@ class Settled:
     steps: int
     unstable: tuple[int, ...]
 
+    def beyond(self, key: int) -> tuple[float, float] | None:
+        """What took an object beyond a limit, and the limit: its drift (m), else its tilt (rad);
+        None for what was only still moving."""
+        return _beyond(self.drift_m[key], self.tilt_rad[key])
+
+
+def _beyond(drift_m: float, tilt_rad: float) -> tuple[float, float] | None:
+    for measured, limit in ((drift_m, DRIFT_LIMIT_M), (tilt_rad, TILT_LIMIT_RAD)):
+        if measured > limit:
+            return measured, limit
+    return None
+
 
 def settle(world: World, max_steps: int = MAX_STEPS) -> Settled:
     """Simulate the loose things of a world until all are still, at most ``max_steps`` of 1/240 s.
@@ -73,7 +85,7 @@ def settle(world: World, max_steps: int = MAX_STEPS) -> Settled:
         end = client.pose(body)
         drift[key] = _apart(start[key], end)
         tilt[key] = _up_angle(start[key], end)
-    beyond = {k for k in bodies if drift[k] > DRIFT_LIMIT_M or tilt[k] > TILT_LIMIT_RAD}
+    beyond = {k for k in bodies if _beyond(drift[k], tilt[k]) is not None}
     return Settled(
         poses={key: world.pose(key) for key in bodies},
         drift_m=drift,

@@ -112,8 +112,11 @@ def _restless(contents: Contents, settled: Settled, again: bool) -> dict[int, Re
                 key, "physics", "moved_again", measured=drift, limit=STILL_M
             )
         elif key in settled.unstable:
-            # It fell or tipped too far, or was still moving: the report has how far.
-            offenders[key] = contents.objection(key, "physics", "would_not_stand")
+            # It fell (m) or tipped (rad) too far; what was still moving has no measure.
+            measured, limit = settled.beyond(key) or (None, None)
+            offenders[key] = contents.objection(
+                key, "physics", "would_not_stand", measured=measured, limit=limit
+            )
     return offenders
 
 

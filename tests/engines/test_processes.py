@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from sdgen.engines.processes import Processes
+from sdgen.errors import SdgenError
 
 
 def _cannot_be_sent(_: Path, __: bytes) -> int:
@@ -14,7 +15,7 @@ def _cannot_be_sent(_: Path, __: bytes) -> int:
 
 
 @pytest.mark.parametrize(
-    ("args", "error"), [((lambda: None,), pickle.PicklingError), ((), OSError)]
+    ("args", "error"), [((lambda: None,), pickle.PicklingError), ((), SdgenError)]
 )
 def test_an_order_that_cannot_be_given_leaves_no_folder(
     tmp_path: Path,

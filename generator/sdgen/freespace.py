@@ -31,6 +31,9 @@ GRID_M = 0.1
 THROUGH_DOOR_M = HALF_WALL_M + 0.02
 #: What has less area, square metres, is a sliver that cutting left.
 LEAST_M2 = 1e-4
+#: Floor of a room that a robot's middle can get to, square metres, or the room is cut off: a spot
+#: of 0.45 m squared, more than the piece of a doorway that free space has in the room.
+LEAST_REACHED_M2 = 0.2
 #: A point is drawn from a shape's box so often; a shape that fills so little of it has a middle.
 POINT_TRIES = 40
 
@@ -89,7 +92,9 @@ def free_shape(
     return unary_union(areas).difference(grown)
 
 
-def unreachable_rooms(home: Home, free: BaseGeometry, area_needed_m2: float = 0.2) -> list[Room]:
+def unreachable_rooms(
+    home: Home, free: BaseGeometry, area_needed_m2: float = LEAST_REACHED_M2
+) -> list[Room]:
     """Rooms that cannot be reached from the largest connected piece of free space."""
     pieces = polygons(free)
     if not pieces:

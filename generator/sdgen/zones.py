@@ -40,6 +40,15 @@ WALKWAY_HALF_M = 0.35
 FLOOR_ZONE_TOP_M = 0.5
 #: How high above a hob its heat is dangerous; hoods hang at 0.65 m for that reason.
 HEAT_ABOVE_M = 0.5
+#: And so far below its top: handles and rims of pans hang there.
+HEAT_BELOW_M = 0.1
+#: How high above a basin water splashes, about: what stands on its rim is wet.
+WATER_ABOVE_M = 0.3
+#: A door's leaf, to just below its frame.
+SWING_TOP_M = 2.0
+#: Where a walker stands who has just come through a doorway: walkways begin there, clear of the
+#: wall (half of it, and a robot's radius, with room to turn).
+INSIDE_DOOR_M = 0.45
 #: A small child's arm, from the shoulder: how far beyond where it stands it takes things.
 CHILD_ARM_M = 0.5
 #: Width of a door's frame beside its leaf.
@@ -129,7 +138,7 @@ def derive_zones(
         swing = opening_rectangle(opening, HALF_WALL_M + opening.width_m).intersection(
             Polygon(first.polygon_m)
         )
-        zones += _zones("swing", swing, first, 0.0, 2.0, opening.object_id)
+        zones += _zones("swing", swing, first, 0.0, SWING_TOP_M, opening.object_id)
     for room in home.rooms:
         zones += _walkways(home, room, free)
         reach = free.intersection(Polygon(room.polygon_m)).buffer(CHILD_ARM_M + ROBOT_RADIUS_M)
@@ -143,13 +152,15 @@ def derive_zones(
         room = rooms[item.room_id]
         top = round(float(body.high[2]), 3)
         if "HEAT_SOURCE" in traits:
-            zones += _zones("heat", body.footprint, room, top - 0.1, top + HEAT_ABOVE_M, item.id)
+            zones += _zones(
+                "heat", body.footprint, room, top - HEAT_BELOW_M, top + HEAT_ABOVE_M, item.id
+            )
         if "WATER_SOURCE" in traits:
-            zones += _zones("water", body.footprint, room, 0.0, top + 0.3, item.id)
+            zones += _zones("water", body.footprint, room, 0.0, top + WATER_ABOVE_M, item.id)
     return tuple(sorted(zones, key=lambda z: z.name))
 
 
-def doorway_point(opening: Opening, room: Room, inside_m: float = 0.45) -> Vec2:
+def doorway_point(opening: Opening, room: Room, inside_m: float = INSIDE_DOOR_M) -> Vec2:
     """A point on the floor just inside a doorway."""
     x, y, _ = opening.center_m
     middle = Polygon(room.polygon_m).representative_point()

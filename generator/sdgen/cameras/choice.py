@@ -52,7 +52,7 @@ def near_count(options: BuildOptions) -> int:
 
 
 def high_count(options: BuildOptions) -> int:
-    """Near views of things above a child's reach in every scene."""
+    """Near views of things that lie higher than :data:`LOW_M` in every scene."""
     return 1 if options.views - near_count(options) > OVERVIEWS_KEPT else 0
 
 

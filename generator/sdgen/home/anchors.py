@@ -39,6 +39,21 @@ ACROSS_CHANCE = 0.25
 MIDDLE_PARTS, MIDDLE_DRAWS = 2, 6
 #: A piece a chair stands at is reached under by this much.
 TUCKED_M = 0.08
+#: A piece before another stands in its middle or, where that is taken, so far beside it: by eye.
+BEFORE_BESIDE_M = 0.1
+#: Half a table's side that has room for two chairs (0.45 m each) side by side, and where they then
+#: stand, in shares of that half.
+TWO_SEATS_M, SEAT_AT = 0.55, 0.5
+#: Opposite: within 26 degrees of right across (a cosine); between a walk past and the end of a
+#: living room, metres; and by eye so far beside right across.
+OPPOSITE_COS = 0.9
+OPPOSITE_M = (1.6, 6.0)
+OPPOSITE_BESIDE_M = 0.6
+#: On top: what is shallower than this share of the piece stands at its back, so far from its edges;
+#: and by eye four spots within this share of the rest of its width.
+SHALLOW_SHARE = 0.7
+TOP_EDGE_M = 0.04
+TOP_SPOTS, TOP_SPREAD = 4, 0.8
 
 PlacedAt = tuple[float, float, float, float]
 
@@ -150,14 +165,14 @@ def beside(target: ObjectInstance, info: AssetInfo, size: Vec2, rng: Rng) -> lis
 def before(target: ObjectInstance, info: AssetInfo, size: Vec2, gap_m: float) -> list[PlacedAt]:
     """The pose in front of a piece, facing it."""
     x = info.extents_m[0] / 2 + gap_m + size[0] / 2
-    return [_from(target, x, dy, turn=math.pi) for dy in (0.0, 0.1, -0.1)]
+    return [_from(target, x, dy, turn=math.pi) for dy in (0.0, BEFORE_BESIDE_M, -BEFORE_BESIDE_M)]
 
 
 def around(target: ObjectInstance, info: AssetInfo, size: Vec2, rng: Rng) -> list[PlacedAt]:
     """Poses around a table, facing it: along its long sides first, across from each other."""
     deep, wide = info.extents_m[0] / 2, info.extents_m[1] / 2
     away = size[0] / 2 - TUCKED_M
-    seats = (-wide * 0.5, wide * 0.5) if wide > 0.55 else (0.0,)
+    seats = (-wide * SEAT_AT, wide * SEAT_AT) if wide > TWO_SEATS_M else (0.0,)
     out: list[PlacedAt] = []
     for y in seats:
         out.append(_from(target, deep + away, y, turn=math.pi))
@@ -178,11 +193,10 @@ def opposite(target: ObjectInstance, sides: Sequence[Side], size: Vec2, rng: Rng
     for side in sides:
         facing = math.cos(yaw) * side.inward[0] + math.sin(yaw) * side.inward[1]
         t, away = side.measure((x, y))
-        # Within 26 degrees of right across; between a walk past and the end of a living room.
-        if facing > -0.9 or not 1.6 < away < 6.0:
+        if facing > -OPPOSITE_COS or not OPPOSITE_M[0] < away < OPPOSITE_M[1]:
             continue
         low, high = width / 2 + SIDE_GAP_M, side.length_m - width / 2 - SIDE_GAP_M
-        for shift in (0.0, *rng.uniform(-0.6, 0.6, 4).tolist()):
+        for shift in (0.0, *rng.uniform(-OPPOSITE_BESIDE_M, OPPOSITE_BESIDE_M, 4).tolist()):
             if low <= high:
                 spot = min(max(t + shift, low), high)
                 out.append((*side.at(spot, depth / 2 + BACK_GAP_M), 0.0, side.yaw))
@@ -201,10 +215,10 @@ def on_top(
     """Poses on a piece, square to it: shallow things at its back, others in its middle."""
     depth, width = size
     x = 0.0
-    if depth < 0.7 * info.extents_m[0]:
-        x = -info.extents_m[0] / 2 + 0.04 + depth / 2
-    slack = max(0.0, (info.extents_m[1] - width) / 2 - 0.04)
-    spots = (float(rng.uniform(-slack, slack)) * 0.8 for _ in range(4))
+    if depth < SHALLOW_SHARE * info.extents_m[0]:
+        x = -info.extents_m[0] / 2 + TOP_EDGE_M + depth / 2
+    slack = max(0.0, (info.extents_m[1] - width) / 2 - TOP_EDGE_M)
+    spots = (float(rng.uniform(-slack, slack)) * TOP_SPREAD for _ in range(TOP_SPOTS))
     return [(*_from(target, x, y)[:2], top_m, yaw_of(target.pose.quat_xyzw)) for y in spots]
 
 

@@ -40,10 +40,14 @@ ROOM_TRIES = 8
 MODELS_TRIED = 4
 #: Floor kept clear before a doorway: a person with something in their arms gets through.
 DOOR_CLEAR_M = 0.85
+#: A leaf sweeps its width, and its handle so much more.
+HANDLE_M = 0.08
 #: A row of units stands without gaps, all but this.
 ROW_GAP_M = 0.012
 #: Bounds the search, with other models or the other way round each time.
 ROWS_TRIED = 6
+#: Walls that have this much more than a row's length come first: it need not be wedged in.
+ROW_SLACK_M = 0.05
 #: A twentieth of the floor before a piece may lie beyond the room's outline (a corner cut off), and
 #: shapes that share less than 10 cm² only touch.
 FRONT_OUTSIDE = 0.05
@@ -165,8 +169,8 @@ def _empty(
             continue
         deep = DOOR_CLEAR_M
         if opening.room_ids[0] == room.id:
-            deep = max(deep, opening.width_m + 0.08)
-            swings.append(opening_rectangle(opening, opening.width_m + 0.08))
+            deep = max(deep, opening.width_m + HANDLE_M)
+            swings.append(opening_rectangle(opening, opening.width_m + HANDLE_M))
         doors.append(opening_rectangle(opening, deep))
     outline = Polygon(room.polygon_m)
     inside = outline.buffer(IN_WALL_M, join_style="mitre")
@@ -337,7 +341,7 @@ def _row(rule: FurnitureRule, tried: _RoomTry) -> _RoomTry | None:
         total = sum(a.extents_m[1] + ROW_GAP_M for a in chosen)
         lengths = np.array([side.length_m for side in tried.sides])
         turns = rng.permutation(len(tried.sides)).tolist()
-        turns.sort(key=lambda k: lengths[k] < total + 0.05)
+        turns.sort(key=lambda k: lengths[k] < total + ROW_SLACK_M)
         for k in turns:
             side = tried.sides[k]
             spare = side.length_m - total - 2 * anchors.SIDE_GAP_M

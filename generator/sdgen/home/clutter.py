@@ -10,7 +10,7 @@ from shapely.geometry import Polygon
 from sdgen.catalog.records import Abode, Category
 from sdgen.geometry import Array
 from sdgen.home.context import KEEP_CLEAR, HomeContext
-from sdgen.home.layout import Intent, Layout
+from sdgen.home.layout import FLOOR_OFF_WALLS_M, Intent, Layout
 from sdgen.library.records import Asset
 from sdgen.scene import Room
 from sdgen.seeding import Rng
@@ -125,7 +125,7 @@ def _place_on_floor(
     outline = Polygon(room.polygon_m)
     spot = layout.spot_on_floor(
         asset,
-        outline.buffer(-0.1),
+        outline.buffer(-FLOOR_OFF_WALLS_M),
         outline,
         rng,
         avoid=context.zone_shape(KEEP_CLEAR),

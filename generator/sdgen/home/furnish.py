@@ -23,8 +23,14 @@ from sdgen.vocabulary import FLAT_M, OPENINGS
 
 #: Of the pieces a drawn home marks optional, so many stand: chosen by eye, for variety.
 OPTIONAL_SHARE = 0.75
-#: Joint values of an interior door: most stand open, as in homes.
+#: Of interior doors, so many stand open: most, as in homes. Here and not in YAML, as it is one
+#: number of one category, not a field that others would have.
 DOOR_OPEN_SHARE = 0.8
+#: How far an open leaf is turned, in shares of what its hinge lets it: ajar would be undecided
+#: (OPEN has a limit), and few lean on the wall.
+DOOR_OPEN = (0.75, 0.98)
+#: A model fits a hole of its size to so much: frames differ by a moulding.
+HOLE_FITS_M = 0.06
 
 
 def fill_openings(
@@ -33,7 +39,7 @@ def fill_openings(
     """The layout with doors and windows in their holes; rejected when no model has the size."""
     for source, opening in zip(spec.openings, home.openings, strict=True):
         width, _ = frame_size(source)
-        fitting = [m for m in models(opening.kind) if abs(m.extents_m[1] - width) < 0.06]
+        fitting = [m for m in models(opening.kind) if abs(m.extents_m[1] - width) < HOLE_FITS_M]
         if not fitting:
             return reject("home", "no_model_fits", category=opening.kind)
         asset = fitting[int(rng.integers(len(fitting)))]
@@ -48,7 +54,7 @@ def fill_openings(
         item = at_rest(item, asset)
         if _stands_open(opening.kind, asset) and rng.random() < DOOR_OPEN_SHARE:
             joint = asset.joints[0]
-            value = float(rng.uniform(0.75, 0.98) * joint.upper)
+            value = float(rng.uniform(*DOOR_OPEN) * joint.upper)
             opened = _opened(item, asset, joint.name, value)
             if not within_room(layout.blocks_of(opened), home, opening.room_ids[0], opening):
                 # Beside a corner a leaf turns no further than along the other wall.

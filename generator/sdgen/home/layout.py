@@ -46,6 +46,12 @@ FLOOR_GAP_M = 0.03
 #: Spots drawn for a thing on one target; of 2,100 spots found two fifths were the first, one in a
 #: hundred the twelfth.
 TRIES = 12
+#: A thing on the floor has its middle at least so far from the walls: what lies there alone has
+#: been dropped or left, not pushed into the angle of wall and floor.
+FLOOR_OFF_WALLS_M = 0.1
+#: By eye: so often a thing lies square to what is under it, give or take so many radians (about
+#: 5 degrees, nobody measures); otherwise any way round.
+SQUARE_CHANCE, SQUARE_SPREAD_RAD = 0.6, 0.08
 #: Left above a thing on a shelf: a hand gets it in and out.
 HEADROOM_LEFT_M = 0.015
 #: What may reach into a wall: less than physics calls a penetration.
@@ -247,8 +253,8 @@ Vec3Yaw = tuple[Vec3, float]
 
 def random_yaw(rng: Rng, square_to: float = 0.0) -> float:
     """A heading: people put things roughly square to what is under them, or any way round."""
-    if rng.random() < 0.6:
-        return float(square_to + rng.integers(4) * math.pi / 2 + rng.normal(0.0, 0.08))
+    if rng.random() < SQUARE_CHANCE:
+        return float(square_to + rng.integers(4) * math.pi / 2 + rng.normal(0.0, SQUARE_SPREAD_RAD))
     return float(rng.uniform(-math.pi, math.pi))
 
 

@@ -25,21 +25,27 @@ CELL_M = 0.1
 OUTSIDE = -1
 #: Draws of one floor plan; of 170 plans half came at the first, the last at the 17th.
 TRIES = 200
-#: A door with its frame and what it keeps from a corner needs this much shared wall.
+#: Shared or outer wall that a door, a front door, a window needs: the margins of plan_openings at
+#: both ends, and by eye 6, 10 and 35 cm more, so that not all stand at the same place.
 DOOR_WALL_M = 1.5
 FRONT_DOOR_WALL_M = 1.7
 WINDOW_WALL_M = 1.95
 #: Corridors: shorter than this they would hold no two doors, longer is a hotel.
 HALL_LENGTH_M = (2.6, 9.0)
-#: Width to depth of a room, and of a hub that is no hall.
+#: Width to depth of a room, of a hub that is no hall, and the longer to the shorter side that is
+#: still a room and no corridor, once it was fitted in: by eye, on drawn plans.
 RATIO = (0.65, 1.5)
 HUB_RATIO = (1.0, 1.5)
 STRETCH_MOST = 2.1
+#: So often a room is flush with an end of the hub where it can be: fewer odd corners. By eye.
+FLUSH_CHANCE = 0.7
 #: Shadows are drawn 10 m to each side of the middle.
 LARGEST_M = 18.0
-#: A hub grows into a corner beside a room this often, if the corner is wide enough.
+#: A hub grows into a corner beside a room this often, if the corner is wide enough for a desk and
+#: its chair, and so deep, metres. By eye.
 ALCOVE_CHANCE = 0.5
 ALCOVE_M = 1.6
+ALCOVE_DEPTH_M = (ALCOVE_M, 3.0)
 
 
 class Rect(NamedTuple):
@@ -172,10 +178,9 @@ def _along(
         low, high = door - widths[0], (side - widths[0]) if barred else side - door
         if low > high:
             return None
-        # Flush with an end of the hub more often than not: fewer odd corners.
         flush = [t for t in (0, side - widths[0]) if low <= t <= high]
         start = int(rng.integers(low, high + 1))
-        if flush and rng.random() < 0.7:
+        if flush and rng.random() < FLUSH_CHANCE:
             start = flush[int(rng.integers(len(flush)))]
         return [(start, start + widths[0])]
     low, high = door, side - door
@@ -195,7 +200,7 @@ def _alcove(rects: list[list[Rect]], rng: Rng) -> None:
     if len(above) != 1 or not wanted:
         return
     room = above[0]
-    depth = min(room.y1 - room.y0, _cells(float(rng.uniform(1.6, 3.0))))
+    depth = min(room.y1 - room.y0, _cells(float(rng.uniform(*ALCOVE_DEPTH_M))))
     left, right = room.x0 - hub.x0, hub.x1 - room.x1
     if max(left, right) < _cells(ALCOVE_M):
         return

@@ -12,7 +12,8 @@ from sdgen.home.walls import Wall
 from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
 
-#: From a corner (walls' middle lines) to the middle of a door, a front door, a window.
+#: From a corner (walls' middle lines) to the middle of a door, a front door, a window: half its
+#: width, half a wall, and by eye about 20 cm of wall (14 cm beside a front door or a window).
 DOOR_MARGIN_M = 0.72
 FRONT_DOOR_MARGIN_M = 0.8
 WINDOW_MARGIN_M = 0.8
@@ -22,11 +23,13 @@ DOORS_APART_M = 1.25
 #: Shares chosen by eye, not measured: doors mostly near corners, larger rooms often with two
 #: windows.
 NEAR_CORNER_CHANCE = 0.7
+#: A door near a corner is up to so much further from it than its margin, metres. By eye.
+NEAR_CORNER_M = 0.3
 SECOND_WINDOW_CHANCE = 0.5
 SECOND_WINDOW_AREA_M2 = 11.0
 #: Places drawn for a door; of 909 doors that found one, all did within six.
 TRIES = 12
-#: Where on a wall (shares of what its margins leave) a window may be: nearer the middle than ends.
+#: Where on a wall (shares of what its margins leave) a window may be: near its middle, by eye.
 WINDOW_ALONG = (0.25, 0.75)
 
 
@@ -72,7 +75,7 @@ def _door(
     for _ in range(TRIES if fitting else 0):
         wall = fitting[int(rng.integers(len(fitting)))]
         spare = wall.length_m - 2 * margin
-        t = float(rng.uniform(0.0, min(spare, 0.3)))
+        t = float(rng.uniform(0.0, min(spare, NEAR_CORNER_M)))
         if rng.random() >= NEAR_CORNER_CHANCE:
             t = float(rng.uniform(0.0, spare))
         t = wall.low_m + margin + t if rng.random() < 0.5 else wall.high_m - margin - t

@@ -26,7 +26,8 @@ from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
 from sdgen.seeding import Rng, lane
 from sdgen.zones import derive_zones, doorway_blocked, floor_obstacles, swing_blocked
 
-#: Of the scenes of a mixed build, this many play in base homes.
+#: Of the scenes of a mixed build, this many play in base homes: a choice. There are few of them, so
+#: that more would repeat them; fewer would say little about homes drawn by people.
 BASE_SHARE = 0.25
 
 

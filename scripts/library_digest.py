@@ -4,7 +4,7 @@
 ``library_digest.py --record`` notes it in ``assets/verified.sha256``, to be committed.
 The digest covers the models, the sizes they must have, what checks them and what that calls to
 read, measure and simulate a model. So any change in ``library`` or ``physics`` makes CI check them
-all, five minutes more on two cores, until a passing run is recorded: rather that than a wrong pass,
+all, some minutes more, until a passing run is recorded: rather that than a wrong pass,
 and a list of single modules would soon lack one. What lies below (geometry, records) and the
 simulator's version are left to the suite, which checks a sample of the models at every change.
 """

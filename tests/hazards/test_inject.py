@@ -8,6 +8,8 @@ from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import inject_candidate
 from sdgen.hazards.splits import SplitModels
+from sdgen.home.clutter import add_clutter
+from sdgen.home.layout import FLOOR_OFF_WALLS_M, Layout
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection
@@ -107,3 +109,21 @@ def test_a_state_that_all_have_already_is_named(home, rooms, cause):
     )
     made = inject(["fridge_open"], home.layout.copy(), context, False, lane(3, 0, "inject"))
     assert made == Rejection(cause)
+
+
+def test_hazards_lie_no_nearer_to_walls_than_clutter_does(home, monkeypatch):
+    """Or a thing in the angle of wall and floor would be known for one that a recipe put there."""
+    spot_on_floor, asked = Layout.spot_on_floor, []
+
+    def record(layout, asset, area, outline, rng, **more):
+        asked.append((area, outline))
+        return spot_on_floor(layout, asset, area, outline, rng, **more)
+
+    monkeypatch.setattr(Layout, "spot_on_floor", record)
+    add_clutter(home.layout.copy(), home.context, lane(3, 0, "clutter"))
+    by_clutter = len(asked)
+    for k in range(8):
+        inject(["spill"], home.layout.copy(), home.context, False, lane(3, k, "inject"))
+    assert 0 < by_clutter < len(asked)
+    for area, outline in asked:
+        assert area.difference(outline.buffer(-FLOOR_OFF_WALLS_M)).area < 1e-9

@@ -11,7 +11,7 @@ from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
 from sdgen.home.context import HomeContext
-from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, within_room
+from sdgen.home.layout import DROP_M, FLOOR_OFF_WALLS_M, Intent, Layout, Vec3Yaw, within_room
 from sdgen.library.records import Asset
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
@@ -173,7 +173,7 @@ def _place_on_floor(
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
         outline = Polygon(room.polygon_m)
-        inner = outline.buffer(-0.08)
+        inner = outline.buffer(-FLOOR_OFF_WALLS_M)
         if recipe.zone:
             area = context.zone_shape(recipe.zone, room.id).intersection(inner)
             spot = layout.spot_on_floor(asset, area, outline, rng, keep_share=ZONE_KEEP_SHARE)

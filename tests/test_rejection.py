@@ -9,9 +9,9 @@ from sdgen.errors import SceneRejected
 from sdgen.rejection import Cause, causes_in_words, most_frequent, reject
 from sdgen.scene import cause_counts, causes_of
 
-NAMES = st.one_of(st.none(), st.sampled_from(["spill", "stove_on", "cup"]))
+NAMES = st.one_of(st.none(), st.sampled_from(["", "spill", "stove_on", "cup"]))
 CAUSES = st.builds(
-    Cause, st.sampled_from(["home", "proof", "twin"]), st.sampled_from(["no_place"]), *[NAMES] * 3
+    Cause, st.sampled_from(["home", "proof", "twin"]), st.sampled_from(["no_place"]), *[NAMES] * 4
 )
 COUNTED = st.dictionaries(CAUSES, st.integers(1, 99), max_size=6)
 

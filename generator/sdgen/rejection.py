@@ -43,9 +43,9 @@ class Cause(NamedTuple):
         """One hazard's anomaly satisfies another's predicate too: placing it anew seldom helps."""
         return self.hazard is not None and self.other is not None
 
-    def sort_key(self) -> tuple[str, ...]:
+    def sort_key(self) -> tuple[tuple[bool, str], ...]:
         """Causes by stage, check, hazard, category, other, state; what is not there comes first."""
-        return tuple(part or "" for part in self)
+        return tuple((part is not None, part or "") for part in self)
 
 
 @dataclass(frozen=True)

@@ -6,12 +6,16 @@ input, a spent attempt budget or a broken machine raises.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import errno
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 
 from sdgen.rejection import Causes, causes_in_words, most_frequent
 
 #: Problems of one file, or of a whole data set, that are told; more of them rarely say more.
 SHOWN = 100
+#: No space left on the disk, or of what the user may have of it.
+FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 class SdgenError(Exception):
@@ -99,6 +103,17 @@ def os_error_in_words(error: OSError, place: object = None) -> str:
     where = error.filename2 or error.filename or place
     why = error.strerror or " ".join(str(error).split()) or type(error).__name__
     return why if where is None else f"{where}: {why}"
+
+
+@contextmanager
+def naming(path: object) -> Iterator[None]:
+    """What a full disk refuses while it is written into an open file names none: then this."""
+    try:
+        yield
+    except OSError as error:
+        if error.filename is None and error.errno in FULL:
+            error.filename = str(path)
+        raise
 
 
 def nearest(word: str, choices: Sequence[str]) -> str | None:

@@ -180,6 +180,7 @@ def _key(path: Path) -> None:
         (_renamed("views/00/" + "a" * 150), "aaa' is no file that sdgen writes"),
         (_views, "manifest.jsonl:1: views: "),
         (_says(n=2 * MAX_SCENES), "dataset.json: n: input should be less than or equal to 1000000"),
+        (_says(n=MAX_SCENES), "dataset.json: seed and n are not those of its options"),
         (_says(versions={}), "dataset.json: versions: does not name 'sdgen'"),
         (_says(failed={"9" * 5000: []}), f"dataset.json: failed.{'9' * 80}...: string should"),
         (_says(failed={"000009-twin": []}), "dataset.json: failed.000009-twin"),
@@ -202,7 +203,8 @@ def test_scenes_that_are_nowhere_are_found_without_naming_all_there_could_be(
 ) -> None:
     path = toy.build(tmp_path / "d", toy.small(n=1, sensors=()))
     data = json.loads((path / "dataset.json").read_text(encoding="utf-8"))
-    _says(n=MAX_SCENES, counts={**data["counts"], "scenes": 2})(path)
+    options = {**data["options"], "n": MAX_SCENES}
+    _says(n=MAX_SCENES, options=options, counts={**data["counts"], "scenes": 2})(path)
     tracemalloc.start()
     with pytest.raises(InputError, match=r"not listed: 000001, 000002, .*, 000010, \.\.\."):
         Dataset(path)
@@ -214,7 +216,7 @@ def test_scenes_that_are_nowhere_are_found_without_naming_all_there_could_be(
 def test_an_unfinished_build_and_no_folder_are_named(tmp_path: Path) -> None:
     with toy.open_writer(tmp_path / "d") as writer:
         toy.add_scene(writer, 0)
-    with pytest.raises(InputError, match="unfinished build; resume it"):
+    with pytest.raises(InputError, match="unfinished; the same command"):
         Dataset(tmp_path / "d")
     with pytest.raises(InputError, match="no such folder"):
         Dataset(tmp_path / "none")

@@ -17,7 +17,7 @@ import click
 
 import sdgen
 from sdgen.cli import signals
-from sdgen.errors import SHOWN, InputError, SdgenError, Stopped, did_you_mean
+from sdgen.errors import FULL, SHOWN, InputError, SdgenError, Stopped, did_you_mean
 
 #: Command -> one line for ``sdgen --help``. Module ``sdgen.cli.<name>`` defines ``<name>``; it is
 #: imported only when the command is used, so ``sdgen --help`` stays quick.
@@ -182,7 +182,7 @@ def _help_hint(error: click.ClickException) -> str:
 
 
 def _os_advice(error: OSError) -> str:
-    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+    if error.errno in FULL:
         return "; free some space, then run the same command again"
     if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
         return "; choose a place you may write to and read from"

@@ -8,6 +8,8 @@ import os
 import shutil
 from pathlib import Path
 
+from sdgen.errors import naming
+
 
 def sha256_hex(data: bytes) -> str:
     """Digest as 64 hex digits."""
@@ -54,8 +56,9 @@ def replace_file(path: Path, data: bytes) -> None:
     """Write a file so that others see the old one or the new one, whole."""
     partial = path.with_name(f".{path.name}.partial")
     try:
-        write_synced(partial, data)
-        os.replace(partial, path)
+        with naming(path):
+            write_synced(partial, data)
+            os.replace(partial, path)
     except BaseException:  # a full disk, or an interrupt
         partial.unlink(missing_ok=True)
         raise

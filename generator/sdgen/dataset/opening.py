@@ -25,7 +25,7 @@ def open_info(path: Path) -> DatasetInfo:
         if not path.is_dir():
             problem = "no such folder"
         elif (path / BUILD_FOLDER).is_dir():
-            problem = "an unfinished build; resume it with the same 'sdgen build' command"
+            problem = "unfinished; the same command ('sdgen build', 'sdgen merge') goes on"
         else:
             problem = "no data set (it has no dataset.json)"
         raise InputError([f"{path}: {problem}"])
@@ -37,6 +37,8 @@ def open_info(path: Path) -> DatasetInfo:
                 f"version of sdgen (it reads {FORMAT_VERSION})"
             ]
         )
+    if (info.seed, info.n) != (info.options.seed, info.options.n):
+        raise InputError(["dataset.json: seed and n are not those of its options"])
     return info
 
 

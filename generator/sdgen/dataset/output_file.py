@@ -16,7 +16,7 @@ from typing import IO
 from sdgen.dataset.disk import sync_folder
 from sdgen.dataset.records import TOP_FILES
 from sdgen.dataset.scene_folder import BUILD_FOLDER
-from sdgen.errors import SdgenError
+from sdgen.errors import SdgenError, naming
 from sdgen.files import kind_of
 
 #: Files that show a folder to be a data set, finished or in the making.
@@ -67,7 +67,7 @@ def output_file(path: Path) -> Iterator[IO[bytes]]:
         partial.unlink()  # of a run that was killed
     try:
         # "x": never through a link that somebody puts there meanwhile.
-        with partial.open("xb") as file:
+        with naming(path), partial.open("xb") as file:
             yield file
             file.flush()
             os.fsync(file.fileno())

@@ -10,7 +10,7 @@ from pathlib import Path
 from sdgen.dataset.disk import remove_tree, sha256_hex
 from sdgen.dataset.scene_folder import BUILD_FOLDER, FinishedScene, show
 from sdgen.dataset.text import read_bytes, read_record
-from sdgen.errors import InputError
+from sdgen.errors import InputError, naming
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,8 @@ def _put(root: Path, done: FinishedScene, read: Callable[[str], bytes | None], w
                 raise InputError([f"{where}/{name}: changed since it was written"])
             path = partial / name
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(data)
+            with naming(path):
+                path.write_bytes(data)
         show(root, partial, done)
 
 

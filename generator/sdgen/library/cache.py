@@ -7,20 +7,18 @@ whole; of a writer that was killed the next one clears that away.
 
 from __future__ import annotations
 
-import errno
 import hashlib
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
-from sdgen.errors import AssetError
+from sdgen.errors import FULL, AssetError
 from sdgen.scratch import scratch_folder
 
 _VERSION = b"2"
 #: The user may choose another folder by this variable; child processes inherit it.
 VARIABLE = "SDGEN_CACHE"
-FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 def cache_root() -> Path:

@@ -2,26 +2,104 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
+
+import numpy as np
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.geometry import apply, inverse
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import LEAST_THINGS, add_clutter
+from sdgen.home.layout import Layout
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
+from sdgen.scene import ObjectInstance
 from sdgen.seeding import lane
 
 from tests.shipped import shipped_library
 
+CATALOG = load_catalog()
+KINDS = {category.name: category for category in CATALOG.categories}
+
+
+@cache
+def _cluttered(home: str, seed: int) -> Layout:
+    """A shipped base home with its clutter."""
+    models = SplitModels(shipped_library(), "test")
+    base = next(h for h in CATALOG.homes if h.id == home)
+    ids = iter(range(1, 60000))
+    rng = lane(seed, 0, "furnish")
+    stage = furnished_home(base, CATALOG, shipped_library(), models, ids, rng)
+    assert isinstance(stage, FurnishedHome)
+    layout = stage.layout.copy()
+    add_clutter(layout, stage.context, lane(seed, 0, "place"))
+    return layout
+
+
+def _homes() -> Iterator[Layout]:
+    for home in ("three_room_flat_2", "apartment_1", "country_house_3"):
+        for seed in range(3):
+            yield _cluttered(home, seed)
+
+
+def _loose(layout: Layout) -> list[ObjectInstance]:
+    return [item for item in layout.items.values() if not item.fixed]
+
 
 @pytest.mark.parametrize("home", ["three_room_flat_2", "apartment_1"])
-def test_every_home_holds_sixty_things(home):
-    catalog, library = load_catalog(), shipped_library()
-    models = SplitModels(library, "test")
-    base = next(h for h in catalog.homes if h.id == home)
+def test_every_home_holds_sixty_things(home: str) -> None:
     for seed in range(3):
-        ids = iter(range(1, 60000))
-        stage = furnished_home(base, catalog, library, models, ids, lane(seed, 0, "furnish"))
-        assert isinstance(stage, FurnishedHome)
-        layout = stage.layout.copy()
-        add_clutter(layout, stage.context, lane(seed, 0, "place"))
-        small = [item for item in layout.items.values() if not item.fixed]
-        assert len(small) >= LEAST_THINGS > 60
+        assert len(_loose(_cluttered(home, seed))) >= LEAST_THINGS > 60
+
+
+def test_no_room_and_no_home_has_more_of_a_category_than_the_catalogue_allows() -> None:
+    for layout in _homes():
+        in_home = Counter(item.category for item in _loose(layout))
+        in_rooms = Counter((item.category, item.room_id) for item in _loose(layout))
+        for category, found in in_home.items():
+            assert found <= (KINDS[category].at_most.home or found), category
+        for (category, _), found in in_rooms.items():
+            assert found <= (KINDS[category].at_most.room or found), category
+
+
+def test_two_of_a_model_stand_together_only_where_they_come_in_several() -> None:
+    for layout in _homes():
+        there = Counter(
+            (layout.intents[item.id].target_id, item.asset, item.category)
+            for item in _loose(layout)
+        )
+        twice = {category for (_, _, category), count in there.items() if count > 1}
+        assert all(KINDS[category].alike for category in twice), twice
+
+
+def test_compartments_hold_what_lives_in_them() -> None:
+    seen = Counter[str]()
+    for layout in _homes():
+        for item in _loose(layout):
+            intent = layout.intents[item.id]
+            target = layout.items.get(intent.target_id)
+            if target is None or intent.relation != "INSIDE":
+                continue
+            hollow = _hollow(item, target, layout)
+            frozen = any("freezer" in abode.targets for abode in KINDS[item.category].lives)
+            if target.category == "fridge":
+                assert (hollow == "freezer") == frozen, (item.category, hollow)
+                seen[hollow] += 1
+            if target.category == "kitchen_counter":
+                cutlery = any(abode.hollow == "drawer" for abode in KINDS[item.category].lives)
+                assert hollow.startswith("drawer") == cutlery, (item.category, hollow)
+                seen["drawer"] += cutlery
+    assert min(seen[k] for k in ("inside", "freezer", "drawer")) > 0
+
+
+def _hollow(item: ObjectInstance, target: ObjectInstance, layout: Layout) -> str:
+    """The name of the hollow of furniture that is shut, in whose box the middle of a thing is."""
+    x, y, z = item.pose.position_m
+    middle = (x, y, z + layout.info(item.id).extents_m[2] / 2)
+    local = apply(inverse(target.pose.matrix()), [middle])[0]
+    for hollow in layout.info(target.id).containers:
+        off = np.abs(local - np.array(hollow.center_m)) - np.array(hollow.size_m) / 2
+        if off.max() <= 0:
+            return hollow.name
+    raise AssertionError(f"{item.category} is in no hollow of the {target.category}")

@@ -120,16 +120,35 @@ class Hazard(Record):
 
 
 class Abode(Record):
-    """Where a category normally lives: a prior for clutter."""
+    """Where a category normally lives: a prior for clutter. ``hollow``: in which hollows of the
+    targets, by their models' name for them (``drawer`` is ``drawer_2``, too)."""
 
     relation: HoldingRelation
     targets: tuple[str, ...]
     rooms: tuple[str, ...] = ()
+    hollow: str | None = None
     weight: AboveZero = 1.0
 
 
+class AtMost(Record):
+    """So many of a category a home is given in a room, and in all; None: any number."""
+
+    room: Annotated[int | None, between(1, 100)] = None
+    home: Annotated[int | None, between(1, 100)] = None
+
+    def reached(self, in_room: int, in_home: int) -> bool:
+        """True when there may be no more."""
+        return (self.room is not None and in_room >= self.room) or (
+            self.home is not None and in_home >= self.home
+        )
+
+
 class Category(Record):
-    """An object category. ``switched_on``: the share of its furniture that stands switched on."""
+    """An object category. ``switched_on``: the share of its furniture that stands switched on.
+
+    ``alike``: it comes in several, so that one piece of furniture may hold two of one model.
+    ``reserved``: hollows that only take what lives in a hollow of that name.
+    """
 
     name: str
     superclass: str
@@ -141,6 +160,9 @@ class Category(Record):
     lives: tuple[Abode, ...] = ()
     kind: CategoryKind = "small"
     switched_on: float = 0.0
+    at_most: AtMost = AtMost()
+    alike: bool = False
+    reserved: tuple[str, ...] = ()
 
 
 class ClutterPrior(Record):

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 from sdgen.catalog.entry import as_record
 from sdgen.catalog.records import (
     Abode,
+    AtMost,
     Category,
     CategoryKind,
     ClutterPrior,
@@ -30,6 +31,7 @@ from sdgen.catalog.words import (
     Size,
     Text,
     Weight,
+    Word,
     between,
     names_of,
     one_of,
@@ -88,7 +90,14 @@ class AbodeYaml(Record):
     relation: HoldingRelation
     target: Categories
     rooms: RoomNames = ()
+    hollow: Word | None = None
     weight: Weight = 1.0
+
+    @model_validator(mode="after")
+    def _in_a_hollow(self) -> AbodeYaml:
+        if self.hollow is not None and self.relation != "INSIDE":
+            refuse(problem(("hollow",), "hollow needs 'relation: INSIDE'"))
+        return self
 
     def record(self) -> Abode:
         """The record of it."""
@@ -107,6 +116,9 @@ class CategoryYaml(Record):
     properties: Annotated[tuple[str, ...], names_of("property", 0, PROPERTIES)] = ()
     lives: tuple[AbodeYaml, ...] = ()
     switched_on: Annotated[float, between(0.0, 1.0)] = 0.0
+    at_most: Annotated[AtMost, Expect("{room: number, home: number}")] = AtMost()
+    alike: bool = False
+    reserved: Annotated[tuple[str, ...], names_of("hollow", least=0)] = ()
     replaces: bool = False
 
     @model_validator(mode="after")

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
+from functools import partial
 
 from shapely.geometry import Polygon
 
@@ -136,7 +137,8 @@ def _place(
     ]
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:
         target = targets[k]
-        spot = _spot(recipe, asset, target.id, layout, rng)
+        may_hold = partial(context.may_hold, asset.category, target.category)
+        spot = _spot(recipe, asset, target.id, may_hold, layout, rng)
         if spot is not None:
             return _put(
                 candidate, recipe, asset, spot, target.room_id, target.id, layout, context, rng
@@ -145,11 +147,16 @@ def _place(
 
 
 def _spot(
-    recipe: PlaceRecipe, asset: Asset, target_id: int, layout: Layout, rng: Rng
+    recipe: PlaceRecipe,
+    asset: Asset,
+    target_id: int,
+    hollows: Callable[[str], bool],
+    layout: Layout,
+    rng: Rng,
 ) -> Vec3Yaw | None:
     """A free spot of the target at a height the recipe allows."""
     for _ in range(SPOTS_TRIED):
-        spot = layout.spot_on_object(asset, target_id, recipe.relation, rng)
+        spot = layout.spot_on_object(asset, target_id, recipe.relation, rng, hollows)
         if spot is None or _height_fits(recipe, spot[0][2]):
             return spot
     return None

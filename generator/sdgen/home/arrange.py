@@ -100,6 +100,12 @@ class _RoomTry:
         """Ids of the pieces of these categories, in the order they were placed."""
         return [k for c in categories for k in self.placed.get(c, ())]
 
+    def full(self, category: str) -> bool:
+        """True when the room, or the home, has as many of a category as it may."""
+        in_home = sum(item.category == category for item in self.layout.items.values())
+        bound = self.catalog.category(category).at_most
+        return bound.reached(len(self.placed.get(category, ())), in_home)
+
     def with_piece(
         self,
         item: ObjectInstance,
@@ -213,7 +219,10 @@ def _follow(rule: FurnitureRule, count: int, tried: _RoomTry) -> _RoomTry | None
 
 
 def _with_one(rule: FurnitureRule, target: int | None, tried: _RoomTry) -> _RoomTry | None:
-    """The room with one piece of a rule, of the first model and pose that fit."""
+    """The room with one piece of a rule, of the first model and pose that fit; None, too, when
+    there are as many as its category is given."""
+    if tried.full(rule.category):
+        return None
     candidates = tried.models(rule.category)
     for k in tried.rng.permutation(len(candidates)).tolist()[:MODELS_TRIED]:
         asset = candidates[k]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -12,13 +14,16 @@ from sdgen.geometry import Array
 from sdgen.home.context import KEEP_CLEAR, HomeContext
 from sdgen.home.layout import FLOOR_OFF_WALLS_M, Intent, Layout
 from sdgen.library.records import Asset
-from sdgen.scene import Room
+from sdgen.scene import ObjectInstance, Room
 from sdgen.seeding import Rng
 
 #: A lived-in home holds at least 60 small things; a few more, since some will not stand.
 LEAST_THINGS = 66
 #: Bounds the search for room for them, in rounds of one thing more on every receptacle.
 EXTRA_ROUNDS = 4
+#: Draws for one thing where the home has enough of what was drawn: of twenty that fail, one does
+#: so four times.
+PICKS = 4
 
 
 def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
@@ -29,7 +34,8 @@ def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
     """
     types = {t.name: t for t in context.catalog.room_types}
     abodes = _Abodes(context)
-    receptacles: list[tuple[int, Room, _Choices]] = []
+    stock = _Stock(layout)
+    receptacles: list[tuple[ObjectInstance, Room, _Choices]] = []
     for room in context.home.rooms:
         room_type = types.get(room.type)
         if room_type is None:
@@ -43,23 +49,51 @@ def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
             choices = abodes.choices(item.category, room)
             if choices is None:
                 continue
-            receptacles.append((item.id, room, choices))
+            receptacles.append((item, room, choices))
             for _ in range(wanted):
-                _place(layout, item.id, room, choices, context, rng)
+                _place(layout, item, room, choices, stock, context, rng)
         wanted = int(rng.integers(room_type.floor_clutter_min, room_type.floor_clutter_max + 1))
         choices = abodes.choices("floor", room)
         if choices is not None:
             for _ in range(wanted):
-                _place_on_floor(layout, room, choices, context, rng)
+                _place_on_floor(layout, room, choices, stock, context, rng)
     for _ in range(EXTRA_ROUNDS):
-        for receptacle_id, room, choices in receptacles:
+        for receptacle, room, choices in receptacles:
             if _things(layout) >= LEAST_THINGS:
                 return
-            _place(layout, receptacle_id, room, choices, context, rng)
+            _place(layout, receptacle, room, choices, stock, context, rng)
 
 
 def _things(layout: Layout) -> int:
     return sum(not item.fixed for item in layout.items.values())
+
+
+class _Stock:
+    """What a home has so far, counted as the catalogue bounds it."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._home: Counter[str] = Counter()
+        self._rooms: Counter[tuple[int, str]] = Counter()
+        self._models: set[tuple[int, str]] = set()
+        for item in layout.items.values():
+            intent = layout.intents.get(item.id)
+            self.add(item, None if intent is None else intent.target_id)
+
+    def add(self, item: ObjectInstance, target_id: int | None) -> None:
+        """Count a thing that was put on or in a target."""
+        self._home[item.category] += 1
+        self._rooms[item.room_id, item.category] += 1
+        if target_id is not None:
+            self._models.add((target_id, item.asset))
+
+    def full(self, category: Category, room_id: int) -> bool:
+        """True when the room, or the home, has as many of a category as it may."""
+        name = category.name
+        return category.at_most.reached(self._rooms[room_id, name], self._home[name])
+
+    def stands_on(self, target_id: int, asset_id: str) -> bool:
+        """True when one of this model is on or in the target."""
+        return (target_id, asset_id) in self._models
 
 
 @dataclass(frozen=True)
@@ -70,12 +104,21 @@ class _Choices:
     among: tuple[tuple[Category, Abode], ...]
     sums: Array
 
-    def pick(self, context: HomeContext, rng: Rng) -> tuple[Asset, Abode]:
-        """A model by the abodes' weights, any of its category's."""
-        # What rng.choice with weights does, without summing them again for every thing.
-        category, abode = self.among[int(self.sums.searchsorted(rng.random(), side="right"))]
-        models = context.models(category.name)
-        return models[int(rng.integers(len(models)))], abode
+    def pick(
+        self, room_id: int, target_id: int, stock: _Stock, context: HomeContext, rng: Rng
+    ) -> tuple[Asset, Abode] | None:
+        """A model by the abodes' weights, any of its category's; None when all that were drawn
+        are there as often as they may be."""
+        for _ in range(PICKS):
+            # What rng.choice with weights does, without summing them again for every thing.
+            category, abode = self.among[int(self.sums.searchsorted(rng.random(), side="right"))]
+            models = context.models(category.name)
+            asset = models[int(rng.integers(len(models)))]
+            if stock.full(category, room_id):
+                continue
+            if category.alike or not stock.stands_on(target_id, asset.id):
+                return asset, abode
+        return None
 
 
 class _Abodes:
@@ -105,23 +148,33 @@ class _Abodes:
 
 def _place(
     layout: Layout,
-    receptacle_id: int,
+    receptacle: ObjectInstance,
     room: Room,
     choices: _Choices,
+    stock: _Stock,
     context: HomeContext,
     rng: Rng,
 ) -> None:
-    asset, abode = choices.pick(context, rng)
-    spot = layout.spot_on_object(asset, receptacle_id, abode.relation, rng)
+    picked = choices.pick(room.id, receptacle.id, stock, context, rng)
+    if picked is None:
+        return
+    asset, abode = picked
+    may_hold = partial(context.may_hold, asset.category, receptacle.category)
+    spot = layout.spot_on_object(asset, receptacle.id, abode.relation, rng, may_hold)
     if spot is not None:
         item = layout.new_item(asset, spot, room.id)
-        layout.put(item, Intent(abode.relation, receptacle_id))
+        layout.put(item, Intent(abode.relation, receptacle.id))
+        stock.add(item, receptacle.id)
 
 
 def _place_on_floor(
-    layout: Layout, room: Room, choices: _Choices, context: HomeContext, rng: Rng
+    layout: Layout, room: Room, choices: _Choices, stock: _Stock, context: HomeContext, rng: Rng
 ) -> None:
-    asset, _ = choices.pick(context, rng)
+    floor_id = context.floor_id(room.id)
+    picked = choices.pick(room.id, floor_id, stock, context, rng)
+    if picked is None:
+        return
+    asset, _ = picked
     outline = Polygon(room.polygon_m)
     spot = layout.spot_on_floor(
         asset,
@@ -132,4 +185,5 @@ def _place_on_floor(
     )
     if spot is not None:
         item = layout.new_item(asset, spot, room.id)
-        layout.put(item, Intent("ON", context.floor_id(room.id)))
+        layout.put(item, Intent("ON", floor_id))
+        stock.add(item, floor_id)

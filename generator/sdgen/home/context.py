@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -53,6 +53,33 @@ class HomeContext:
             )
         return self._zone_shapes[key]
 
+    def may_hold(self, category: str, target: str, hollow: str) -> bool:
+        """Whether such a thing goes into a hollow of this name of such a target: into those that
+        its ``lives`` names there, else into all but the reserved ones."""
+        named, reserved = self._hollows
+        words = named.get((category, target))
+        if words is not None:
+            return any(_is_called(hollow, word) for word in words)
+        return not any(_is_called(hollow, word) for word in reserved.get(target, ()))
+
+    @cached_property
+    def _hollows(
+        self,
+    ) -> tuple[Mapping[tuple[str, str], Sequence[str]], Mapping[str, Sequence[str]]]:
+        """The hollows that each category's ``lives`` names, by it and target; the reserved ones,
+        by target."""
+        named: dict[tuple[str, str], list[str]] = {}
+        for category in self.catalog.categories:
+            for abode in category.lives:
+                for target in abode.targets if abode.hollow is not None else ():
+                    named.setdefault((category.name, target), []).append(str(abode.hollow))
+        return named, {c.name: c.reserved for c in self.catalog.categories if c.reserved}
+
     @cached_property
     def _zone_shapes(self) -> dict[tuple[tuple[str, ...], int | None], BaseGeometry]:
         return {}
+
+
+def _is_called(hollow: str, word: str) -> bool:
+    """``drawer_2`` and ``inside_left`` are a drawer and an inside, too."""
+    return hollow == word or hollow.startswith(word + "_")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
@@ -136,13 +136,25 @@ class Layout:
     # --- spots -----------------------------------------------------------------------------------
 
     def spot_on_object(
-        self, asset: AssetInfo, target_id: int, relation: str, rng: Rng
+        self,
+        asset: AssetInfo,
+        target_id: int,
+        relation: str,
+        rng: Rng,
+        hollows: Callable[[str], bool] = lambda _: True,
     ) -> Vec3Yaw | None:
-        """A free spot on (or inside) a placed object for a new thing of this asset."""
+        """A free spot on (or inside) a placed object for a new thing of this asset.
+
+        ``hollows`` says into which of its hollows, by name, such a thing may go.
+        """
         target = self.items[target_id]
         surfaces = self._surfaces_of(target, relation)
+        if not surfaces and relation == "INSIDE":
+            return self._spot_in_hollow(asset, target_id, rng, hollows)
+        if relation == "INSIDE":
+            surfaces = [s for s in surfaces if hollows(s.support.container or "")]
         if not surfaces:
-            return self._spot_in_hollow(asset, target_id, rng) if relation == "INSIDE" else None
+            return None
         shares = list(accumulate(surface.support.area_m2 for surface in surfaces))
         for _ in range(TRIES):
             surface = surfaces[bisect_right(shares, rng.random() * shares[-1])]
@@ -175,11 +187,14 @@ class Layout:
         block = _space(asset, spot, GAP_M, DROP_M)
         return spot if self.fits([block], ignore=target.id) else None
 
-    def _spot_in_hollow(self, asset: AssetInfo, target_id: int, rng: Rng) -> Vec3Yaw | None:
+    def _spot_in_hollow(
+        self, asset: AssetInfo, target_id: int, rng: Rng, hollows: Callable[[str], bool]
+    ) -> Vec3Yaw | None:
         target, info = self.items[target_id], self.info(target_id)
-        if not info.containers:
+        containers = [c for c in info.containers if hollows(c.name)]
+        if not containers:
             return None
-        container = info.containers[int(rng.integers(len(info.containers)))]
+        container = containers[int(rng.integers(len(containers)))]
         if any(a > b for a, b in zip(asset.extents_m, container.size_m, strict=True)):
             return None
         if any(intent == Intent("INSIDE", target_id) for intent in self.intents.values()):

@@ -14,7 +14,8 @@ import pytest
 from sdgen.errors import AssetError
 from sdgen.library import Library, library, prepared
 from sdgen.library.cache import cache_root, usable_cache, write
-from sdgen.library.meshes import MeshData, outline, read_glb, read_hulls, within_meshes
+from sdgen.library.meshes import MeshData, read_glb, read_hulls, within_meshes
+from sdgen.library.outlines import outlines_of
 from sdgen.scratch import PREFIX
 
 from tests.fakes import MODELS, write_library
@@ -48,8 +49,8 @@ def check(found: Library, folder: Path) -> None:
         assert [hull.part for hull in found.hulls(asset.id)] == [hull.part for hull in pieces]
         for ours, theirs in zip(found.hulls(asset.id), pieces, strict=True):
             assert np.array_equal(ours.vertices_m, theirs.vertices_m)
-        drawn = [meshes[part] for part in asset.variants["default"]]
-        assert found.info(asset.id).outline_m == outline(drawn)
+        outlines = {part: outlines_of(mesh) for part, mesh in meshes.items()}
+        assert found.info(asset.id).outlines_m == outlines
 
 
 def test_what_is_mapped_is_what_the_files_hold(folder: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
+from itertools import islice
 
 import numpy as np
 import shapely
@@ -12,6 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from sdgen.facts.hollows import Hollow, hollows_of
 from sdgen.facts.surfaces import Surface, surfaces_of
 from sdgen.geometry import Array, apply
+from sdgen.library.drawn import box_of, drawn
 from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance
 
@@ -20,17 +22,19 @@ LEAST_M2 = 1e-9
 
 
 class Body:
-    """World geometry of one object: ``corners`` (N, 3) of its outline, ``low`` and ``high`` of its
-    box, and its ``center``: the middle of its extents, wherever its joints are."""
+    """World geometry of one object as it is drawn, its joints where they are: ``corners`` (N, 3) of
+    its outline, ``low`` and ``high`` of its box, and its ``center``: the middle of its variant's
+    box, wherever its joints are."""
 
     def __init__(self, item: ObjectInstance, info: AssetInfo) -> None:
         self.item = item
         self.info = info
         self.world_from_object = item.pose.matrix()
-        self.corners = apply(self.world_from_object, info.outermost_m)
+        self.outline = drawn(info, item.variant, item.joints)
+        self.corners = apply(self.world_from_object, self.outline.points_m)
         self.low = self.corners.min(axis=0)
         self.high = self.corners.max(axis=0)
-        self.center = center_of(self.world_from_object, info)
+        self.center = center_of(self.world_from_object, info, item.variant)
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
@@ -43,9 +47,20 @@ class Body:
         return tuple(hollows_of(self.item, self.info, self.world_from_object))
 
     @cached_property
+    def pieces(self) -> tuple[BaseGeometry, ...]:
+        """The convex outlines, seen from above, of the pieces that lie apart: of what no joint has
+        moved first, then of each part that stands open."""
+        return tuple(_hulls([self]))
+
+    @cached_property
     def footprint(self) -> BaseGeometry:
-        """The convex outline seen from above."""
-        return footprints([self])[0]
+        """All that the object covers from above."""
+        return _united(self.pieces)
+
+    @cached_property
+    def trunk(self) -> BaseGeometry:
+        """What it covers but for the parts that stand open."""
+        return _united(self.pieces[: self.outline.still] or self.pieces)
 
     def covered_by(self, shape: BaseGeometry) -> float:
         """Share (0-1) of the footprint that lies in a shape."""
@@ -57,10 +72,11 @@ class Body:
 
 
 def with_footprints(bodies: Sequence[Body]) -> Sequence[Body]:
-    """The same bodies, the footprints they do not have yet computed in one call."""
-    missing = [body for body in bodies if "footprint" not in vars(body)]
-    for body, shape in zip(missing, footprints(missing), strict=True):
-        body.footprint = shape
+    """The same bodies, the outlines they do not have yet computed in one call."""
+    missing = [body for body in bodies if "pieces" not in vars(body)]
+    hulls = iter(_hulls(missing))
+    for body in missing:
+        body.pieces = tuple(islice(hulls, len(body.outline.starts)))
     return bodies
 
 
@@ -69,23 +85,27 @@ def bodies_of(objects: Iterable[ObjectInstance], infos: Mapping[str, AssetInfo])
     return [Body(item, infos[item.asset]) for item in objects]
 
 
-def footprints(bodies: Sequence[Body]) -> list[BaseGeometry]:
-    """The convex outlines of bodies seen from above."""
+def _hulls(bodies: Sequence[Body]) -> list[BaseGeometry]:
+    """The convex outlines of the pieces of bodies seen from above, one body after another."""
     if not bodies:
         return []
-    body_of = np.repeat(np.arange(len(bodies)), [len(body.corners) for body in bodies])
+    starts = [body.outline.starts for body in bodies]
+    ends = [(*body.outline.starts[1:], len(body.corners)) for body in bodies]
+    sizes = np.concatenate(ends) - np.concatenate(starts)
     points = np.concatenate([body.corners for body in bodies])[:, :2]
     # A line has the hull of its points, and needs no geometry of its own for each of them.
-    shapes: list[BaseGeometry] = shapely.convex_hull(
-        shapely.linestrings(points, indices=body_of)
-    ).tolist()
+    lines = shapely.linestrings(points, indices=np.repeat(np.arange(len(sizes)), sizes))
+    shapes: list[BaseGeometry] = shapely.convex_hull(lines).tolist()
     return shapes
 
 
-def center_of(world_from_object: Array, info: AssetInfo) -> Array:
-    """The middle of an object's extents in the world (3,)."""
-    rise = world_from_object[:3, 2] * (info.extents_m[2] / 2)
-    return np.asarray(world_from_object[:3, 3] + rise, dtype=np.float64)
+def _united(shapes: Sequence[BaseGeometry]) -> BaseGeometry:
+    return shapes[0] if len(shapes) == 1 else shapely.union_all(shapes)
+
+
+def center_of(world_from_object: Array, info: AssetInfo, variant: str) -> Array:
+    """The middle of a variant's box in the world (3,)."""
+    return np.asarray(apply(world_from_object, box_of(info, variant).mean(axis=0))[0])
 
 
 def gaps(low: Array, high: Array, lows: Array, highs: Array) -> Array:

@@ -57,7 +57,9 @@ class Rooms:
         self, items: Sequence[ObjectInstance], infos: Mapping[str, AssetInfo]
     ) -> dict[int, int]:
         """The room each object is in by its pose; what it had where it is outdoors."""
-        centers = rows([center_of(item.pose.matrix(), infos[item.asset]) for item in items], 3)
+        centers = rows(
+            [center_of(item.pose.matrix(), infos[item.asset], item.variant) for item in items], 3
+        )
         found = self.of([item.id for item in items], centers)
         return {
             item.id: next(filter(None, rooms), item.room_id)

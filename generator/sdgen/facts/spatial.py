@@ -92,7 +92,7 @@ def under(facts: Measured, object_id: int) -> Iterable[Related]:
         if other is body:
             continue
         off = on.get(ids[index], NO).negated()
-        share, below = body.covered_by(other.footprint), float(room[index])
+        share, below = body.covered_by(other.trunk), float(room[index])
         level = facts.supports.over(ids[index], float(body.high[2]))
         holds = all_of((*free, off, level, UNDER_SHARE.more(share)))
         measured = {"overlap": min(share, 1.0), "below_m": below}

@@ -221,8 +221,8 @@ class _Infos(Mapping[str, AssetInfo]):
 
     def __getitem__(self, asset_id: str) -> AssetInfo:
         if asset_id not in self._made:
-            outline_m = self._library.model(asset_id).outline_m
-            self._made[asset_id] = self._library.assets[asset_id].info(outline_m)
+            outlines_m = dict(self._library.model(asset_id).outlines_m)
+            self._made[asset_id] = self._library.assets[asset_id].info(outlines_m)
         return self._made[asset_id]
 
     def __iter__(self) -> Iterator[str]:

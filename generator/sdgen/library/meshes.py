@@ -15,7 +15,6 @@ import numpy.typing as npt
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sdgen.errors import AssetError
-from sdgen.geometry import Vec3, vec3
 from sdgen.library.glb import MAX_BYTES, glb_document
 from sdgen.library.quantized import lacks_normals, plain_glb
 from sdgen.library.raw import file_bytes
@@ -236,21 +235,3 @@ def _unit(vectors: Floats) -> Floats:
     """Rows made unit (a node's scale stretches normals, too)."""
     length = np.linalg.norm(vectors, axis=1, keepdims=True)
     return np.asarray(vectors / np.where(length > 1e-12, length, 1.0), dtype=np.float64)
-
-
-def outline(parts: Sequence[MeshData], directions: int = 64) -> tuple[Vec3, ...]:
-    """Outermost vertices of some parts in evenly spread directions and along the axes.
-
-    Metres, rounded to 0.1 mm, sorted. On a ball of radius r they miss at most 0.02 r.
-    """
-    vertices = np.concatenate([part.vertices for part in parts])
-    k = np.arange(directions) + 0.5
-    z = 1 - 2 * k / directions
-    turn = np.pi * (1 + 5**0.5) * k
-    flat = np.sqrt(1 - z * z)
-    spread = np.stack([flat * np.cos(turn), flat * np.sin(turn), z], axis=1)
-    axes = np.concatenate([np.eye(3), -np.eye(3)])
-    corners = np.array([(x, y, w) for x in (-1, 1) for y in (-1, 1) for w in (-1, 1)]) / 3**0.5
-    outermost = np.argmax(vertices @ np.concatenate([spread, axes, corners]).T, axis=0)
-    points = {vec3(np.round(vertices[i], 4) + 0.0) for i in outermost.tolist()}
-    return tuple(sorted(points))

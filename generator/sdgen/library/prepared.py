@@ -23,17 +23,17 @@ from typing import Any
 import numpy as np
 
 from sdgen.errors import AssetError
-from sdgen.geometry import Vec3, vec3
+from sdgen.geometry import vec3
 from sdgen.library.cache import cache_root, digest, write
 from sdgen.library.glb import MAX_BYTES
 from sdgen.library.meshes import (
     Hull,
     MeshData,
-    outline,
     read_glb,
     read_hulls,
     within_meshes,
 )
+from sdgen.library.outlines import Points, outlines_of
 from sdgen.library.raw import file_bytes
 from sdgen.library.records import Asset
 
@@ -52,14 +52,14 @@ _MESH = ("vertices", "normals", "uvs", "faces")
 
 @dataclass(frozen=True)
 class Model:
-    """Meshes by part, convex pieces (none beyond what is drawn) and outline of one model.
+    """Meshes by part, convex pieces (none beyond what is drawn) and outlines of one model.
 
     The arrays can only be read.
     """
 
     meshes: Mapping[str, MeshData]
     hulls: tuple[Hull, ...]
-    outline_m: tuple[Vec3, ...]
+    outlines_m: Mapping[str, tuple[Points, ...]]
 
 
 class Prepared:
@@ -98,10 +98,7 @@ def open_files() -> int:
 
 
 def _key(asset: Asset, glb: bytes, hulls: bytes) -> str:
-    named = (
-        [(part.name, part.faces, part.joint) for part in asset.parts],
-        asset.variants["default"],
-    )
+    named = [(part.name, part.faces, part.joint) for part in asset.parts]
     return digest(glb, hulls, repr(named).encode(), _code())
 
 
@@ -125,7 +122,10 @@ def pack(model: Model) -> bytes:
                 for part, mesh in model.meshes.items()
             },
             "hulls": [[hull.part, place(hull.vertices_m)] for hull in model.hulls],
-            "outline": place(np.array(model.outline_m)),
+            "outlines": {
+                part: [place(np.array(points)) for points in pieces]
+                for part, pieces in model.outlines_m.items()
+            },
         }
     ).encode()
     text += b" " * (-(_HEAD.size + len(text)) % _ALIGN)
@@ -156,7 +156,10 @@ def unpacked(data: memoryview) -> Model:
             for part, entries in index["meshes"].items()
         },
         hulls=tuple(Hull(part, array(entry)) for part, entry in index["hulls"]),
-        outline_m=tuple(vec3(point) for point in array(index["outline"]).tolist()),
+        outlines_m={
+            part: tuple(tuple(map(vec3, array(entry).tolist())) for entry in pieces)
+            for part, pieces in index["outlines"].items()
+        },
     )
 
 
@@ -176,7 +179,7 @@ def _read(folder: Path, asset: Asset, glb: bytes, hulls: bytes) -> Model:
     return Model(
         meshes=meshes,
         hulls=within_meshes(pieces, meshes, asset),
-        outline_m=outline([meshes[part] for part in asset.variants["default"]]),
+        outlines_m={part: outlines_of(mesh) for part, mesh in meshes.items()},
     )
 
 
@@ -184,6 +187,6 @@ def _read(folder: Path, asset: Asset, glb: bytes, hulls: bytes) -> Model:
 def _code() -> bytes:
     """What else decides the arrays: the code that reads models, ours and that of others."""
     here = Path(__file__).parent
-    names = ("glb.py", "meshes.py", "prepared.py", "quantized.py")
+    names = ("glb.py", "meshes.py", "outlines.py", "prepared.py", "quantized.py")
     sources = [(here / name).read_bytes() for name in names]
     return digest(f"{version('trimesh')} {np.__version__}".encode(), *sources).encode()

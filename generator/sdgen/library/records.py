@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from pydantic import Field
 from shapely import Polygon
 
-from sdgen.geometry import Array, Coordinate, Vec2, Vec3, box_corners
+from sdgen.geometry import Array, Coordinate, Vec2, Vec3
 from sdgen.scene import Record
 from sdgen.vocabulary import StructureKind
 
@@ -99,8 +99,9 @@ class RestingPose(Record):
 class AssetInfo(Record):
     """One model, as ``assets.jsonl`` carries it: all that labels need, no meshes.
 
-    ``outline_m`` are outermost points of the visual mesh (default variant, joints at 0): where
-    the object touches and what it covers from above follow from them, however it lies.
+    ``outlines_m`` are outermost points of the visual mesh of every part (joints at 0), of each of
+    its pieces that lie apart: where the object touches and what it covers from above follow from
+    those of the drawn parts, where its joints put them, however it lies.
     """
 
     id: str = Field(pattern=NAME)
@@ -109,7 +110,7 @@ class AssetInfo(Record):
     licence: str
     source: str
     extents_m: Vec3
-    outline_m: tuple[Vec3, ...] = ()
+    outlines_m: dict[str, tuple[tuple[Vec3, ...], ...]] = Field(default_factory=dict)
     mass_kg: float = Field(gt=0)
     friction: float = Field(default=0.6, ge=0)
     parts: tuple[Part, ...]
@@ -135,10 +136,9 @@ class AssetInfo(Record):
         raise KeyError(name)
 
     @cached_property
-    def outermost_m(self) -> Array:
-        """``outline_m`` as (N, 3), or the corners of the extents when there is none."""
-        x, y, z = self.extents_m
-        return np.array(self.outline_m or box_corners((-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)))
+    def known_outlines(self) -> dict[tuple[str, tuple[str, ...]], Any]:
+        """What :mod:`sdgen.library.drawn` has made of the outlines already."""
+        return {}
 
     @property
     def faces(self) -> int:
@@ -158,11 +158,11 @@ class Asset(AssetInfo):
     hulls: str
     texture: str
 
-    def info(self, outline_m: tuple[Vec3, ...]) -> AssetInfo:
-        """The record without file names, with the outline of its mesh."""
+    def info(self, outlines_m: dict[str, tuple[tuple[Vec3, ...], ...]]) -> AssetInfo:
+        """The record without file names, with the outlines of its meshes."""
         # Its values are checked already, and records are frozen: both may share them.
         data = {name: getattr(self, name) for name in AssetInfo.model_fields}
-        return AssetInfo.model_construct(**{**data, "outline_m": outline_m})
+        return AssetInfo.model_construct(**{**data, "outlines_m": outlines_m})
 
 
 class Surface(Record):

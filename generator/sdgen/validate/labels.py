@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from itertools import islice
 
+from sdgen.actions import at_rest
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
 from sdgen.dataset.reader import SceneItem
@@ -108,8 +109,14 @@ def check_zones(
     scene = item.scene
     traits = {category.name: category.properties for category in catalog.categories}
     hazard_only = {c.name for c in catalog.categories if c.kind == "hazard_only"}
+    # As nobody left it: what stands open now is no part of the home.
     furniture = bodies_of(
-        [o for o in scene.objects if o.fixed and o.category not in hazard_only], infos
+        [
+            at_rest(thing, infos[thing.asset])
+            for thing in scene.objects
+            if thing.fixed and thing.category not in hazard_only
+        ],
+        infos,
     )
     free = free_shape(scene.home, floor_obstacles(furniture))
     zones = derive_zones(scene.home, furniture, free, traits)

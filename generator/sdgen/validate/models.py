@@ -13,6 +13,7 @@ from sdgen.catalog.records import Category
 from sdgen.geometry import Array, apply
 from sdgen.library import Library
 from sdgen.library.alone import MODEL_ID, alone_on_floor
+from sdgen.library.drawn import drawn
 from sdgen.library.records import Asset
 from sdgen.library.shape import corners_of, hull_volume, outside_share, see_through, surface_points
 from sdgen.library.states import object_from_part
@@ -157,7 +158,7 @@ def rest(model: Model, client: Client) -> Iterator[str]:
         yield "does not come to rest"
         return
     pose = settled.poses[MODEL_ID]
-    outline = model.library.info(model.asset.id).outermost_m
+    outline = drawn(model.library.info(model.asset.id), "default", {}).points_m
     lowest = apply(pose.matrix(), outline)[:, 2].min()
     if lowest < -_SANK_M - _HULL_SLACK * max(model.asset.extents_m):
         yield f"sinks {-lowest * 1000:.0f} mm into the floor"

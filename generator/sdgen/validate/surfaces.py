@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from sdgen.dataset.reader import SceneItem
 from sdgen.geometry import Array, apply, inverse
+from sdgen.library.drawn import drawn
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Box, Camera, ObjectInstance
 
@@ -32,8 +33,7 @@ def off_surface(
     """What is wrong when pixels, put into the world by camera and depth, are not on the walls,
     floors and objects (H, W) ``ids`` names; None when they are.
 
-    Structures are met exactly; of an object only its box is known here, and nothing while it
-    stands open or in another variant than its box was measured in.
+    Structures are met exactly; of an object the box of its outline, along its own axes.
     """
     step = max(1, round(math.sqrt(ids.size / _LOOKED_AT)))
     z, seen = depth_mm[::step, ::step].ravel() / 1000.0, ids[::step, ::step].ravel()
@@ -78,10 +78,8 @@ def _off_boxes(points: Array, boxes: Sequence[Box]) -> Array:
 
 
 def _off_object(points: Array, thing: ObjectInstance, infos: Mapping[str, AssetInfo]) -> Array:
-    """How far outside its box points (N,) of an object lie; 0 where the box says nothing."""
-    if any(thing.joints.values()) or thing.variant != "default":
-        return np.zeros(len(points))
-    size = np.asarray(infos[thing.asset].extents_m)
+    """How far outside its box points (N,) of an object lie."""
+    low, high = drawn(infos[thing.asset], thing.variant, thing.joints).box_m
     own = apply(inverse(thing.pose.matrix()), points)
-    beyond = np.abs(own - (0, 0, size[2] / 2)) - size / 2
+    beyond = np.maximum(low - own, own - high)
     return np.asarray(np.maximum(beyond, 0).max(axis=1), dtype=np.float64)

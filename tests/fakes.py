@@ -22,6 +22,7 @@ RED, GREEN, BLUE, GREY = (200, 40, 40), (40, 180, 60), (40, 60, 200), (150, 150,
 MODELS: dict[str, dict[str, Any]] = {
     "cube_01": {"parts": [("body", (-0.1, -0.1, 0.0), (0.1, 0.1, 0.2), None)], "rgb": RED},
     "cube_02": {"parts": [("body", (-0.1, -0.1, 0.0), (0.1, 0.1, 0.2), None)], "rgb": GREEN},
+    "sheet_01": {"parts": [("body", (-0.3, -0.05, 0.0), (0.3, 0.05, 0.004), None)], "rgb": BLUE},
     "plank_01": {"parts": [("body", (-0.3, -0.05, 0.0), (0.3, 0.05, 0.02), None)], "rgb": BLUE},
     # Two parts whose faces coincide: which one is seen is up to the order of drawing.
     "flush_01": {

@@ -57,6 +57,9 @@ HALF_WALL_M = 0.06
 #: Flatter than this, metres, is walked and stood over: rugs, mats, puddles. ADA 2010, section
 #: 303.2 and 303.3, lets a route step up by 13 mm at most; a rug's pile is pressed down.
 FLAT_M = 0.03
+#: A covering no thicker than this, metres, gives way under feet and furniture: flat-woven rugs and
+#: mats have 3 to 5 mm. What is thicker would be cut by a leg, so it lies clear of furniture.
+PRESSED_M = 0.005
 #: How high a small child grasps things, metres: the reach of a six-year-old, standing, arm up, of
 #: ``hazard_catalog/households.yaml``; three hazards take it as their limit.
 CHILD_REACH_M = 1.3

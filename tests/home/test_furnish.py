@@ -116,21 +116,25 @@ def test_a_leaf_that_opens_into_a_wall_is_not_within_the_room(fakes):
     assert within_room(layout.blocks_of(near), home, 1)
 
 
-def test_a_rug_lies_under_furniture_and_not_under_an_open_leaf(fakes):
+def test_a_thin_rug_lies_under_furniture_and_a_thick_one_clear_of_it(fakes):
     layout = Layout(fakes, itertools.count(1))
-    asset = fakes.assets["plank_01"]
-    rug = ObjectInstance(
-        id=20,
-        category="rug",
-        asset="plank_01",
-        pose=Pose(position_m=(0.0, 0.0, 0.0), quat_xyzw=quat_from_yaw(0.0)),
-        room_id=1,
-        fixed=True,
-    )
+
+    def rug(model: str, y: float = 0.0) -> ObjectInstance:
+        pose = Pose(position_m=(0.0, y, 0.0), quat_xyzw=quat_from_yaw(0.0))
+        return ObjectInstance(id=20, category="rug", asset=model, pose=pose, room_id=1, fixed=True)
+
+    def lies(item: ObjectInstance) -> bool:
+        placed = put_piece(item, fakes.assets[item.asset], layout, None)
+        if placed:
+            layout.drop(item.id)
+        return placed
+
     layout.put(thing(10, "table_01", (0, 0, 0), fixed=True))
-    assert put_piece(rug, asset, layout, None)
-    layout.drop(20)
+    assert lies(rug("sheet_01"))
+    assert not lies(rug("plank_01"))
+    assert lies(rug("plank_01", 0.2)), "beside the leg, under the top"
+    layout.put(thing(12, "plank_01", (0, 0.2, 0), fixed=True))
+    assert not lies(rug("sheet_01", 0.2)), "over another rug"
     leaf = thing(11, "cabinet_01", (-0.5, 0, 0), joints={"door": -1.5}, fixed=True)
     layout.put(leaf.model_copy(update={"category": "door"}))
-    low = rug.model_copy(update={"pose": Pose(position_m=(0, 0.3, 0), quat_xyzw=(0, 0, 0, 1))})
-    assert not put_piece(low, asset, layout, None)
+    assert not lies(rug("sheet_01", 0.3)), "under an open leaf"

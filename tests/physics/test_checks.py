@@ -83,8 +83,11 @@ def test_an_open_leaf_counts_where_it_is(library: Library, x: float, met: int) -
 def test_furniture_presses_into_a_rug_and_a_door_or_a_loose_thing_does_not(
     library: Library,
 ) -> None:
-    rug = furniture(11, "plank_01", (0, 0, 0))  # 2 cm thick
-    assert penetrations_of(library, box_room([furniture(10, "table_01", (0, 0, 0)), rug])) == []
+    table, rug = furniture(10, "table_01", (0, 0, 0)), furniture(11, "sheet_01", (0, 0, 0))
+    assert penetrations_of(library, box_room([table, rug])) == []
+    thick = furniture(11, "plank_01", (0, 0, 0))  # 2 cm: a leg would cut it
+    assert [v.objects for v in penetrations_of(library, box_room([table, thick]))] == [(10, 11)]
+    rug = thick
     door = furniture(10, "table_01", (0, 0, 0)).model_copy(update={"category": "door"})
     assert [v.objects for v in penetrations_of(library, box_room([door, rug]))] == [(10, 11)]
     loose = thing(10, "cube_01", (0, 0, 0.005))

@@ -101,7 +101,7 @@ def rug(form: str, **more) -> Model:
     if form == "sheepskin":
         return sheepskin(more["sx"], more["sy"], more["tones"][0], 5)
     sx, sy, tones = more["sx"], more["sy"], more["tones"]
-    h = 0.01
+    h = 0.004
     if form in ("round", "oval"):
         outline = _ellipse(sx, sy)
         face = label(_rings(tones), occlusion=0.0)
@@ -114,7 +114,7 @@ def rug(form: str, **more) -> Model:
     for q in (-1, 1):
         for i in range(11):
             x = (i - 5) / 11 * sx
-            tassel = box(sx / 18, 0.075, 0.007, (0, 0, 0), thread).turn(rz=0.12 * math.sin(3 * i))
+            tassel = box(sx / 18, 0.075, 0.003, (0, 0, 0), thread).turn(rz=0.12 * math.sin(3 * i))
             meshes.append(tassel.move(x, q * (sy / 2 - 0.036), 0))
     part = Part(meshes, collision=[box_piece((0, 0, h / 2), (sx, sy, h))])
     mass = round(2.2 * sx * sy, 1)

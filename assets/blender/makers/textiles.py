@@ -73,7 +73,7 @@ def rug(
     depth: float = 1.4,
     pattern: str = "border",
     tones: tuple[str, ...] = ("#d9cdb8", "#8c4a3f", "#41566b"),
-    thickness: float = 0.008,
+    thickness: float = 0.004,
     corner: float = 0.01,
     title: str = "rug",
     offset: Offset = (0, 0, 0),

@@ -19,7 +19,7 @@ from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import FLAT_M, OPENINGS
+from sdgen.vocabulary import FLAT_M, OPENINGS, PRESSED_M
 
 #: Of the pieces a drawn home marks optional, so many stand: chosen by eye, for variety.
 OPTIONAL_SHARE = 0.75
@@ -206,17 +206,17 @@ def put_piece(
 def _has_room(
     blocks: Sequence[Block], asset: AssetInfo, layout: Layout, intent: Intent | None
 ) -> bool:
-    """True unless a piece clashes with another; flat things (rugs) lie under others, but not
-    under the open leaf of a door."""
-    flat = asset.extents_m[2] <= FLAT_M
+    """True unless a piece clashes with another; what is thin (a flat-woven rug) lies under
+    furniture, but neither under the open leaf of a door nor over another rug."""
+    thick_m = asset.extents_m[2]
 
     def passes(other_id: int) -> bool:
-        other = layout.items[other_id]
-        return (
-            (intent is not None and other_id == intent.target_id)
-            or (flat and other.category not in OPENINGS)
-            or layout.info(other_id).extents_m[2] <= FLAT_M
-        )
+        if intent is not None and other_id == intent.target_id:
+            return True
+        other_m = layout.info(other_id).extents_m[2]
+        if layout.items[other_id].category in OPENINGS or max(thick_m, other_m) <= FLAT_M:
+            return False
+        return min(thick_m, other_m) <= PRESSED_M
 
     return all(map(passes, layout.entered(blocks)))
 

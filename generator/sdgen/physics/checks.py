@@ -26,7 +26,7 @@ def penetrations(
     Everything is tested against everything, furniture against furniture, walls, doors and windows
     too, by the convex pieces of what is drawn, joints applied. Two exceptions: floors, walls and
     ceilings are not tested against one another, and furniture presses into the rug it stands on
-    (a fixed thing no thicker than ``FLAT_M``); the leaf of a door does not. ``ids`` restricts to
+    (a fixed thing no thicker than ``PRESSED_M``); the leaf of a door does not. ``ids`` restricts to
     pairs with one of these objects.
     """
     deepest: dict[tuple[int, int], float] = {}

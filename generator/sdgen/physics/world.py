@@ -13,7 +13,7 @@ from sdgen.library import Library
 from sdgen.physics.bodies import add_object, add_piece, collision_of
 from sdgen.physics.client import Client
 from sdgen.scene import ObjectInstance, Pose, Scene
-from sdgen.vocabulary import FLAT_M, OPENINGS
+from sdgen.vocabulary import PRESSED_M, OPENINGS
 
 #: A loose thing that is put back by less than this (the rounding of its pose) sleeps on.
 NUDGE_M = 1e-4
@@ -23,7 +23,7 @@ NUDGE_M = 1e-4
 class Placed:
     """One body: whose it is, its box in the world, (2, 3), and what it counts as.
 
-    ``shell`` bodies are floors, walls and ceilings; ``covering`` ones are fixed, lie flat and give
+    ``shell`` bodies are floors, walls and ceilings; ``covering`` ones are fixed, thin and give
     way under furniture, which are the ``heavy`` ones. ``com_m`` is the body's origin in the
     object's frame, (3,).
     """
@@ -99,7 +99,7 @@ class World:
 
     def _add(self, item: ObjectInstance, loose: bool) -> Placed:
         body, com = add_object(self.client, self._library, item, loose)
-        flat = item.fixed and self._library.assets[item.asset].extents_m[2] <= FLAT_M
+        thin = item.fixed and self._library.assets[item.asset].extents_m[2] <= PRESSED_M
         return Placed(
             body=body,
             owner=item.id,
@@ -107,8 +107,8 @@ class World:
             com_m=com,
             item=item,
             loose=loose,
-            covering=flat,
-            heavy=item.fixed and not flat and item.category not in OPENINGS,
+            covering=thin,
+            heavy=item.fixed and not thin and item.category not in OPENINGS,
         )
 
     def _bounds(self, item: ObjectInstance) -> Array:

@@ -119,7 +119,7 @@ INFOS = {
         asset("door", (0.12, 0.9, 2.1)),
     )
 }
-PROPERTIES = {"sofa": ("SITTABLE",), "tv": ("LOOKABLE",)}
+PROPERTIES = {"sofa": ("SITTABLE",), "tv": ("LOOKABLE",), "table": ("SAT_AT",)}
 FIXED = {"table", "sink_cabinet", "fridge", "sofa", "tv", "stove", "rug", "door"}
 
 

@@ -21,6 +21,7 @@ ROWS = (
     ("INSIDE", "how deep its centre lies in the hollow's box, m", "at least", t.INSIDE_M),
     ("CLOSE", "gap between the boxes, in one room, m", "less than", t.CLOSE_M),
     ("FACING", "angle between its front and the other's centre, degrees", "less than", DEGREES),
+    ("FACING", "gap between the boxes, where the other is sat at, m", "less than", t.SAT_AT_M),
     ("UNDER", "share of its footprint below the other's", "more than", t.UNDER_SHARE),
     ("UNDER", "m from its top to the other's highest surface", "at least", t.UNDER_M),
     ("BLOCKS", "share of its footprint in a doorway's zones", "at least", t.ZONE_SHARE),

@@ -106,6 +106,16 @@ def test_facing_within_75_degrees():
     assert Edge(1, 2, "FACING") not in turned.edges()
 
 
+@pytest.mark.parametrize(
+    ("x", "yaw", "faces"), [(2.4, 0.0, True), (1.7, 0.0, False), (2.4, math.pi, False)]
+)
+def test_a_seat_faces_the_table_it_stands_at(x, yaw, faces):
+    """The sofa's front is 0.15 m or 0.85 m away."""
+    table = thing(2, "table", 3.5, 2)
+    f = facts(thing(1, "sofa", x, 2, yaw=yaw), table)
+    assert (Edge(1, 2, "FACING") in f.edges()) is faces
+
+
 def test_a_door_is_between_its_rooms_and_a_box_in_its_zone_blocks_it():
     zone = Zone(
         name="doorway:a",

@@ -83,6 +83,11 @@ def facing(t, x, y):
     return facts(thing(2, "sofa", 1.3 + x, 2 + y, yaw=t), thing(1, "tv", 3.5 + x, 2 + y))
 
 
+def facing_table(t, x, y):
+    sofa = thing(2, "sofa", 2.4 - t + x, 2 + y)
+    return facts(sofa, thing(1, "table", 3.5 + x, 2 + y))
+
+
 def under_share(t, x, y):
     return facts(thing(1, "table", 1.5 + x, 2 + y), thing(2, "box", 1.5 + x + t, 2 + y))
 
@@ -165,6 +170,7 @@ SWEEPS = {
     "INSIDE": (inside, "{relation: INSIDE, target: fridge}", 0.2, 0.3),
     "CLOSE": (close, "{relation: CLOSE, target: stove}", 1.3, 1.7),
     "FACING": (facing, "{relation: FACING, target: tv}", 0.0, math.pi),
+    "FACING, sat at": (facing_table, "{relation: FACING, target: table}", 0.0, 0.8),
     "UNDER share": (under_share, "{relation: UNDER, target: table}", 0.3, 0.8),
     "UNDER height": (under_height, "{relation: UNDER, target: table}", 0.4, 0.5),
     "UNDER tilted": (under_tilted, "{relation: UNDER, target: table}", 0.0, 0.05),

@@ -1,6 +1,7 @@
 """Spots lie within supports, under headroom and clear of what is there already."""
 
 import itertools
+import math
 
 import pytest
 from sdgen.actions import at_rest, in_state
@@ -104,3 +105,20 @@ def test_a_dropped_thing_leaves_no_trace(layout):
     copy.drop(table)
     assert layout.items == before
     assert copy.items == {}
+
+
+def test_what_is_looked_at_faces_the_way_its_support_does():
+    front = 0.7
+    layout = Layout(LIBRARY, itertools.count(1), frozenset({"photo_frame"}))
+    dresser = put(layout, "dresser", yaw=front)
+    rng = lane(0, 5, "layout")
+    turned = {"photo_frame": [], "mug": []}
+    for category, seen in turned.items():
+        for _ in range(60):
+            spot = layout.spot_on_object(LIBRARY.by_category(category)[0], dresser, "ON", rng)
+            if spot is not None:
+                seen.append(math.cos(spot[1] - front))
+    assert min(turned["photo_frame"]) > 0.5
+    assert len(set(turned["photo_frame"])) > 10, "not all alike"
+    assert min(turned["mug"]) < -0.5
+    assert layout.copy().fronted == layout.fronted

@@ -56,7 +56,8 @@ SUPERCLASSES = (
     "Walls",
     "Windows",
 )
-#: VirtualHome's, and HEAT_SOURCE and WATER_SOURCE (of which zones are made).
+#: VirtualHome's, HEAT_SOURCE and WATER_SOURCE (of which zones are made), and SAT_AT (what a seat
+#: at it faces).
 PROPERTIES = (
     "CAN_OPEN",
     "CLOTHES",
@@ -78,6 +79,7 @@ PROPERTIES = (
     "POURABLE",
     "READABLE",
     "RECIPIENT",
+    "SAT_AT",
     "SITTABLE",
     "SURFACES",
     "WATER_SOURCE",

@@ -16,6 +16,7 @@ from sdgen.facts.thresholds import (
     BEARING_LEVEL,
     CLOSE_M,
     FACING_RAD,
+    SAT_AT_M,
     UNDER_M,
     UNDER_SHARE,
 )
@@ -67,14 +68,22 @@ def bearings(facts: Measured, object_id: int, others: Iterable[int]) -> Iterable
 
 
 def facing(facts: Measured, object_id: int) -> Iterable[Related]:
-    """What can be looked at before something that can be sat on."""
-    if object_id in facts.having("SITTABLE"):
-        for found in bearings(facts, object_id, facts.having("LOOKABLE")):
-            ahead = FACING_RAD.less(found.angle_rad)
-            ahead = Kleene(ahead.value, ahead.sure and found.clear)
-            holds = all_of((found.together, ahead))
-            angle = {"facing_deg": math.degrees(found.angle_rad)}
-            yield from _related(facts, found.target_id, holds, angle)
+    """What is looked at, or sat at, before something that can be sat on."""
+    if object_id not in facts.having("SITTABLE"):
+        return
+    looked_at, body = facts.having("LOOKABLE"), facts.bodies[object_id]
+    others = (*looked_at, *(k for k in facts.having("SAT_AT") if k not in looked_at))
+    for found in bearings(facts, object_id, others):
+        ahead = FACING_RAD.less(found.angle_rad)
+        ahead = Kleene(ahead.value, ahead.sure and found.clear)
+        evidence = {"facing_deg": math.degrees(found.angle_rad)}
+        parts = [found.together, ahead]
+        if found.target_id not in looked_at:
+            other = facts.bodies[found.target_id]
+            gap = float(gaps(body.low, body.high, other.low[None], other.high[None])[0])
+            parts.append(SAT_AT_M.less(gap))
+            evidence["gap_m"] = gap
+        yield from _related(facts, found.target_id, all_of(parts), evidence)
 
 
 def under(facts: Measured, object_id: int) -> Iterable[Related]:

@@ -66,6 +66,10 @@ INSIDE_M = around(0.0, 0.003)
 CLOSE_M = around(1.5, 0.05)
 #: FACING: the angle between the front and the direction to the other's centre (VirtualHome).
 FACING_RAD = around(math.radians(75), math.radians(vocabulary.HEADING_MARGIN_DEG))
+#: FACING of what is sat at, a table or a desk: gap between the boxes, metres. A chair drawn back
+#: for somebody to get up stands 0.45 to 0.6 m off (common planning rules); further off, it is
+#: another seat of the room.
+SAT_AT_M = around(0.5, 0.05)
 #: A bearing needs the other's centre at least this far away, metres, and a front that points
 #: along the floor (cosine): nearer or steeper, a small change would turn it about. Beyond these
 #: a bearing is unsure, never false: they are themselves the edge of a margin.

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
@@ -52,6 +52,9 @@ FLOOR_OFF_WALLS_M = 0.1
 #: By eye: so often a thing lies square to what is under it, give or take so many radians (about
 #: 5 degrees, nobody measures); otherwise any way round.
 SQUARE_CHANCE, SQUARE_SPREAD_RAD = 0.6, 0.08
+#: What is looked at has its front the way that of its support faces, give or take so many radians
+#: (17 degrees): by eye, a photo or a clock turned a little to where people sit or lie.
+FRONT_SPREAD_RAD = 0.3
 #: Left above a thing on a shelf: a hand gets it in and out.
 HEADROOM_LEFT_M = 0.015
 #: What may reach into a wall: less than physics calls a penetration.
@@ -69,10 +72,14 @@ class Intent:
 
 
 class Layout:
-    """Objects placed so far with the space they take. One per attempt; not shared."""
+    """Objects placed so far with the space they take. One per attempt; not shared.
 
-    def __init__(self, library: Library, ids: Iterator[int]) -> None:
+    ``fronted`` categories are put with their front the way that of their support faces.
+    """
+
+    def __init__(self, library: Library, ids: Iterator[int], fronted: Collection[str] = ()) -> None:
         self.library = library
+        self.fronted = fronted
         self.ids = ids
         self.items: dict[int, ObjectInstance] = {}
         self.intents: dict[int, Intent] = {}
@@ -111,7 +118,7 @@ class Layout:
     def copy(self, ids: Iterator[int] | None = None) -> Layout:
         """An independent layout with the same objects; new ones get their ids from ``ids``, or
         from the same source."""
-        out = Layout(self.library, ids or self.ids)
+        out = Layout(self.library, ids or self.ids, self.fronted)
         out.items, out.intents = dict(self.items), dict(self.intents)
         out._blocks, out._table = dict(self._blocks), self._table
         # Shared: what is known of one object as it stands holds in every layout.
@@ -179,13 +186,19 @@ class Layout:
     def _try_surface(
         self, asset: AssetInfo, target: ObjectInstance, surface: PlacingSurface, rng: Rng
     ) -> Vec3Yaw | None:
-        yaw = random_yaw(rng, yaw_of(target.pose.quat_xyzw))
+        yaw = self._heading(asset, target, rng)
         point = surface.random_point(rng)
         if point is None or not surface.carries(asset.extents_m, point, yaw):
             return None
         spot = (*point, surface.z_m), yaw
         block = _space(asset, spot, GAP_M, DROP_M)
         return spot if self.fits([block], ignore=target.id) else None
+
+    def _heading(self, asset: AssetInfo, target: ObjectInstance, rng: Rng) -> float:
+        front = yaw_of(target.pose.quat_xyzw)
+        if asset.category in self.fronted:
+            return front + float(rng.normal(0.0, FRONT_SPREAD_RAD))
+        return random_yaw(rng, front)
 
     def _spot_in_hollow(
         self, asset: AssetInfo, target_id: int, rng: Rng, hollows: Callable[[str], bool]

@@ -13,7 +13,7 @@ from sdgen.library import Library
 from sdgen.physics.bodies import add_object, add_piece, collision_of
 from sdgen.physics.client import Client
 from sdgen.scene import ObjectInstance, Pose, Scene
-from sdgen.vocabulary import PRESSED_M, OPENINGS
+from sdgen.vocabulary import OPENINGS, PRESSED_M
 
 #: A loose thing that is put back by less than this (the rounding of its pose) sleeps on.
 NUDGE_M = 1e-4

@@ -116,7 +116,9 @@ def furnished_home(
 ) -> FurnishedHome | Rejection:
     """A furnished, still empty home. ``ids`` are used up."""
     home = build_shell(spec, library, ids, rng)
-    layout = fill_openings(spec, home, Layout(library, ids), models, rng)
+    properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
+    looked_at = frozenset(name for name, traits in properties.items() if "LOOKABLE" in traits)
+    layout = fill_openings(spec, home, Layout(library, ids, looked_at), models, rng)
     if isinstance(layout, Rejection):
         return layout
     if spec.kind == "procedural":
@@ -128,7 +130,6 @@ def furnished_home(
     home = _sorted(home)
     # By id, as anyone has it who reads the scene: a union's last digits depend on the order.
     bodies = bodies_of([layout.items[k] for k in sorted(layout.items)], library.infos)
-    properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
     free = free_shape(home, floor_obstacles(bodies))
     cut_off = unreachable_rooms(home, free)
     if cut_off:

@@ -27,6 +27,7 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
         ("library",),
         ("catalog",),
         ("facts", "freespace"),
+        ("walkways",),
         ("zones",),
         ("actions",),
     ),

@@ -212,7 +212,8 @@ def scene(index: int = 3, anomalies: int | None = None) -> Scene:
         thing(30, "bookshelf_01", (0.3, 5.0, 0), room=101, fixed=True),
         thing(512, "knife_01", (0.3, 5.0, 1.8), yaw=1.0, room=101),
         thing(42, "door_01", (2.0, 3.05, 0), yaw=1.570796, fixed=True),
-        thing(65535, "cushion_01", (2.0, 5.0, 0), room=101),
+        # Against the wall: in the middle of the floor somebody would trip over it.
+        thing(65535, "cushion_01", (3.75, 5.75, 0), room=101),
     ]
     if wanted > 1:
         objects.append(thing(600, "knife_01", (1.7, 1.1, 0.74), yaw=0.5))

@@ -1,16 +1,13 @@
 """Regions with a meaning, derived from the home and its furniture alone.
 
-A doorway's zone reaches 0.6 m into each room; a walkway is the way between a room's doorways (or
-from its only one to its middle), 0.7 m wide; heat and water lie over stoves and around basins.
-Clearances follow common accessibility practice (0.9 m routes; ADA 2010, section 403.5.1, asks for
-0.915 m), narrowed to what a hazard needs to be certain.
+A doorway's zone reaches 0.6 m into each room; walkways are where people walk
+(:mod:`sdgen.walkways`); heat and water lie over stoves and around basins.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from itertools import combinations
 
 import numpy as np
 import shapely
@@ -19,7 +16,14 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import unary_union
 
 from sdgen.facts import Body, with_footprints
-from sdgen.freespace import ROBOT_RADIUS_M, Grid, opening_rectangle, polygons
+from sdgen.freespace import (
+    ROBOT_RADIUS_M,
+    free_shape,
+    opening_rectangle,
+    polygons,
+    union,
+    without_holes,
+)
 from sdgen.geometry import Vec2, apply
 from sdgen.scene import Home, Opening, Room, Zone
 from sdgen.vocabulary import (
@@ -31,11 +35,10 @@ from sdgen.vocabulary import (
     OVERHEAD_M,
     ZoneKind,
 )
+from sdgen.walkways import OPEN_FLOOR_M, used, walked
 
 #: How far a doorway's zone reaches into each room: a stride, and most of a leaf's sweep.
 DOORWAY_DEPTH_M = 0.6
-#: Half the width of a walkway: shoulders (0.5 m) with 0.1 m of room at either side.
-WALKWAY_HALF_M = 0.35
 #: What lies higher than a knee is no longer in a walker's way on the floor.
 FLOOR_ZONE_TOP_M = 0.5
 #: How high above a hob its heat is dangerous; hoods hang at 0.65 m for that reason.
@@ -133,17 +136,27 @@ def derive_zones(
             shape = opening_rectangle(opening, HALF_WALL_M + DOORWAY_DEPTH_M).intersection(
                 Polygon(room.polygon_m).buffer(HALF_WALL_M, join_style="mitre")
             )
-            zones += _zones("doorway", shape, room, 0.0, FLOOR_ZONE_TOP_M, opening.object_id)
+            zones += _zones(
+                "doorway", polygons(shape), room, 0.0, FLOOR_ZONE_TOP_M, opening.object_id
+            )
         first = rooms[opening.room_ids[0]]
         swing = opening_rectangle(opening, HALF_WALL_M + opening.width_m).intersection(
             Polygon(first.polygon_m)
         )
-        zones += _zones("swing", swing, first, 0.0, SWING_TOP_M, opening.object_id)
+        zones += _zones("swing", polygons(swing), first, 0.0, SWING_TOP_M, opening.object_id)
+    obstacles = floor_obstacles(furniture)
+    standing, open_floor = union(obstacles), free_shape(home, obstacles, OPEN_FLOOR_M)
+    people_use = used(furniture, properties)
     for room in home.rooms:
-        zones += _walkways(home, room, free)
-        reach = free.intersection(Polygon(room.polygon_m)).buffer(CHILD_ARM_M + ROBOT_RADIUS_M)
-        shape = reach.intersection(Polygon(room.polygon_m))
-        zones += _zones("child_reach", _filled(shape), room, 0.0, CHILD_REACH_M, None)
+        outline = Polygon(room.polygon_m)
+        doors = [o for o in home.openings if o.kind != "window" and room.id in o.room_ids]
+        ends = [doorway_point(opening, room) for opening in doors]
+        here = [body for body in people_use if body.item.room_id == room.id]
+        walkways = walked(outline, ends, here, properties, free, standing, open_floor)
+        zones += _zones("walkway", without_holes(walkways), room, 0.0, FLOOR_ZONE_TOP_M, None)
+        reach = free.intersection(outline).buffer(CHILD_ARM_M + ROBOT_RADIUS_M)
+        shape = _filled(reach.intersection(outline))
+        zones += _zones("child_reach", polygons(shape), room, 0.0, CHILD_REACH_M, None)
     for body in furniture:
         item = body.item
         traits = properties.get(item.category, ())
@@ -153,10 +166,17 @@ def derive_zones(
         top = round(float(body.high[2]), 3)
         if "HEAT_SOURCE" in traits:
             zones += _zones(
-                "heat", body.footprint, room, top - HEAT_BELOW_M, top + HEAT_ABOVE_M, item.id
+                "heat",
+                polygons(body.footprint),
+                room,
+                top - HEAT_BELOW_M,
+                top + HEAT_ABOVE_M,
+                item.id,
             )
         if "WATER_SOURCE" in traits:
-            zones += _zones("water", body.footprint, room, 0.0, top + WATER_ABOVE_M, item.id)
+            zones += _zones(
+                "water", polygons(body.footprint), room, 0.0, top + WATER_ABOVE_M, item.id
+            )
     return tuple(sorted(zones, key=lambda z: z.name))
 
 
@@ -176,36 +196,20 @@ def doorway_point(opening: Opening, room: Room, inside_m: float = INSIDE_DOOR_M)
     )
 
 
-def _walkways(home: Home, room: Room, free: BaseGeometry) -> list[Zone]:
-    outline = Polygon(room.polygon_m)
-    doors = [o for o in home.openings if o.kind != "window" and room.id in o.room_ids]
-    inside = free.intersection(outline)
-    pieces = polygons(inside)
-    if not pieces or not doors:
-        return []
-    ends = [doorway_point(opening, room) for opening in doors]
-    if len(ends) == 1:
-        middle = shapely.maximum_inscribed_circle(pieces[0], tolerance=0.05).coords[0]
-        pairs = [(ends[0], (float(middle[0]), float(middle[1])))]
-    else:
-        pairs = list(combinations(ends, 2))
-    grid = Grid(inside)
-    paths = [path for a, b in pairs if (path := grid.route(a, b)) is not None]
-    if not paths:
-        return []
-    shape = shapely.union_all([p.buffer(WALKWAY_HALF_M, quad_segs=2) for p in paths])
-    return _zones("walkway", shape.intersection(outline), room, 0.0, FLOOR_ZONE_TOP_M, None)
-
-
 def _filled(shape: BaseGeometry) -> BaseGeometry:
     return shapely.union_all([Polygon(p.exterior) for p in polygons(shape)])
 
 
 def _zones(
-    kind: ZoneKind, shape: BaseGeometry, room: Room, low: float, high: float, source: int | None
+    kind: ZoneKind,
+    shapes: Sequence[Polygon],
+    room: Room,
+    low: float,
+    high: float,
+    source: int | None,
 ) -> list[Zone]:
     out = []
-    for index, polygon in enumerate(polygons(_filled(shape))):
+    for index, polygon in enumerate(shapes):
         simple = shapely.normalize(polygon.simplify(0.01))
         points = np.round(np.array(simple.exterior.coords)[:-1], 3) + 0.0
         name = f"{kind}:{room.name}:{source or 0}:{index}"

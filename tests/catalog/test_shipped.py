@@ -279,3 +279,18 @@ def test_shipped_files_are_plain_and_short() -> None:
         text = path.read_text(encoding="utf-8")
         assert len(text.splitlines()) <= 400, path
         assert not any(line != line.rstrip() for line in text.splitlines()), path
+
+
+def test_whatever_may_lie_where_people_walk_is_to_trip_over_or_flat() -> None:
+    """Recipes put nothing loose and high in a walkway that no label would name."""
+    loose = set(CATALOG.hazard("tripping_hazard").anomalies[0].categories)
+    heights = {category.name: category.extents_max_m[2] for category in CATALOG.categories}
+    for hazard in CATALOG.hazards:
+        for recipe in (*hazard.anomalies, *hazard.lookalikes):
+            if recipe.kind != "place" or "floor" not in recipe.targets:
+                continue
+            if {"doorway", "walkway"} <= set(recipe.avoid_zones):
+                continue
+            for name in set(recipe.categories) - loose:
+                broken = recipe.state == "BROKEN"  # shards are what one steps into
+                assert broken or heights[name] <= 0.05, (hazard.id, name)

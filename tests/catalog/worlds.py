@@ -62,9 +62,9 @@ class World:
         self.dear += 1
         return self.things[object_id].bearings.get(tuple(categories), ())
 
-    def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
+    def zone_shares(self, object_id: int, kinds: Collection[str]) -> tuple[ZoneShare, ...]:
         self.dear += 1
-        return self.things[object_id].zones
+        return tuple(share for share in self.things[object_id].zones if share.kind in kinds)
 
 
 def on(target_id: int, category: str, holds: bool = True, sure: bool = True) -> Related:

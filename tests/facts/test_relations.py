@@ -5,6 +5,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from sdgen.catalog.terms import ZoneTerm
 from sdgen.facts import Edge, room_at
 from sdgen.scene import Zone
 
@@ -134,6 +135,26 @@ def test_a_door_is_between_its_rooms_and_a_box_in_its_zone_blocks_it():
     assert "IN_DOORWAY" in f.tags(1)
     (share,) = f.zones(1)
     assert share.fraction == pytest.approx(1.0)
+
+
+def test_what_lies_across_the_border_of_two_zones_is_in_them_together():
+    def strip(kind, x0, x1):
+        return Zone(
+            name=f"{kind}:{x0}",
+            kind=kind,
+            polygon_m=((x0, 1.0), (x1, 1.0), (x1, 3.0), (x0, 3.0)),
+            z_min_m=0,
+            z_max_m=0.5,
+            room_id=ROOM,
+        )
+
+    zones = [strip("doorway", 1.0, 2.0), strip("walkway", 2.0, 3.0), strip("walkway", 1.9, 2.05)]
+    f = facts(thing(1, "box", 2.0, 2), zones=zones)
+    half, most = f.zone_shares(1, ("doorway",)), f.zone_shares(1, ("doorway", "walkway"))
+    assert [(s.kind, round(s.fraction, 3)) for s in half] == [("doorway", 0.5)]
+    assert [round(s.fraction, 3) for s in most] == [1.0]  # what two zones share counts once
+    assert not ZoneTerm(any_of=("doorway",)).evaluate(1, f).sure
+    assert ZoneTerm(any_of=("doorway", "walkway")).evaluate(1, f)[:2] == (True, True)
 
 
 def test_near_heat_and_under():

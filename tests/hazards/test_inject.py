@@ -9,7 +9,8 @@ from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import inject_candidate
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import add_clutter
-from sdgen.home.layout import FLOOR_OFF_WALLS_M, Layout
+from sdgen.home.context import FLOOR_OFF_WALLS_M
+from sdgen.home.layout import Layout
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection

@@ -43,8 +43,8 @@ class Related(NamedTuple):
 
 @dataclass(frozen=True)
 class ZoneShare:
-    """``fraction`` (0-1) of an object's footprint that lies in one zone; ``level`` says whether
-    its range of heights meets the zone's."""
+    """``fraction`` (0-1) of an object's footprint that lies in a zone, or in several of which this
+    one has most; ``level`` says whether its range of heights meets the zone's."""
 
     name: str
     kind: str
@@ -100,8 +100,9 @@ class FactSource(Protocol):
         """Where things of these categories are that are, or may be, in the object's room."""
         ...
 
-    def zones(self, object_id: int) -> tuple[ZoneShare, ...]:
-        """Zones the object's footprint touches."""
+    def zone_shares(self, object_id: int, kinds: Collection[str]) -> Sequence[ZoneShare]:
+        """What of the object's footprint lies in zones of these kinds, taken together: in those
+        at its height and, where that is undecided of some, in all that may be."""
         ...
 
 

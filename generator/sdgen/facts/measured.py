@@ -105,6 +105,11 @@ class Measured:
             self._shares[object_id] = tuple(self.zone_index.shares(body))
         return self._shares[object_id]
 
+    def zone_shares(self, object_id: int, kinds: Collection[str]) -> tuple[ZoneShare, ...]:
+        """What of the object's footprint lies in zones of these kinds, taken together."""
+        shares = self.zones(object_id)
+        return tuple(self.zone_index.together(self.bodies[object_id], shares, kinds))
+
     @cached_property
     def boxes(self) -> tuple[list[int], Array, Array]:
         """Ids of all objects, and the low and high corners of their boxes (N, 3)."""

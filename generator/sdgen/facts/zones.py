@@ -1,12 +1,14 @@
 """Shares of zones, and what follows: BLOCKS, NEAR_HEAT, NEAR_WATER.
 
-An object is in a zone by the share of its footprint, where its range of heights meets the zone's.
+An object is in a zone by the share of its footprint, where its range of heights meets the zone's;
+in zones of some kinds by the share that lies in all of them together, so that what lies across a
+border is in neither less than it is in both.
 A zone that starts at the floor has no lower limit: nothing is below the floor.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +24,7 @@ from sdgen.facts.thresholds import (
     ZONE_LEVEL_M,
     ZONE_SHARE,
 )
-from sdgen.kleene import NO, Kleene, all_of, any_of
+from sdgen.kleene import NO, YES, Kleene, all_of, any_of
 from sdgen.scene import Zone
 
 _NEAR = {"NEAR_HEAT": ("heat", NEAR_HEAT_M), "NEAR_WATER": ("water", NEAR_WATER_M)}
@@ -41,6 +43,7 @@ class ZoneIndex:
 
     def __init__(self, zones: Sequence[Zone]) -> None:
         self._zones = [(zone, shapely.polygons(zone.polygon_m)) for zone in zones]
+        self._outlines = {zone.name: outline for zone, outline in self._zones}
         self._boxes = rows(
             [
                 (*outline.bounds, zone.z_min_m if zone.z_min_m > 0 else -np.inf, zone.z_max_m)
@@ -66,6 +69,23 @@ class ZoneIndex:
         for zone, outline, level in self._near(body, 0.0):
             if zone.source_id != body.item.id and outline.intersects(body.footprint):
                 yield ZoneShare(zone.name, zone.kind, body.covered_by(outline), level)
+
+    def together(
+        self, body: Body, shares: Sequence[ZoneShare], kinds: Collection[str]
+    ) -> Iterable[ZoneShare]:
+        """Of a body's ``shares`` the zones of these kinds taken together, under the name and kind
+        of the one that has most of it: those at its height, and all that may be."""
+        mine = sorted((s for s in shares if s.kind in kinds), key=lambda s: (s.fraction, s.name))
+        sure = [share for share in mine if share.level == YES]
+        for among, level in ((sure, YES), (mine, any_of(share.level for share in mine))):
+            if not among or (among is mine and len(sure) == len(mine)):
+                continue
+            most = among[-1]
+            fraction = most.fraction
+            if len(among) > 1 and fraction < 1.0:
+                outlines = [self._outlines[share.name] for share in among]
+                fraction = body.covered_by(shapely.union_all(outlines))
+            yield ZoneShare(most.name, most.kind, fraction, level)
 
     def blocks(self, body: Body, shares: Sequence[ZoneShare]) -> dict[int, Kleene]:
         """Doors in whose zones a loose thing stands, so high that it must be walked around."""

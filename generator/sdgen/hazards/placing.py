@@ -12,7 +12,7 @@ from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
 from sdgen.home.context import HomeContext
-from sdgen.home.layout import DROP_M, FLOOR_OFF_WALLS_M, Intent, Layout, Vec3Yaw, within_room
+from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, within_room
 from sdgen.library.records import Asset
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
@@ -180,13 +180,13 @@ def _place_on_floor(
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
         outline = Polygon(room.polygon_m)
-        inner = outline.buffer(-FLOOR_OFF_WALLS_M)
+        area = context.floor(room.id, recipe.avoid_zones)
         if recipe.zone:
-            area = context.zone_shape(recipe.zone, room.id).intersection(inner)
+            area = context.zone_shape(recipe.zone, room.id).intersection(area)
             spot = layout.spot_on_floor(asset, area, outline, rng, keep_share=ZONE_KEEP_SHARE)
         else:
             avoid = context.zone_shape(recipe.avoid_zones) if recipe.avoid_zones else None
-            spot = layout.spot_on_floor(asset, inner, outline, rng, avoid=avoid)
+            spot = layout.spot_on_floor(asset, area, outline, rng, avoid=avoid)
         if spot is not None:
             return _put(
                 candidate,

@@ -12,7 +12,7 @@ from shapely.geometry import Polygon
 from sdgen.catalog.records import Abode, Category
 from sdgen.geometry import Array
 from sdgen.home.context import KEEP_CLEAR, HomeContext
-from sdgen.home.layout import FLOOR_OFF_WALLS_M, Intent, Layout
+from sdgen.home.layout import Intent, Layout
 from sdgen.library.records import Asset
 from sdgen.scene import ObjectInstance, Room
 from sdgen.seeding import Rng
@@ -178,7 +178,7 @@ def _place_on_floor(
     outline = Polygon(room.polygon_m)
     spot = layout.spot_on_floor(
         asset,
-        outline.buffer(-FLOOR_OFF_WALLS_M),
+        context.floor(room.id, KEEP_CLEAR),
         outline,
         rng,
         avoid=context.zone_shape(KEEP_CLEAR),

@@ -17,6 +17,9 @@ from sdgen.scene import Home, Zone
 #: Which models a scene may use (its split decides): category -> models.
 Models = Callable[[str], tuple[Asset, ...]]
 
+#: A thing on the floor has its middle at least so far from the walls: what lies there alone has
+#: been dropped or left, not pushed into the angle of wall and floor.
+FLOOR_OFF_WALLS_M = 0.1
 #: Zones that things on the floor keep out of, or they would trip somebody.
 KEEP_CLEAR = ("doorway", "walkway", "swing")
 
@@ -39,6 +42,20 @@ class HomeContext:
         return next(
             s.id for s in self.home.structures if s.category == "floor" and s.room_id == room_id
         )
+
+    def floor(self, room_id: int, clear_of: Sequence[str] = ()) -> BaseGeometry:
+        """Where things on a room's floor may have their middle, clear of zones of these kinds;
+        computed once a home."""
+        key = (tuple(clear_of), room_id)
+        if key not in self._floors:
+            room = next(room for room in self.home.rooms if room.id == room_id)
+            inner = shapely.polygons(room.polygon_m).buffer(-FLOOR_OFF_WALLS_M)
+            self._floors[key] = inner.difference(self.zone_shape(clear_of)) if clear_of else inner
+        return self._floors[key]
+
+    @cached_property
+    def _floors(self) -> dict[tuple[tuple[str, ...], int], BaseGeometry]:
+        return {}
 
     def zone_shape(self, kinds: Sequence[str], room_id: int | None = None) -> BaseGeometry:
         """Union of the zones of these kinds (of one room); computed once a home."""

@@ -46,9 +46,6 @@ FLOOR_GAP_M = 0.03
 #: Spots drawn for a thing on one target; of 2,100 spots found two fifths were the first, one in a
 #: hundred the twelfth.
 TRIES = 12
-#: A thing on the floor has its middle at least so far from the walls: what lies there alone has
-#: been dropped or left, not pushed into the angle of wall and floor.
-FLOOR_OFF_WALLS_M = 0.1
 #: By eye: so often a thing lies square to what is under it, give or take so many radians (about
 #: 5 degrees, nobody measures); otherwise any way round.
 SQUARE_CHANCE, SQUARE_SPREAD_RAD = 0.6, 0.08

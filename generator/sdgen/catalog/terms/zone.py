@@ -18,7 +18,7 @@ from sdgen.vocabulary import (
 
 
 class ZoneTerm(Term):
-    """At least half of the object's footprint lies in a zone of one of these kinds."""
+    """At least half of the object's footprint lies in zones of these kinds, taken together."""
 
     kind: Literal["zone"] = "zone"
     any_of: tuple[str, ...]
@@ -59,7 +59,7 @@ class ZoneTerm(Term):
 
     def _shares(self, object_id: int, facts: FactSource) -> list[ZoneShare]:
         """Shares of zones of these kinds, largest first."""
-        shares = [share for share in facts.zones(object_id) if share.kind in self.any_of]
+        shares = facts.zone_shares(object_id, self.any_of)
         return sorted(shares, key=lambda share: (share.fraction, share.name), reverse=True)
 
     def in_words(self) -> str:
@@ -70,10 +70,7 @@ class ZoneTerm(Term):
         if case.target != "floor":
             return EITHER
         if case.zone:
-            # Several kinds share what is kept: a thing across their border may be in neither.
             surely = self.overlap + self.margin <= ZONE_KEEP_SHARE + EPS
-            return (
-                ALWAYS if surely and len(case.zone) == 1 and case.zone[0] in self.any_of else EITHER
-            )
+            return ALWAYS if surely and set(case.zone) <= set(self.any_of) else EITHER
         surely_not = self.overlap - self.margin >= ZONE_AVOID_SHARE - EPS
         return NEVER if surely_not and set(self.any_of) <= set(case.avoid_zones) else EITHER

@@ -12,7 +12,7 @@ from sdgen.freespace import free_shape, opening_rectangle, rounded_rings
 from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
-from sdgen.home.layout import footprint
+from sdgen.home.layout import corners_of
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
@@ -55,7 +55,7 @@ def test_pieces_stand_in_their_rooms(stages):
         rooms = {room.id: Polygon(room.polygon_m) for room in made.context.home.rooms}
         for item, info in pieces(made):
             x, y, _ = item.pose.position_m
-            shape = footprint(info, x, y, yaw_of(item.pose.quat_xyzw))
+            shape = Polygon(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw)))
             assert rooms[item.room_id].buffer(0.02).contains(shape), item.category
 
 
@@ -72,7 +72,7 @@ def test_doorways_stay_clear(stages):
             if info.extents_m[2] <= 0.03 or item.pose.position_m[2] > 1.2:
                 continue
             x, y, _ = item.pose.position_m
-            shape = footprint(info, x, y, yaw_of(item.pose.quat_xyzw))
+            shape = Polygon(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw)))
             for opening in made.context.home.openings:
                 if opening.kind != "window":
                     assert not shape.intersects(opening_rectangle(opening, 0.6)), item.category

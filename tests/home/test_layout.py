@@ -5,11 +5,12 @@ import math
 
 import pytest
 from sdgen.actions import at_rest, in_state
+from sdgen.facts import Body
 from sdgen.geometry import quat_from_yaw
-from sdgen.home.layout import Intent, Layout, footprint
+from sdgen.home.layout import Intent, Layout, at_spot, corners_of
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
-from shapely.geometry import box
+from shapely.geometry import Polygon, box
 
 from tests.shipped import shipped_library
 
@@ -38,7 +39,7 @@ def put(layout, category, x=0.0, y=0.0, z=0.0, yaw=0.0):
 def test_things_on_a_table_do_not_overlap_and_stay_on_it(layout):
     table = put(layout, "coffee_table", 1, 2, yaw=0.6)
     top = layout.info(table)
-    surface = footprint(top, 1, 2, 0.6)
+    surface = Polygon(corners_of(top, 1, 2, 0.6))
     rng = lane(0, 0, "layout")
     mug = LIBRARY.by_category("mug")[0]
     placed = []
@@ -48,7 +49,7 @@ def test_things_on_a_table_do_not_overlap_and_stay_on_it(layout):
             continue
         item = layout.new_item(mug, spot, 1)
         layout.put(item, Intent("ON", table))
-        print_ = footprint(mug, item.pose.position_m[0], item.pose.position_m[1], spot[1])
+        print_ = Polygon(corners_of(mug, item.pose.position_m[0], item.pose.position_m[1], spot[1]))
         assert surface.contains(print_)
         z = item.pose.position_m[2]  # the table may have a lower shelf
         assert not any(print_.intersects(other) for other, height in placed if height == z)
@@ -92,7 +93,7 @@ def test_floor_spots_keep_to_their_area(layout):
     for _ in range(20):
         spot = layout.spot_on_floor(ball, area, outline, rng, keep_share=0.7, avoid=avoid)
         if spot is not None:
-            print_ = footprint(ball, spot[0][0], spot[0][1], spot[1])
+            print_ = Polygon(corners_of(ball, spot[0][0], spot[0][1], spot[1]))
             assert outline.covers(print_)
             assert print_.intersection(area).area >= 0.7 * print_.area
             assert print_.intersection(avoid).area <= 0.2 * print_.area + 1e-9
@@ -122,3 +123,28 @@ def test_what_is_looked_at_faces_the_way_its_support_does():
     assert len(set(turned["photo_frame"])) > 10, "not all alike"
     assert min(turned["mug"]) < -0.5
     assert layout.copy().fronted == layout.fronted
+
+
+@pytest.mark.parametrize("on_floor", [False, True])
+def test_shards_lie_on_what_they_are_put_on_every_one_of_them(layout, on_floor):
+    """What a broken thing covers is not what the whole one did."""
+    table = put(layout, "coffee_table", 1, 2, yaw=0.6)
+    info, rng, floor = layout.info(table), lane(0, 0, "shards"), box(-2, -2, 0.4, 0.4)
+    surfaces = [s.outline for s in Body(layout.items[table], info).surfaces]
+    found = 0
+    for asset in LIBRARY.by_category("wine_glass"):
+        thing = in_state(layout.new_thing(asset), asset, "BROKEN", rng)
+        bulk = layout.bulk_of(thing)
+        for _ in range(8):
+            if on_floor:
+                spot = layout.spot_on_floor(asset, floor, floor, rng, bulk=bulk)
+            else:
+                spot = layout.spot_on_object(asset, table, "ON", rng, bulk=bulk)
+            if spot is None:
+                continue
+            found += 1
+            body = Body(at_spot(thing, spot, 1), LIBRARY.info(asset.id))
+            for shard in body.pieces:
+                carriers = [floor] if on_floor else surfaces
+                assert max(s.intersection(shard).area for s in carriers) >= 0.9 * shard.area
+    assert found >= 10

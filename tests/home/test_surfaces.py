@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 from sdgen.freespace import random_point
-from sdgen.home.layout import footprint
+from sdgen.home.layout import corners_of
 from sdgen.home.surfaces import CARRIED_SHARE, PlacingSurface, placing_surfaces
 from sdgen.library.records import Support
 from sdgen.scene import ObjectInstance, Pose
@@ -37,7 +37,7 @@ def test_a_surface_carries_what_its_polygon_covers(corners):
     for _ in range(600):
         x, y = rng.uniform((2.5, -1.5), (3.6, -0.4))
         yaw = float(rng.uniform(-4, 4))
-        print_ = footprint(MUG, x, y, yaw)
+        print_ = Polygon(corners_of(MUG, x, y, yaw))
         covered = print_.intersection(there.shape).area / print_.area
         answers.append(there.carries(MUG.extents_m, (x, y), yaw))
         assert answers[-1] is (covered >= CARRIED_SHARE)

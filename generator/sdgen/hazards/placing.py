@@ -12,7 +12,7 @@ from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
 from sdgen.home.context import HomeContext
-from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, within_room
+from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, at_spot, within_room
 from sdgen.library.records import Asset
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
@@ -126,8 +126,11 @@ def _place(
     if not models:
         return None
     asset = models[int(rng.integers(len(models)))]
+    thing = _thing(recipe, asset, layout, context, rng)
+    if thing is None:
+        return None
     if candidate.unique.target == "floor":
-        return _place_on_floor(candidate, recipe, asset, layout, context, rng)
+        return _place_on_floor(candidate, recipe, thing, layout, context, rng)
     targets = [
         item
         for item in layout.items.values()
@@ -138,25 +141,34 @@ def _place(
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:
         target = targets[k]
         may_hold = partial(context.may_hold, asset.category, target.category)
-        spot = _spot(recipe, asset, target.id, may_hold, layout, rng)
+        spot = _spot(recipe, thing, target.id, may_hold, layout, rng)
         if spot is not None:
-            return _put(
-                candidate, recipe, asset, spot, target.room_id, target.id, layout, context, rng
-            )
+            return _put(candidate, recipe, thing, spot, target.room_id, target.id, layout)
     return None
+
+
+def _thing(
+    recipe: PlaceRecipe, asset: Asset, layout: Layout, context: HomeContext, rng: Rng
+) -> ObjectInstance | None:
+    """A new thing in the recipe's state, nowhere yet: what it fills decides where it fits."""
+    thing = layout.new_thing(asset)
+    if context.catalog.category(asset.category).kind == "hazard_only":
+        thing = thing.model_copy(update={"fixed": True})
+    return thing if recipe.state is None else in_state(thing, asset, recipe.state, rng)
 
 
 def _spot(
     recipe: PlaceRecipe,
-    asset: Asset,
+    thing: ObjectInstance,
     target_id: int,
     hollows: Callable[[str], bool],
     layout: Layout,
     rng: Rng,
 ) -> Vec3Yaw | None:
     """A free spot of the target at a height the recipe allows."""
+    asset, bulk = layout.library.assets[thing.asset], layout.bulk_of(thing)
     for _ in range(SPOTS_TRIED):
-        spot = layout.spot_on_object(asset, target_id, recipe.relation, rng, hollows)
+        spot = layout.spot_on_object(asset, target_id, recipe.relation, rng, hollows, bulk)
         if spot is None or _height_fits(recipe, spot[0][2]):
             return spot
     return None
@@ -171,11 +183,12 @@ def _height_fits(recipe: PlaceRecipe, z: float) -> bool:
 def _place_on_floor(
     candidate: Candidate,
     recipe: PlaceRecipe,
-    asset: Asset,
+    thing: ObjectInstance,
     layout: Layout,
     context: HomeContext,
     rng: Rng,
 ) -> Injected | None:
+    asset, bulk = layout.library.assets[thing.asset], layout.bulk_of(thing)
     rooms = [r for r in context.home.rooms if not recipe.rooms or r.type in recipe.rooms]
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
@@ -183,44 +196,27 @@ def _place_on_floor(
         area = context.floor(room.id, recipe.avoid_zones)
         if recipe.zone:
             area = context.zone_shape(recipe.zone, room.id).intersection(area)
-            spot = layout.spot_on_floor(asset, area, outline, rng, keep_share=ZONE_KEEP_SHARE)
+            spot = layout.spot_on_floor(
+                asset, area, outline, rng, keep_share=ZONE_KEEP_SHARE, bulk=bulk
+            )
         else:
             avoid = context.zone_shape(recipe.avoid_zones) if recipe.avoid_zones else None
-            spot = layout.spot_on_floor(asset, area, outline, rng, avoid=avoid)
+            spot = layout.spot_on_floor(asset, area, outline, rng, avoid=avoid, bulk=bulk)
         if spot is not None:
-            return _put(
-                candidate,
-                recipe,
-                asset,
-                spot,
-                room.id,
-                context.floor_id(room.id),
-                layout,
-                context,
-                rng,
-            )
+            floor_id = context.floor_id(room.id)
+            return _put(candidate, recipe, thing, spot, room.id, floor_id, layout)
     return None
 
 
 def _put(
     candidate: Candidate,
     recipe: PlaceRecipe,
-    asset: Asset,
+    thing: ObjectInstance,
     spot: Vec3Yaw,
     room_id: int,
     target_id: int,
     layout: Layout,
-    context: HomeContext,
-    rng: Rng,
-) -> Injected | None:
-    lies = context.catalog.category(asset.category).kind == "hazard_only"
-    item = layout.new_item(asset, spot, room_id, FLUSH_M if lies else DROP_M)
-    if lies:
-        item = item.model_copy(update={"fixed": True})
-    if recipe.state is not None:
-        changed = in_state(item, asset, recipe.state, rng)
-        if changed is None:
-            return None
-        item = changed
+) -> Injected:
+    item = at_spot(thing, spot, room_id, FLUSH_M if thing.fixed else DROP_M)
     layout.put(item, Intent(recipe.relation, target_id))
     return Injected(candidate.unique.hazard, item.id, None)

@@ -11,6 +11,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
+from typing import NamedTuple
 
 import numpy as np
 import shapely
@@ -31,6 +32,7 @@ from sdgen.geometry import (
 from sdgen.home.blocks import NOBODY, Block, Table, blocks_of
 from sdgen.home.surfaces import PlacingSurface, placing_surfaces
 from sdgen.library import Library
+from sdgen.library.drawn import drawn
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
 from sdgen.scene import Home, ObjectInstance, Opening, Pose
@@ -58,6 +60,18 @@ HEADROOM_LEFT_M = 0.015
 IN_WALL_M = 0.003
 #: A hole in a wall reaches this far to both sides of its middle, past half a wall.
 HOLE_DEPTH_M = HALF_WALL_M + 0.01
+
+
+class Bulk(NamedTuple):
+    """The box that a thing fills, in its own frame: its size, and the middle of its base."""
+
+    size_m: Vec3
+    middle_m: Vec2 = (0.0, 0.0)
+
+    def origin(self, middle: Vec2, yaw: float) -> Vec2:
+        """Where the thing's frame is when the middle of its base is at a point."""
+        (x, y), cos, sin = self.middle_m, math.cos(yaw), math.sin(yaw)
+        return middle[0] - (cos * x - sin * y), middle[1] - (sin * x + cos * y)
 
 
 @dataclass(frozen=True)
@@ -146,15 +160,18 @@ class Layout:
         relation: str,
         rng: Rng,
         hollows: Callable[[str], bool] = lambda _: True,
+        bulk: Bulk | None = None,
     ) -> Vec3Yaw | None:
         """A free spot on (or inside) a placed object for a new thing of this asset.
 
-        ``hollows`` says into which of its hollows, by name, such a thing may go.
+        ``hollows`` says into which of its hollows, by name, such a thing may go; ``bulk`` what it
+        fills, if it is not at rest.
         """
+        bulk = bulk or Bulk(asset.extents_m)
         target = self.items[target_id]
         surfaces = self._surfaces_of(target, relation)
         if not surfaces and relation == "INSIDE":
-            return self._spot_in_hollow(asset, target_id, rng, hollows)
+            return self._spot_in_hollow(bulk, target_id, rng, hollows)
         if relation == "INSIDE":
             surfaces = [s for s in surfaces if hollows(s.support.container or "")]
         if not surfaces:
@@ -163,9 +180,10 @@ class Layout:
         for _ in range(TRIES):
             surface = surfaces[bisect_right(shares, rng.random() * shares[-1])]
             headroom = surface.support.headroom_m
-            if headroom is not None and asset.extents_m[2] > headroom - HEADROOM_LEFT_M:
+            if headroom is not None and bulk.size_m[2] > headroom - HEADROOM_LEFT_M:
                 continue
-            spot = self._try_surface(asset, target, surface, rng)
+            yaw = self._heading(asset, target, rng)
+            spot = self._try_surface(bulk, yaw, target, surface, rng)
             if spot is not None:
                 return spot
         return None
@@ -181,14 +199,13 @@ class Layout:
         return [s for s in known[1] if (s.support.container is None) == (relation == "ON")]
 
     def _try_surface(
-        self, asset: AssetInfo, target: ObjectInstance, surface: PlacingSurface, rng: Rng
+        self, bulk: Bulk, yaw: float, target: ObjectInstance, surface: PlacingSurface, rng: Rng
     ) -> Vec3Yaw | None:
-        yaw = self._heading(asset, target, rng)
         point = surface.random_point(rng)
-        if point is None or not surface.carries(asset.extents_m, point, yaw):
+        if point is None or not surface.carries(bulk.size_m, point, yaw):
             return None
-        spot = (*point, surface.z_m), yaw
-        block = _space(asset, spot, GAP_M, DROP_M)
+        spot = (*bulk.origin(point, yaw), surface.z_m), yaw
+        block = _space(bulk.size_m, (*point, surface.z_m), yaw, GAP_M, DROP_M)
         return spot if self.fits([block], ignore=target.id) else None
 
     def _heading(self, asset: AssetInfo, target: ObjectInstance, rng: Rng) -> float:
@@ -198,14 +215,14 @@ class Layout:
         return random_yaw(rng, front)
 
     def _spot_in_hollow(
-        self, asset: AssetInfo, target_id: int, rng: Rng, hollows: Callable[[str], bool]
+        self, bulk: Bulk, target_id: int, rng: Rng, hollows: Callable[[str], bool]
     ) -> Vec3Yaw | None:
         target, info = self.items[target_id], self.info(target_id)
         containers = [c for c in info.containers if hollows(c.name)]
         if not containers:
             return None
         container = containers[int(rng.integers(len(containers)))]
-        if any(a > b for a, b in zip(asset.extents_m, container.size_m, strict=True)):
+        if any(a > b for a, b in zip(bulk.size_m, container.size_m, strict=True)):
             return None
         if any(intent == Intent("INSIDE", target_id) for intent in self.intents.values()):
             return None
@@ -214,7 +231,8 @@ class Layout:
         bottom = list(container.center_m)
         bottom[2] -= container.size_m[2] / 2
         x, y, z = apply(moved, [bottom])[0]
-        return (float(x), float(y), float(z)), random_yaw(rng)
+        yaw = random_yaw(rng)
+        return (*bulk.origin((float(x), float(y)), yaw), float(z)), yaw
 
     def spot_on_floor(
         self,
@@ -224,12 +242,14 @@ class Layout:
         rng: Rng,
         keep_share: float = 0.0,
         avoid: BaseGeometry | None = None,
+        bulk: Bulk | None = None,
     ) -> Vec3Yaw | None:
         """A free spot on the floor with its centre in ``area``, all within the outline.
 
         At least ``keep_share`` of the footprint lies in ``area``, at most ``ZONE_AVOID_SHARE`` in
-        ``avoid``.
+        ``avoid``. ``bulk`` is what the thing fills, if it is not at rest.
         """
+        bulk = bulk or Bulk(asset.extents_m)
         shapely.prepare(area)
         shapely.prepare(outline)
         if avoid is not None:
@@ -239,7 +259,7 @@ class Layout:
             yaw = random_yaw(rng)
             if point is None:
                 return None
-            print_ = footprint(asset, point[0], point[1], yaw)
+            print_ = shapely.polygons(_ring(bulk.size_m, *point, yaw))
             if not outline.covers(print_):
                 continue
             if keep_share and print_.intersection(area).area < keep_share * print_.area:
@@ -250,30 +270,43 @@ class Layout:
                 and print_.intersection(avoid).area > ZONE_AVOID_SHARE * print_.area
             ):
                 continue
-            spot = (*point, 0.0), yaw
-            if self.fits([_space(asset, spot, FLOOR_GAP_M)]):
-                return spot
+            if self.fits([_space(bulk.size_m, (*point, 0.0), yaw, FLOOR_GAP_M)]):
+                return (*bulk.origin(point, yaw), 0.0), yaw
         return None
 
     def new_item(
         self, asset: AssetInfo, spot: Vec3Yaw, room_id: int, lift_m: float = DROP_M
     ) -> ObjectInstance:
         """A new object of ``asset`` at a spot, ``lift_m`` above its surface."""
-        (x, y, z), yaw = spot
+        return at_spot(self.new_thing(asset), spot, room_id, lift_m)
+
+    def new_thing(self, asset: AssetInfo) -> ObjectInstance:
+        """A new object of ``asset``, at rest, that is nowhere yet."""
+        nowhere = Pose(position_m=(0.0, 0.0, 0.0), quat_xyzw=(0.0, 0.0, 0.0, 1.0))
         item = ObjectInstance(
-            id=next(self.ids),
-            category=asset.category,
-            asset=asset.id,
-            pose=Pose(
-                position_m=round_position((x, y, z + lift_m)),
-                quat_xyzw=round_quat(quat_from_yaw(yaw)),
-            ),
-            room_id=room_id,
+            id=next(self.ids), category=asset.category, asset=asset.id, pose=nowhere, room_id=0
         )
         return at_rest(item, asset)
 
+    def bulk_of(self, item: ObjectInstance) -> Bulk:
+        """What an object fills as it is drawn."""
+        low, high = drawn(self.library.info(item.asset), item.variant, item.joints).box_m.tolist()
+        x, y, z = np.subtract(high, low).tolist()
+        return Bulk((x, y, z), ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2))
+
 
 Vec3Yaw = tuple[Vec3, float]
+
+
+def at_spot(
+    item: ObjectInstance, spot: Vec3Yaw, room_id: int, lift_m: float = DROP_M
+) -> ObjectInstance:
+    """The object at a spot, ``lift_m`` above its surface."""
+    (x, y, z), yaw = spot
+    pose = Pose(
+        position_m=round_position((x, y, z + lift_m)), quat_xyzw=round_quat(quat_from_yaw(yaw))
+    )
+    return item.model_copy(update={"pose": pose, "room_id": room_id})
 
 
 def random_yaw(rng: Rng, square_to: float = 0.0) -> float:
@@ -297,26 +330,27 @@ def within_room(
     return all(area.covers(b.shape) and b.high_m <= room.height_m for b in blocks)
 
 
-def _space(asset: AssetInfo, spot: Vec3Yaw, gap_m: float, over_m: float = 0.0) -> Block:
-    """The space a new thing takes at a spot, from ``over_m`` above its surface, and a gap around.
+def _space(size: Vec3, base: Vec3, yaw: float, gap_m: float, over_m: float = 0.0) -> Block:
+    """The space a new thing of a size takes whose base has its middle there, from ``over_m`` above
+    its surface, and a gap around.
 
     Its box has the gap along the axes alone: two corners may come a little nearer than it.
     """
-    (x, y, z), yaw = spot
-    xs, ys = zip(*corners_of(asset, x, y, yaw), strict=True)
+    x, y, z = base
+    xs, ys = zip(*_ring(size, x, y, yaw), strict=True)
     low = (min(xs) - gap_m, min(ys) - gap_m, z + over_m)
-    high = (max(xs) + gap_m, max(ys) + gap_m, z + asset.extents_m[2] + DROP_M)
-    return Block(NOBODY, np.array(corners_of(asset, x, y, yaw, gap_m)), np.array([*low, *high]))
+    high = (max(xs) + gap_m, max(ys) + gap_m, z + size[2] + DROP_M)
+    return Block(NOBODY, np.array(_ring(size, x, y, yaw, gap_m)), np.array([*low, *high]))
 
 
-def footprint(asset: AssetInfo, x: float, y: float, yaw: float) -> Polygon:
-    """The asset's box seen from above at a place and heading."""
-    return shapely.polygons(corners_of(asset, x, y, yaw))
+def corners_of(asset: AssetInfo, x: float, y: float, yaw: float) -> list[Vec2]:
+    """Corners of the asset's box seen from above."""
+    return _ring(asset.extents_m, x, y, yaw)
 
 
-def corners_of(asset: AssetInfo, x: float, y: float, yaw: float, gap_m: float = 0.0) -> list[Vec2]:
-    """Corners of the asset's box seen from above, with a gap left around it."""
-    w, d = asset.extents_m[0] / 2 + gap_m, asset.extents_m[1] / 2 + gap_m
+def _ring(size: Vec3, x: float, y: float, yaw: float, gap_m: float = 0.0) -> list[Vec2]:
+    """Corners of a box of a size seen from above, with a gap left around it."""
+    w, d = size[0] / 2 + gap_m, size[1] / 2 + gap_m
     cos, sin = math.cos(yaw), math.sin(yaw)
     corners = ((-w, -d), (w, -d), (w, d), (-w, d))
     return [(x + cos * u - sin * v, y + sin * u + cos * v) for u, v in corners]

@@ -9,11 +9,25 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Concern, Hazard, ReachRow
-from sdgen.households import Decision, decide, household_from, reach_at, sample_household
+from sdgen.households import (
+    Decision,
+    decide,
+    draw_template,
+    household_from,
+    reach_at,
+    sample_household,
+)
 from sdgen.scene import Household, Member, Notify
 from sdgen.seeding import lane
 
 CATALOG = load_catalog()
+
+
+def drawn_household(seed: int, index: int) -> Household:
+    template = draw_template(CATALOG, lane(seed, index, "template"))
+    return sample_household(CATALOG, template, lane(seed, index, "household"))
+
+
 REACH = (ReachRow(max_age=1, reach_m=0.8), ReachRow(max_age=4, reach_m=1.1))
 STOVE, SHARP = CATALOG.hazard("stove_on"), CATALOG.hazard("sharp_object")
 
@@ -25,7 +39,7 @@ def living(*ages: int, **notifications: Notify) -> Household:
 
 def test_everyone_hears_of_what_concerns_everyone() -> None:
     assert decide(STOVE, {}, living(80), REACH) == Decision(
-        True, "now", "it concerns everyone; 'now' by default at high urgency"
+        True, "now", "It concerns everyone who lives here, and it is too urgent to wait."
     )
 
 
@@ -41,7 +55,7 @@ def test_the_default_follows_the_urgency(urgency: str, notify: str) -> None:
     ("choice", "report"), [("now", True), ("summary", True), ("silent", False)]
 )
 def test_the_households_choice_wins(choice: Notify, report: bool) -> None:
-    found = decide(STOVE, {}, living(40, stove_on=choice), REACH)
+    found = decide(CATALOG.hazard("spill"), {}, living(40, spill=choice), REACH)
     assert (found.report, found.notify) == (report, choice)
 
 
@@ -68,7 +82,7 @@ def test_sharp_things_concern_children_who_can_reach_them(
 
 def test_a_choice_cannot_make_it_concern_nobodys_children() -> None:
     found = decide(SHARP, {"reach_height_m": 0.1}, living(40, sharp_object="now"), REACH)
-    assert found == Decision(False, "silent", "nobody in the household is 8 or younger")
+    assert found == Decision(False, "silent", "Nobody who lives here is 8 or younger.")
 
 
 def test_without_reach_any_child_will_do() -> None:
@@ -82,13 +96,97 @@ def test_a_reach_hazard_without_its_height_is_a_bug() -> None:
         decide(SHARP, {}, living(3), REACH)
 
 
-def test_the_reason_says_why() -> None:
-    reason = decide(SHARP, {"reach_height_m": 0.75}, living(3), REACH).reason
-    assert reason.startswith("a child of 3 reaches 1.10 m and it is at 0.75 m")
-    reason = decide(SHARP, {"reach_height_m": 1.2}, living(3), REACH).reason
-    assert reason == "at 1.20 m it is above the 1.10 m a child of 3 reaches"
-    reason = decide(SHARP, {"reach_height_m": -0.0004}, living(3), REACH).reason
-    assert reason.startswith("a child of 3 reaches 1.10 m and it is at 0.00 m")
+@pytest.mark.parametrize(
+    ("ages", "height", "reason"),
+    [
+        ((3,), 0.75, "A child of 3 reaches 1.10 m high, it lies at 0.75 m, and it is too urgent"),
+        ((3,), 1.2, "It lies at 1.20 m, above the 1.10 m that a child of 3 reaches."),
+        # Settled a hair into the floor it still is on the floor.
+        ((3,), -0.0004, "A child of 3 reaches 1.10 m high, it lies on the floor, and it is too"),
+        ((0,), 0.3, "A baby reaches 0.80 m high, it lies at 0.30 m, and it is too urgent to wait."),
+        ((7,), 1.5, "A child of 7 reaches as high as a grown-up, it lies at 1.50 m, and it is too"),
+    ],
+)
+def test_the_reason_is_a_sentence(ages: tuple[int, ...], height: float, reason: str) -> None:
+    found = decide(SHARP, {"reach_height_m": height}, living(*ages), REACH).reason
+    assert found.startswith(reason)
+    assert found.endswith(".")
+
+
+@pytest.mark.parametrize(
+    ("choice", "reason"),
+    [
+        ("now", "It concerns everyone who lives here, and the household wants to be told at once."),
+        ("silent", "It concerns everyone who lives here, but the household does not want to hear"),
+    ],
+)
+def test_the_reason_says_what_the_household_chose(choice: Notify, reason: str) -> None:
+    spill = CATALOG.hazard("spill")
+    assert decide(spill, {}, living(40, spill=choice), REACH).reason.startswith(reason)
+
+
+def test_nobody_is_silent_about_fire_or_an_open_front_door() -> None:
+    for name in ("stove_on", "candle_on", "front_door_open"):
+        found = decide(CATALOG.hazard(name), {}, living(40, **{name: "silent"}), REACH)
+        assert found.report, name
+        assert found.notify == "now"
+        assert not any("silent" in t.notifications.get(name, ()) for t in CATALOG.households)
+
+
+def with_pet(*ages: int, pets: tuple[str, ...] = (), conditions: tuple[str, ...] = ()) -> Household:
+    return living(*ages).model_copy(update={"pets": pets, "conditions": conditions})
+
+
+def test_a_pet_makes_medicine_and_an_open_door_urgent() -> None:
+    medicine, door = CATALOG.hazard("poison_medication"), CATALOG.hazard("front_door_open")
+    lies = {"reach_height_m": 0.4}
+    assert not decide(medicine, lies, living(40), REACH).report
+    found = decide(medicine, lies, with_pet(40, pets=("dog",)), REACH)
+    assert found == Decision(
+        True,
+        "now",
+        "Nobody who lives here is 6 or younger, but a dog lives here: the household is told at "
+        "once.",
+    )
+    later = {"notifications": {"front_door_open": "summary"}}
+    assert decide(door, {}, living(40).model_copy(update=later), REACH).notify == "summary"
+    cat = with_pet(40, pets=("cat",)).model_copy(update=later)
+    assert decide(door, {}, cat, REACH).notify == "now"
+
+
+def test_who_may_fall_is_told_of_what_one_falls_over() -> None:
+    later = {"notifications": {"tripping_hazard": "summary", "spill": "summary"}}
+    for condition in ("walks with a stick", "has weak eyesight"):
+        for name in later["notifications"]:
+            hazard = CATALOG.hazard(name)
+            well = living(80).model_copy(update=later)
+            ill = with_pet(80, conditions=(condition,)).model_copy(update=later)
+            assert decide(hazard, {}, well, REACH).notify == "summary"
+            found = decide(hazard, {}, ill, REACH)
+            assert found.notify == "now"
+            assert f"and somebody who lives here {condition}:" in found.reason
+
+
+def test_every_pet_and_condition_matters_to_a_hazard() -> None:
+    for template in CATALOG.households:
+        for trait in (*template.pets, *template.conditions):
+            raised = [
+                hazard.id
+                for hazard in CATALOG.hazards
+                for rule in hazard.concerns.raised_by
+                if trait in rule.living_with
+            ]
+            assert raised, trait
+
+
+def test_what_matters_to_nothing_is_never_drawn() -> None:
+    owner = CATALOG.households[0].model_copy(update={"pets": ("goldfish", "cat")})
+    drawn = {
+        pet
+        for k in range(40)
+        for pet in sample_household(CATALOG, owner, lane(1, k, "household")).pets
+    }
+    assert drawn == {"cat"}
 
 
 _HAZARDS = st.sampled_from(CATALOG.hazards)
@@ -127,7 +225,7 @@ def test_sampling_covers_the_templates_and_keeps_their_ages() -> None:
     seen: Counter[str] = Counter()
     reported = Counter[bool]()
     for index in range(400):
-        household = sample_household(CATALOG, lane(7, index, "household"))
+        household = drawn_household(7, index)
         template = templates[household.template]
         seen[template.name] += 1
         for member, (role, least, most) in zip(household.members, template.members, strict=True):
@@ -143,8 +241,8 @@ def test_sampling_covers_the_templates_and_keeps_their_ages() -> None:
 
 
 def test_sampling_depends_on_the_lane_alone() -> None:
-    first = [sample_household(CATALOG, lane(7, k, "household")) for k in range(5)]
-    assert first == [sample_household(CATALOG, lane(7, k, "household")) for k in range(5)]
+    first = [drawn_household(7, k) for k in range(5)]
+    assert first == [drawn_household(7, k) for k in range(5)]
     assert len({household.model_dump_json() for household in first}) > 1
 
 
@@ -154,7 +252,7 @@ def test_each_hazard_is_sometimes_wanted_and_sometimes_not() -> None:
             decide(
                 hazard,
                 {"reach_height_m": 0.75},
-                sample_household(CATALOG, lane(1, k, "household")),
+                drawn_household(1, k),
                 CATALOG.reach,
             ).notify
             for k in range(200)

@@ -6,7 +6,7 @@ Predicates never read a household: what is an anomaly follows from the scene, ``
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -24,9 +24,12 @@ OPTIONAL_SHARE = 0.5
 #: urgency is what may wait till the day's summary, and an interruption for it would cost more.
 DEFAULT_NOTIFY: Mapping[Urgency, Notify] = {"high": "now", "medium": "now", "low": "summary"}
 
+#: Said to be on the floor: lower, metres, than anything a thing lies on.
+ON_FLOOR_M = 0.02
+
 
 class Decision(NamedTuple):
-    """Whether a household wants an anomaly reported, how, and why (one sentence)."""
+    """Whether a household wants an anomaly reported, how, and why (a sentence)."""
 
     report: bool
     notify: Notify
@@ -53,21 +56,43 @@ def household_from(
     )
 
 
-def sample_household(catalog: Catalog, rng: Rng) -> Household:
-    """A household of a random template. ``rng``: a lane of its own."""
-    weights = np.array([template.weight for template in catalog.households])
-    index = int(rng.choice(len(weights), p=weights / weights.sum()))
-    template = catalog.households[index]
+def draw_template(
+    catalog: Catalog, rng: Rng, may: Callable[[HouseholdTemplate], bool] = lambda _: True
+) -> HouseholdTemplate:
+    """A template by the weights of those that ``may`` be (of all, where none may). ``rng``: a lane
+    of its own."""
+    among = [template for template in catalog.households if may(template)] or catalog.households
+    weights = np.array([template.weight for template in among])
+    return among[int(rng.choice(len(weights), p=weights / weights.sum()))]
+
+
+def sample_household(catalog: Catalog, template: HouseholdTemplate, rng: Rng) -> Household:
+    """A household of a template. ``rng``: a lane of its own.
+
+    A pet or a condition that matters to nothing in the catalogue is never drawn.
+    """
+    matters = _matters(catalog)
     return household_from(
         template,
         ages=[int(rng.integers(least, most + 1)) for _, least, most in template.members],
-        pets=[pet for pet in template.pets if rng.random() < OPTIONAL_SHARE],
-        conditions=[item for item in template.conditions if rng.random() < OPTIONAL_SHARE],
+        pets=[p for p in template.pets if rng.random() < OPTIONAL_SHARE and p in matters],
+        conditions=[
+            item
+            for item in template.conditions
+            if rng.random() < OPTIONAL_SHARE and item in matters
+        ],
         notifications={
             hazard: choices[int(rng.integers(len(choices)))]
             for hazard, choices in sorted(template.notifications.items())
         },
     )
+
+
+def _matters(catalog: Catalog) -> set[str]:
+    """The pets and conditions that raise a hazard, or bring things along."""
+    raising = (rule for hazard in catalog.hazards for rule in hazard.concerns.raised_by)
+    owned = (category.belongs_to for category in catalog.categories)
+    return {word for words in (*(r.living_with for r in raising), *owned) for word in words}
 
 
 def reach_at(age: int, reach: Sequence[ReachRow]) -> float:
@@ -86,20 +111,51 @@ def decide(
 ) -> Decision:
     """Whether this household wants an anomaly of ``hazard`` reported.
 
-    First whom it concerns (everyone, or children who are young enough and, where the hazard
-    says so, tall enough to reach ``evidence["reach_height_m"]``), then the household's own
-    choice for the hazard, else the default of its urgency.
+    First whom it concerns: everyone, or children who are young enough and, where the hazard says
+    so, tall enough to reach ``evidence["reach_height_m"]``. A pet or a condition that it is
+    ``raised_by`` makes it a matter of ``now``, whatever else holds. Otherwise the household's own
+    choice for the hazard (of which there is none to be silent about what is ``never_silent``),
+    else the default of its urgency.
     """
     concerned, reason = _concerned(hazard, evidence, household, reach)
+    for_whom = _raised(hazard, household)
+    if for_whom is not None:
+        joint = "and" if concerned else "but"
+        return Decision(
+            True, "now", f"{reason}, {joint} {for_whom}: the household is told at once."
+        )
     if not concerned:
-        return Decision(False, "silent", reason)
+        return Decision(False, "silent", f"{reason}.")
     chosen = household.notifications.get(hazard.id)
-    if chosen == "silent":
-        return Decision(False, "silent", f"{reason}; the household does not want to hear of it")
+    if chosen == "silent" and hazard.never_silent:
+        chosen = None
     if chosen is not None:
-        return Decision(True, chosen, f"{reason}; the household chose {chosen!r}")
-    notify = DEFAULT_NOTIFY[hazard.urgency]
-    return Decision(True, notify, f"{reason}; {notify!r} by default at {hazard.urgency} urgency")
+        return Decision(chosen != "silent", chosen, f"{reason}, {_CHOSEN[chosen]}.")
+    return Decision(True, DEFAULT_NOTIFY[hazard.urgency], f"{reason}, {_DEFAULT[hazard.urgency]}.")
+
+
+_CHOSEN: Mapping[Notify, str] = {
+    "now": "and the household wants to be told at once",
+    "summary": "and the household wants it in the summary of the day",
+    "silent": "but the household does not want to hear of it",
+}
+_DEFAULT: Mapping[Urgency, str] = {
+    "high": "and it is too urgent to wait",
+    "medium": "and they are told as soon as it is seen",
+    "low": "and it can wait for the summary of the day",
+}
+
+
+def _raised(hazard: Hazard, household: Household) -> str | None:
+    """Which pet or which member the hazard is raised by, in words; None when by nobody."""
+    for rule in hazard.concerns.raised_by:
+        for pet in household.pets:
+            if pet in rule.living_with:
+                return f"a {pet} lives here"
+        for condition in household.conditions:
+            if condition in rule.living_with:
+                return f"somebody who lives here {condition}"
+    return None
 
 
 def _concerned(
@@ -108,24 +164,28 @@ def _concerned(
     household: Household,
     reach: Sequence[ReachRow],
 ) -> tuple[bool, str]:
+    """Whether a hazard concerns somebody of the household, and why, but for the full stop."""
     concern, oldest = hazard.concerns, hazard.concerns.max_age
     if oldest is None:  # a concern of children has their age
-        return True, "it concerns everyone"
+        return True, "It concerns everyone who lives here"
     ages = sorted(member.age for member in household.members if member.age <= oldest)
     if not ages:
-        return False, f"nobody in the household is {oldest} or younger"
+        younger = f"{oldest} or younger" if oldest else "under one"
+        return False, f"Nobody who lives here is {younger}"
     if not concern.by_reach:
-        return True, f"a child of {ages[0]} lives here"
+        return True, f"{_child(ages[0]).capitalize()} lives here"
     height = evidence.get("reach_height_m")
     if not isinstance(height, int | float):
         raise ValueError(f"{hazard.id}: evidence has no reach_height_m")
-    shown = round(height, 2) + 0.0  # settled a hair into the floor, it still is at 0.00 m
+    lies = f"lies at {height:.2f} m" if height >= ON_FLOOR_M else "lies on the floor"
     able = [age for age in ages if reach_at(age, reach) >= height]
     if not able:
         best = reach_at(ages[-1], reach)
-        return (
-            False,
-            f"at {shown:.2f} m it is above the {best:.2f} m a child of {ages[-1]} reaches",
-        )
+        return False, f"It {lies}, above the {best:.2f} m that {_child(ages[-1])} reaches"
     at = reach_at(able[0], reach)
-    return True, f"a child of {able[0]} reaches {at:.2f} m and it is at {shown:.2f} m"
+    high = f"{at:.2f} m high" if at < float("inf") else "as high as a grown-up"
+    return True, f"{_child(able[0]).capitalize()} reaches {high}, it {lies}"
+
+
+def _child(age: int) -> str:
+    return f"a child of {age}" if age else "a baby"

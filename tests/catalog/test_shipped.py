@@ -107,13 +107,25 @@ def test_lookalikes_satisfy_no_predicate(hazard: Hazard) -> None:
                 assert (found.value, found.sure) == (False, True), f"{name}: {other.id}"
 
 
+def _lives_in(abode: Abode, target: str, hollow: str) -> bool:
+    """Whether an abode means a hollow of this name: the one it names, or any not reserved."""
+    words = CATALOG.category(target).reserved if abode.hollow is None else (abode.hollow,)
+    called = any(hollow == word or hollow.startswith(f"{word}_") for word in words)
+    return called == (abode.hollow is not None)
+
+
 def _at_home(category: str, abode: Abode, target: str) -> World:
     """A thing where it lives: behind its leaf if every hollow of the target has one."""
     states: tuple[str, ...] | None = None
     height = HUNG_M.get(target, _top_m(target))
     if abode.relation == "INSIDE":
         height = HUNG_M.get(target, 0.1) + 0.02
-        hollows = [c for model in library().by_category(target) for c in model.containers]
+        hollows = [
+            c
+            for model in library().by_category(target)
+            for c in model.containers
+            if _lives_in(abode, target, c.name)
+        ]
         states = ("CLOSED",) if all(c.closed_by for c in hollows) else ()
     related = {abode.relation: (Related(2, target, True, True, {}, states),)}
     return World({1: Thing(category, (), (), "", height, related), 2: Thing(target)})

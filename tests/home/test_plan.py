@@ -191,7 +191,7 @@ def _on(wall, point):
 @given(seed=st.integers(0, 10_000))
 def test_a_generated_home_could_have_been_drawn(seed):
     """Its rooms and openings pass what is asked of base homes: one computation finds the walls."""
-    home = generate_home("made", CATALOG, lane(seed, 0, "plan"))
+    home = generate_home("made", CATALOG.mixes, CATALOG, lane(seed, 0, "plan"))
     assert home is not None
     drawing = HomeYaml.model_validate(home.model_dump(exclude={"kind"}))
     assert drawing.record() == home.model_copy(update={"kind": "base"})

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from sdgen.catalog.cases import cases
 from sdgen.catalog.entry import Entry
-from sdgen.catalog.records import Category, Hazard
+from sdgen.catalog.records import Category, Hazard, HouseholdTemplate
 from sdgen.catalog.terms.term import Case
 
 
@@ -49,6 +49,18 @@ def check_among(
                             continue
                         if not other.predicate.possible(case).be_false:
                             entry.problem(_twice(key, _words(case), other.id), key, index)
+
+
+def check_choices(
+    entries: Mapping[str, Entry], households: Sequence[HouseholdTemplate], hazards: Sequence[Hazard]
+) -> None:
+    """Note households that may choose not to hear of what nobody is silent about."""
+    loud = {hazard.id for hazard in hazards if hazard.never_silent}
+    for template in households:
+        for hazard, choices in template.notifications.items():
+            if hazard in loud and "silent" in choices:
+                text = f"nobody is silent about {hazard} (never_silent): choose now or summary"
+                entries[template.name].problem(text, "notifications", hazard)
 
 
 def _twice(key: str, name: str, other: str) -> str:

@@ -136,6 +136,7 @@ class HazardYaml(Record):
     label: Label | None = None
     concerns: Annotated[Concern, Expect("{who: everyone} or {who: children, max_age: years}")]
     urgency: Urgency
+    never_silent: bool = False
     message: Text
     source: Text
     predicate: Annotated[Any, Expect("terms: when is it true?")]

@@ -8,11 +8,11 @@ folder.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from sdgen.catalog.consistency import check_among
+from sdgen.catalog.consistency import check_among, check_choices
 from sdgen.catalog.entry import Entry
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.folder import Folder, extension_names, open_extra, open_folder
@@ -20,7 +20,14 @@ from sdgen.catalog.hazard_yaml import read_hazard
 from sdgen.catalog.home_yaml import HomeYaml
 from sdgen.catalog.records import Catalog
 from sdgen.catalog.words import NOT_A_NAME, WORD, Names
-from sdgen.catalog.world_yaml import CategoryYaml, HouseholdYaml, MixYaml, ReachYaml, RoomTypeYaml
+from sdgen.catalog.world_yaml import (
+    AgeGroupYaml,
+    CategoryYaml,
+    HouseholdYaml,
+    MixYaml,
+    ReachYaml,
+    RoomTypeYaml,
+)
 from sdgen.errors import InputError, did_you_mean
 from sdgen.resources import data_path
 from sdgen.strict import no_mapping, unknown_key
@@ -36,6 +43,7 @@ _KINDS = {
     "hazards": "hazard",
     "homes": "home",
     "households": "household",
+    "groups": "age group",
     "reach": "table",
 }
 
@@ -87,6 +95,8 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         categories=tuple(sorted(found["categories"])),
         rooms=tuple(sorted(found["rooms"])),
         hazards=tuple(sorted(found["hazards"])),
+        traits=tuple(sorted(set(_traits(found["households"].values())))),
+        groups=tuple(sorted(found["groups"])),
     )
 
     def named(kind: str, model: type[Any]) -> tuple[Any, ...]:
@@ -104,15 +114,26 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         reach=tuple(row for table in reach if table is not None for row in table.rows),
         homes=tuple(home.record() for home in homes if home is not None),
         mixes=named("mixes", MixYaml),
+        groups=named("groups", AgeGroupYaml),
     )
     if not any(source.problems for folder in folders for _, source in folder.all()):
         check_among(found["hazards"], catalog.hazards, catalog.categories)
+        check_choices(found["households"], catalog.households, catalog.hazards)
     for folder in folders:
         for _, source in folder.all():
             problems.extend(source.problems)
     if problems:
         raise InputError(tuple(dict.fromkeys(problems)))
     return catalog
+
+
+def _traits(templates: Iterable[Entry]) -> Iterator[str]:
+    """Every pet and condition that households are written with."""
+    for entry in templates:
+        for key in ("pets", "conditions"):
+            written = entry.key(key)
+            several = written if isinstance(written, list) else [written]
+            yield from (word for word in several if isinstance(word, str))
 
 
 def _add(found: dict[str, Entry], kind: str, entry: Entry) -> None:
@@ -131,7 +152,7 @@ def _add(found: dict[str, Entry], kind: str, entry: Entry) -> None:
 
 
 def _entries(kind: str, source: Source, pack: str) -> Iterator[tuple[str, Entry]]:
-    """The entries of a file of a kind, each with its own kind: a file of households has two."""
+    """The entries of a file of a kind, each with its own kind: a file of households has three."""
     value = source.value
     if value is None and source.problems:
         return  # could not be parsed, as noted
@@ -147,8 +168,10 @@ def _entries(kind: str, source: Source, pack: str) -> Iterator[tuple[str, Entry]
                 yield "reach", Entry(key, source, (key,), value[key], pack)
             elif key == "templates":
                 yield from _named(kind, source, (key,), value[key], pack)
+            elif key == "groups":
+                yield from _named("groups", source, (key,), value[key], pack)
             else:
-                source.problem((key,), unknown_key(key, ("templates", "reach")))
+                source.problem((key,), unknown_key(key, ("templates", "groups", "reach")))
 
 
 def _named(

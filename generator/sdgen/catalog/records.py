@@ -19,8 +19,10 @@ from sdgen.catalog.words import (
     Point3,
     Rectangle,
     RoomName,
+    Text,
     Word,
     between,
+    names_of,
     span,
 )
 from sdgen.geometry import Vec3
@@ -72,15 +74,25 @@ class SetRecipe(Record):
 Recipe = Annotated[PlaceRecipe | SetRecipe, Field(discriminator="kind")]
 
 
+class Raise(Record):
+    """A pet or a condition of a household that makes a hazard matter to it; ``source`` says who
+    says so."""
+
+    living_with: Annotated[tuple[str, ...], names_of("pet or condition")]
+    source: Text
+
+
 class Concern(Record):
     """Whom a hazard concerns: everyone, or households with a member up to ``max_age``.
 
-    ``by_reach`` further asks that such a child can reach ``evidence.reach_height_m``.
+    ``by_reach`` further asks that such a child can reach ``evidence.reach_height_m``. Where a
+    household has what is in ``raised_by``, it is told at once, whomever else that concerns.
     """
 
     who: Literal["everyone", "children"]
     max_age: Annotated[int | None, between(0, 17)] = None
     by_reach: bool = False
+    raised_by: tuple[Raise, ...] = ()
 
     @model_validator(mode="after")
     def _of_children(self) -> Concern:
@@ -99,7 +111,7 @@ class RemedyRule(Record):
 
 
 class Hazard(Record):
-    """One class of the catalogue."""
+    """One class of the catalogue. ``never_silent``: no household may choose not to hear of it."""
 
     id: str
     title: str
@@ -108,6 +120,7 @@ class Hazard(Record):
     label: Label
     concerns: Concern
     urgency: Urgency
+    never_silent: bool = False
     message: str
     source: str
     predicate: Predicate
@@ -147,7 +160,9 @@ class Category(Record):
     """An object category. ``switched_on``: the share of its furniture that stands switched on.
 
     ``alike``: it comes in several, so that one piece of furniture may hold two of one model.
-    ``reserved``: hollows that only take what lives in a hollow of that name.
+    ``reserved``: hollows that only take what lives in a hollow of that name. ``belongs_to``: the
+    pets, conditions and age groups with which it comes, ``always`` or as often as anything;
+    ``sleeps``: how many a bed is for.
     """
 
     name: str
@@ -163,6 +178,9 @@ class Category(Record):
     at_most: AtMost = AtMost()
     alike: bool = False
     reserved: tuple[str, ...] = ()
+    belongs_to: tuple[str, ...] = ()
+    always: bool = False
+    sleeps: int = 0
 
 
 class ClutterPrior(Record):
@@ -235,7 +253,8 @@ class RoomType(Record):
     that needs ``daylight`` gets an outer wall that a window fits in; ``windows`` says which kind
     it has where there is such a wall, ``sill_m`` how high. As a hub, a room with ``corridor_m`` is
     a corridor that wide, as long as the rooms along it. ``joined`` are room types that it has a
-    door to besides that to the hub, and how often (where they share a wall).
+    door to besides that to the hub, and how often (where they share a wall). Homes with a room
+    that ``belongs_to`` pets, conditions or age groups are those of households with one of them.
     """
 
     name: str
@@ -251,11 +270,14 @@ class RoomType(Record):
     clutter: tuple[ClutterPrior, ...] = ()
     floor_clutter_min: int = 0
     floor_clutter_max: int = 2
+    belongs_to: tuple[str, ...] = ()
 
 
 class HouseholdTemplate(Record):
     """A kind of household to sample from. Ages are inclusive ranges.
 
+    It lives in homes with the room types of ``rooms`` (one that comes twice: with two of them) and
+    beds for ``beds``; None: for all members.
     ``pets`` and ``conditions`` are what it may have, each in half of the households.
     ``notifications`` gives, by hazard, choices that are equally likely; a hazard that is not
     named gets the default of its urgency.
@@ -266,7 +288,23 @@ class HouseholdTemplate(Record):
     members: tuple[tuple[str, int, int], ...]
     pets: tuple[str, ...] = ()
     conditions: tuple[str, ...] = ()
+    rooms: tuple[str, ...] = ()
+    beds: int | None = None
     notifications: dict[str, tuple[Notify, ...]] = Field(default_factory=dict)
+
+    @property
+    def sleepers(self) -> int:
+        """How many sleep in the home."""
+        return len(self.members) if self.beds is None else self.beds
+
+
+class AgeGroup(Record):
+    """Members up to ``max_age`` years, by name. ``visits``: the share of households without one
+    that one visits so often that its things are there."""
+
+    name: str
+    max_age: Annotated[int, between(0, 120)]
+    visits: Annotated[float, between(0.0, 1.0)] = 0.0
 
 
 class ReachRow(Record):
@@ -364,6 +402,7 @@ class Catalog(Record):
     reach: tuple[ReachRow, ...]
     homes: tuple[HomeSpec, ...]
     mixes: tuple[HomeMix, ...] = ()
+    groups: tuple[AgeGroup, ...] = ()
 
     @cached_property
     def sha256(self) -> str:

@@ -24,7 +24,13 @@ _STATE = re.compile(r"[A-Z][A-Z_]*")
 NOT_A_NAME = "is not a name (lower case letters, digits, _)"
 
 
-_LOOKED_UP = ("category", "room type", "hazard")
+_LOOKED_UP = (
+    "category",
+    "room type",
+    "hazard",
+    "pet or condition",
+    "pet, condition or age group",
+)
 
 
 @dataclass(frozen=True)
@@ -34,10 +40,18 @@ class Names:
     categories: tuple[str, ...]
     rooms: tuple[str, ...]
     hazards: tuple[str, ...] = ()
+    traits: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
 
     def of(self, what: str) -> tuple[str, ...]:
         """The names of one kind, sorted."""
-        kinds = {"category": self.categories, "room type": self.rooms, "hazard": self.hazards}
+        kinds = {
+            "category": self.categories,
+            "room type": self.rooms,
+            "hazard": self.hazards,
+            "pet or condition": self.traits,
+            "pet, condition or age group": tuple(sorted({*self.traits, *self.groups})),
+        }
         return kinds[what]
 
 
@@ -191,6 +205,7 @@ Categories = Annotated[
 ]
 OptionalCategories = Annotated[tuple[str, ...], names_of("category", least=0)]
 RoomNames = Annotated[tuple[str, ...], names_of("room type", least=0)]
+Belongs = Annotated[tuple[str, ...], names_of("pet, condition or age group", least=0)]
 Zones = Annotated[tuple[str, ...], names_of("zone", 0, ZONE_KINDS)]
 
 #: How often, beside others: a thousandth to a thousand times the usual 1.

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 from sdgen.catalog.entry import as_record
 from sdgen.catalog.records import (
     Abode,
+    AgeGroup,
     AtMost,
     Category,
     CategoryKind,
@@ -22,6 +23,7 @@ from sdgen.catalog.records import (
 )
 from sdgen.catalog.words import (
     PAIR,
+    Belongs,
     Categories,
     CategoryName,
     Counts,
@@ -121,6 +123,10 @@ class CategoryYaml(Record):
     at_most: Annotated[AtMost, Expect("{room: number, home: number}")] = AtMost()
     alike: bool = False
     reserved: Annotated[tuple[str, ...], names_of("hollow", least=0)] = ()
+    belongs_to: Belongs = ()
+    always: bool = False
+    # A family's bed for more is none that anybody sells.
+    sleeps: Annotated[int, between(0, 4)] = 0
     replaces: bool = False
 
     @model_validator(mode="after")
@@ -131,6 +137,8 @@ class CategoryYaml(Record):
             refuse(problem(("mass_kg",), "masses must be above 0"))
         if self.switched_on and "HAS_SWITCH" not in self.properties:
             refuse(problem(("switched_on",), "only what has the property HAS_SWITCH is ever on"))
+        if self.always and not (self.belongs_to and self.lives):
+            refuse(problem(("always",), "always needs 'belongs_to' and 'lives': whose, and where?"))
         return self
 
     def record(self, name: str) -> Category:
@@ -162,6 +170,7 @@ class RoomTypeYaml(Record):
     furniture: tuple[FurnitureRule, ...] = ()
     clutter: dict[CategoryName, Counts]
     floor_clutter: Counts
+    belongs_to: Belongs = ()
     replaces: bool = False
 
     @model_validator(mode="after")
@@ -214,6 +223,13 @@ class MemberYaml(Record):
     age: Annotated[tuple[int, int], span(0, 120, whole=True), PAIR]
 
 
+class NeedsYaml(Record):
+    """What the home of a household has: rooms of these types, and beds for so many."""
+
+    rooms: Annotated[tuple[RoomName, ...], Expect("a list of room types")] = ()
+    beds: Annotated[int | None, between(0, 20)] = None
+
+
 class HouseholdYaml(Record):
     """One entry of ``templates`` in ``households.yaml``."""
 
@@ -221,6 +237,7 @@ class HouseholdYaml(Record):
     members: Annotated[tuple[MemberYaml, ...], Field(min_length=1), Expect("at least one item")]
     pets: Annotated[tuple[str, ...], names_of("pet", least=0)] = ()
     conditions: Annotated[tuple[str, ...], names_of("condition", least=0)] = ()
+    needs: Annotated[NeedsYaml, Expect("{rooms: [room types], beds: number}")] = NeedsYaml()
     notifications: dict[
         HazardName, Annotated[tuple[Notify, ...], names_of("choice", 1, get_args(Notify))]
     ] = Field(default_factory=dict)
@@ -229,7 +246,20 @@ class HouseholdYaml(Record):
     def record(self, name: str) -> HouseholdTemplate:
         """The record of it."""
         members = tuple((member.role, *member.age) for member in self.members)
-        return as_record(self, HouseholdTemplate, name=name, members=members)
+        needs = {"rooms": self.needs.rooms, "beds": self.needs.beds}
+        return as_record(self, HouseholdTemplate, name=name, members=members, **needs)
+
+
+class AgeGroupYaml(Record):
+    """One entry of ``groups`` in ``households.yaml``."""
+
+    max_age: Annotated[int, between(0, 120)]
+    visits: Annotated[float, between(0.0, 1.0)] = 0.0
+    replaces: bool = False
+
+    def record(self, name: str) -> AgeGroup:
+        """The record of it."""
+        return as_record(self, AgeGroup, name=name)
 
 
 class ReachYaml(Record):

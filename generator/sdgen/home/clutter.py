@@ -35,6 +35,9 @@ def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
     types = {t.name: t for t in context.catalog.room_types}
     abodes = _Abodes(context)
     stock = _Stock(layout)
+    for category in context.catalog.categories:
+        if category.always and not stock.count(category.name):
+            _place_somewhere(layout, category, stock, context, rng)
     receptacles: list[tuple[ObjectInstance, Room, _Choices]] = []
     for room in context.home.rooms:
         room_type = types.get(room.type)
@@ -85,6 +88,10 @@ class _Stock:
         self._rooms[item.room_id, item.category] += 1
         if target_id is not None:
             self._models.add((target_id, item.asset))
+
+    def count(self, category: str) -> int:
+        """How many of a category there are in all."""
+        return self._home[category]
 
     def full(self, category: Category, room_id: int) -> bool:
         """True when the room, or the home, has as many of a category as it may."""
@@ -165,6 +172,28 @@ def _place(
         item = layout.new_item(asset, spot, room.id)
         layout.put(item, Intent(abode.relation, receptacle.id))
         stock.add(item, receptacle.id)
+
+
+def _place_somewhere(
+    layout: Layout, category: Category, stock: _Stock, context: HomeContext, rng: Rng
+) -> None:
+    """Put one of a category where it lives: the first of its abodes that has room for it."""
+    before = stock.count(category.name)
+    rooms = context.home.rooms
+    shuffled = [rooms[k] for k in rng.permutation(len(rooms)).tolist()]
+    for abode in category.lives if context.models(category.name) else ():
+        only = _Choices(((category, abode),), np.ones(1))
+        for room in shuffled:
+            if abode.rooms and room.type not in abode.rooms:
+                continue
+            if "floor" in abode.targets:
+                _place_on_floor(layout, room, only, stock, context, rng)
+            for item in list(layout.items.values()):
+                here = item.fixed and item.room_id == room.id and item.category in abode.targets
+                if here and stock.count(category.name) == before:
+                    _place(layout, item, room, only, stock, context, rng)
+            if stock.count(category.name) > before:
+                return
 
 
 def _place_on_floor(

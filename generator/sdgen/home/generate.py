@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from sdgen.catalog.records import Catalog, HomeSpec, RoomSpec
-from sdgen.errors import UsageError
+from sdgen.catalog.records import Catalog, HomeMix, HomeSpec, RoomSpec
 from sdgen.home.plan import plan_random
 from sdgen.home.plan_openings import openings_random
 from sdgen.rejection import Rejection, reject
@@ -17,14 +18,14 @@ HEIGHTS_M = (2.4, 2.5, 2.6, 2.7)
 TRIES = 6
 
 
-def generate_home(home_id: str, catalog: Catalog, rng: Rng) -> HomeSpec | Rejection:
-    """A home of one of the catalogue's mixes of rooms; why the last of some tries was none."""
-    if not catalog.mixes:
-        raise UsageError("the catalogue has no mix of rooms to generate homes from (mixes.yaml)")
+def generate_home(
+    home_id: str, mixes: Sequence[HomeMix], catalog: Catalog, rng: Rng
+) -> HomeSpec | Rejection:
+    """A home of one of these mixes of rooms; why the last of some tries was none."""
     last = reject("home", "no_floor_plan")
-    weights = np.array([mix.weight for mix in catalog.mixes])
+    weights = np.array([mix.weight for mix in mixes])
     for _ in range(TRIES):
-        mix = catalog.mixes[int(rng.choice(len(weights), p=weights / weights.sum()))]
+        mix = mixes[int(rng.choice(len(weights), p=weights / weights.sum()))]
         plan = plan_random(mix, catalog.room_types, rng)
         if plan is None:
             last = reject("home", "no_floor_plan")

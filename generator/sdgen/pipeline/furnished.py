@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from sdgen.catalog.records import Catalog, HomeSpec
+from sdgen.catalog.records import Catalog, HomeMix, HomeSpec
 from sdgen.errors import UsageError
 from sdgen.facts import Facts, bodies_of, room_at
 from sdgen.freespace import free_shape, random_point, rounded_rings, unreachable_rooms
 from sdgen.geometry import Vec2
 from sdgen.hazards.certify import facts_of
-from sdgen.hazards.splits import SplitModels
 from sdgen.home.arrange import furnish_by_rules
-from sdgen.home.context import HomeContext
+from sdgen.home.context import HomeContext, Models
 from sdgen.home.furnish import fill_openings, furnish_as_drawn
 from sdgen.home.generate import generate_home
 from sdgen.home.layout import Layout
 from sdgen.home.shell import build_shell
+from sdgen.home.tenants import Homes, Tenants, beds_of, wide_beds
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.rejection import Rejection, reject
@@ -26,9 +26,10 @@ from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
 from sdgen.seeding import Rng, lane
 from sdgen.zones import derive_zones, doorway_blocked, floor_obstacles, swing_blocked
 
-#: Of the scenes of a mixed build, this many play in base homes: a choice. There are few of them, so
-#: that more would repeat them; fewer would say little about homes drawn by people.
-BASE_SHARE = 0.25
+#: Of the scenes of a mixed build whose household fits a base home, this many play in one: a choice.
+#: There are few of them, so that more would repeat them; fewer would say little about homes drawn
+#: by people. One household in five fits none, so that a quarter of all scenes play in them.
+BASE_SHARE = 0.3
 
 
 @dataclass(frozen=True)
@@ -79,30 +80,51 @@ def _sorted(home: Home) -> Home:
 
 @dataclass(frozen=True)
 class HomeChoice:
-    """Which home a scene plays in: a base home, or a generated one of this id (``base`` None).
+    """Which home a scene plays in: a base home, or a generated one of this id (``base`` None),
+    of one of ``mixes``.
 
     A generated home is drawn anew for every attempt; its id, and so its split, stays.
     """
 
     id: str
     base: HomeSpec | None
+    mixes: tuple[HomeMix, ...] = ()
 
     def spec(self, catalog: Catalog, rng: Rng) -> HomeSpec | Rejection:
         """The home to build and furnish; rejected when no generated floor plan came out valid."""
-        return self.base or generate_home(self.id, catalog, rng)
+        return self.base or generate_home(self.id, self.mixes, catalog, rng)
 
 
-def pick_home(catalog: Catalog, options: BuildOptions, index: int) -> HomeChoice:
-    """The home of a scene, by a lane of its own."""
-    rng = lane(options.seed, index, "home")
-    generated = options.homes == "procedural" or (
-        options.homes == "mixed" and rng.random() >= BASE_SHARE
-    )
-    if generated:
-        return HomeChoice(f"procedural_{options.seed}_{index:06d}", None)
-    if not catalog.homes:
+def homes_of(
+    catalog: Catalog, options: BuildOptions
+) -> tuple[tuple[HomeSpec, ...], tuple[HomeMix, ...]]:
+    """The base homes, and the mixes of generated ones, that a build may use."""
+    bases = () if options.homes == "procedural" else catalog.homes
+    mixes = () if options.homes == "base" else catalog.mixes
+    if options.homes != "procedural" and not bases:
         raise UsageError("the catalogue has no home to build in (hazard_catalog/homes)")
-    base = catalog.homes[int(rng.integers(len(catalog.homes)))]
+    if options.homes != "base" and not mixes:
+        raise UsageError("the catalogue has no mix of rooms to generate homes from (mixes.yaml)")
+    return bases, mixes
+
+
+def pick_home(
+    catalog: Catalog,
+    options: BuildOptions,
+    index: int,
+    fits: Callable[[HomeSpec | HomeMix], bool] = lambda _: True,
+) -> HomeChoice:
+    """The home of a scene, by a lane of its own, of those that fit (of all, where none does)."""
+    rng = lane(options.seed, index, "home")
+    bases, mixes = homes_of(catalog, options)
+    in_base = rng.random() < BASE_SHARE
+    fitting = [home for kind in (bases, mixes) for home in kind if fits(home)]
+    if fitting:
+        bases = tuple(home for home in fitting if isinstance(home, HomeSpec))
+        mixes = tuple(home for home in fitting if isinstance(home, HomeMix))
+    if mixes and not (bases and in_base):
+        return HomeChoice(f"procedural_{options.seed}_{index:06d}", None, mixes)
+    base = bases[int(rng.integers(len(bases)))]
     return HomeChoice(base.id, base)
 
 
@@ -110,11 +132,19 @@ def furnished_home(
     spec: HomeSpec,
     catalog: Catalog,
     library: Library,
-    models: SplitModels,
+    models: Models,
     ids: Iterator[int],
     rng: Rng,
+    tenants: Tenants | None = None,
 ) -> FurnishedHome | Rejection:
-    """A furnished, still empty home. ``ids`` are used up."""
+    """A furnished, still empty home. ``ids`` are used up.
+
+    ``tenants`` are whom it is furnished for: their things may be in it and no others'; None: for
+    anybody, with anything.
+    """
+    if tenants is not None and Homes(catalog).needs_wide_beds(tenants.beds, spec):
+        models = wide_beds(models, catalog)
+    theirs = models if tenants is None else tenants.models(models, catalog)
     home = build_shell(spec, library, ids, rng)
     properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
     looked_at = frozenset(name for name, traits in properties.items() if "LOOKABLE" in traits)
@@ -122,11 +152,15 @@ def furnished_home(
     if isinstance(layout, Rejection):
         return layout
     if spec.kind == "procedural":
-        layout = furnish_by_rules(home, layout, catalog, models, rng)
+        layout = furnish_by_rules(home, layout, catalog, theirs, rng)
     else:
         layout = furnish_as_drawn(spec, home, layout, catalog, models, rng)
     if isinstance(layout, Rejection):
         return layout
+    if tenants is not None and Homes(catalog).has_beds(spec, tenants.beds):
+        places = beds_of(layout.items.values(), library.infos, catalog)
+        if places < tenants.beds:
+            return reject("home", "too_few_beds", measured=places, limit=tenants.beds)
     home = _sorted(home)
     # By id, as anyone has it who reads the scene: a union's last digits depend on the order.
     bodies = bodies_of([layout.items[k] for k in sorted(layout.items)], library.infos)
@@ -146,7 +180,7 @@ def furnished_home(
         return reject("home", "no_free_floor")
     zones = derive_zones(home, bodies, free, properties)
     return FurnishedHome(
-        context=HomeContext(home, zones, catalog, models),
+        context=HomeContext(home, zones, catalog, theirs),
         layout=layout,
         free_space=rounded_rings(free),
         agent_start=_agent_start(start, room, rng),

@@ -101,6 +101,7 @@ def furnish_for(
         SplitModels(library, spec.split),
         node_ids(spec.lane(f"ids:{home_attempt}")),
         spec.lane(f"furnish:{home_attempt}"),
+        spec.tenants,
     )
 
 

@@ -4,20 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from sdgen.catalog.records import Catalog
 from sdgen.hazards.draw import draw
 from sdgen.hazards.splits import Split, split_of_home
-from sdgen.households import sample_household
+from sdgen.home.tenants import Homes, Tenants, words_of
+from sdgen.households import draw_template, sample_household
 from sdgen.options import BuildOptions
-from sdgen.pipeline.furnished import HomeChoice, pick_home
+from sdgen.pipeline.furnished import HomeChoice, homes_of, pick_home
 from sdgen.scene import LARGEST_ID, Household
 from sdgen.seeding import Rng, lane
 
 
 @dataclass(frozen=True)
 class SceneSpec:
-    """The drawn hazards, the home and its split, and who lives there."""
+    """The drawn hazards, the home and its split, and who lives there (``tenants``: what that
+    means for what is in the home)."""
 
     index: int
     seed: int
@@ -25,6 +28,7 @@ class SceneSpec:
     home: HomeChoice
     split: Split
     household: Household
+    tenants: Tenants
 
     def lane(self, name: str) -> Rng:
         """A generator of this scene's own."""
@@ -32,22 +36,40 @@ class SceneSpec:
 
 
 def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
-    """The specification of scene ``index``: each part from a lane of its own."""
-    home = pick_home(catalog, options, index)
+    """The specification of scene ``index``: each part from a lane of its own.
+
+    Hazards come first and know of nothing else; then the kind of household, by its weight; then a
+    home that it can live in.
+    """
+    hazards = draw(
+        options.seed,
+        index,
+        [hazard.id for hazard in catalog.hazards],
+        options.hazards_min,
+        options.hazards_max,
+        options.draw,
+    )
+    homes = Homes(catalog)
+    among = [home for kind in homes_of(catalog, options) for home in kind]
+    template = draw_template(
+        catalog,
+        lane(options.seed, index, "template"),
+        lambda one: any(homes.fits(one, home) for home in among),
+    )
+    household = sample_household(catalog, template, lane(options.seed, index, "household"))
+    home = pick_home(catalog, options, index, partial(homes.fits, template))
     return SceneSpec(
         index=index,
         seed=options.seed,
-        hazards=draw(
-            options.seed,
-            index,
-            [hazard.id for hazard in catalog.hazards],
-            options.hazards_min,
-            options.hazards_max,
-            options.draw,
-        ),
+        hazards=hazards,
         home=home,
         split=split_of_home(home.id),
-        household=sample_household(catalog, lane(options.seed, index, "household")),
+        household=household,
+        tenants=Tenants(
+            words_of(household, catalog.groups, lane(options.seed, index, "visitors")),
+            template.sleepers,
+            tuple(catalog.hazard(name) for name in hazards),
+        ),
     )
 
 

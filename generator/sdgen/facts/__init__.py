@@ -6,6 +6,7 @@ claimed. Predicates, graph edges and tags all ask :class:`Facts`, so they cannot
 """
 
 from sdgen.facts.body import Body, bodies_of, with_footprints
+from sdgen.facts.entered import entered_structures
 from sdgen.facts.front import Edge, Facts
 from sdgen.facts.held import in_the_air, unheld
 from sdgen.facts.measured import Measured
@@ -18,6 +19,7 @@ __all__ = [
     "Measured",
     "Rooms",
     "bodies_of",
+    "entered_structures",
     "in_the_air",
     "room_at",
     "unheld",

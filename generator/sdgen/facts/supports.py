@@ -6,14 +6,15 @@ inside a container is not on it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from shapely.geometry import Point, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.predicate import Related
-from sdgen.facts.body import Body, rows
+from sdgen.facts.body import LEAST_M2, Body, rows
 from sdgen.facts.surfaces import Surface
 from sdgen.facts.thresholds import (
     NEAR_EDGE_M,
@@ -86,6 +87,21 @@ class Supports:
             if one.surface.owner == owner:
                 return one.surface.part
         return None
+
+    def of(self, owner: int) -> Sequence[Surface]:
+        """The surfaces of a thing, or of a room's floor."""
+        return self._by_owner.get(owner, ())
+
+    def carried_share(self, outline: BaseGeometry, low_m: float, own: int) -> float:
+        """Largest share of an outline that lies over one surface, of any but its own, near
+        ``low_m``."""
+        x0, y0, x1, y1 = outline.bounds
+        z, *box = self._boxes.T
+        near = (np.abs(low_m - z) < ON_GAP_M.above) & (x0 <= box[2]) & (x1 >= box[0])
+        near &= (y0 <= box[3]) & (y1 >= box[1])
+        found = [self.surfaces[k] for k in np.flatnonzero(near).tolist()]
+        areas = [outline.intersection(s.outline).area for s in found if s.owner != own]
+        return float(max(areas, default=0.0) / max(outline.area, LEAST_M2))
 
     def near_edge(self, body: Body, target: int) -> bool:
         """The centre is near the edge of a surface of ``target`` that the object is on."""

@@ -26,6 +26,10 @@ class Drawn:
     starts: tuple[int, ...]
     still: int
 
+    def within(self, points: Array, piece: int) -> Array:
+        """Of as many points as the outline has, those of one piece."""
+        return points[self.starts[piece] : (*self.starts, len(self.points_m))[piece + 1]]
+
     @cached_property
     def box_m(self) -> Array:
         """The lowest and the highest corner, (2, 3)."""

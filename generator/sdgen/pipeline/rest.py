@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sdgen.facts import Facts, in_the_air
+from sdgen.facts import Facts, entered_structures, in_the_air, unheld
 from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
@@ -70,7 +70,10 @@ def come_to_rest(
     offenders = _restless(contents, settled, again)
     offenders |= _off_target(contents, facts, offenders)
     if not offenders:
-        for violation in (*penetrations(world), *in_the_air(facts)):
+        for key in unheld(facts):
+            offenders[key] = contents.objection(key, "physics", "rests_on_nothing")
+        entered = entered_structures(facts)
+        for violation in (*penetrations(world), *entered, *in_the_air(facts)):
             there = [k for k in violation.objects if k in contents.items]
             for key in [k for k in there if not contents.items[k].fixed] or there[:1]:
                 offenders[key] = contents.objection(

@@ -11,7 +11,7 @@ from sdgen.actions import at_rest
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
 from sdgen.dataset.reader import SceneItem
-from sdgen.facts import Facts, bodies_of, unheld
+from sdgen.facts import Facts, bodies_of
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import QUATERNION_STEP, round_position
 from sdgen.hazards.certify import Survey, facts_of, survey
@@ -21,7 +21,8 @@ from sdgen.library.states import derive_states
 from sdgen.scene import FORMAT_VERSION, LARGEST_ID, ObjectInstance, Scene
 from sdgen.truth import build_graph
 from sdgen.validate.problems import SHOWN, Problem, differences
-from sdgen.zones import derive_zones, floor_obstacles, swing_blocked
+from sdgen.validate.standing import check_standing
+from sdgen.zones import derive_zones, floor_obstacles
 
 
 def check_scene(
@@ -134,9 +135,7 @@ def check_labels(
 ) -> Iterator[Problem]:
     """Graph, anomalies, lookalikes, certificate and the household's choices, all derived again."""
     facts = facts_of(item.scene, infos, catalog)
-    yield from _housed(item, facts)
-    yield from _carried(item, facts)
-    yield from _swings(item, facts)
+    yield from check_standing(item, facts)
     yield from _graph(item, infos, catalog, facts)
     result = survey(facts, catalog)
     yield from _anomalies(item, catalog, facts, result)
@@ -154,33 +153,6 @@ def check_labels(
     for text in islice(differences(certificate, derived, "certificate"), SHOWN):
         yield Problem("label", f"{item.where('anomalies.json')}: {text}")
     yield from _entry(item)
-
-
-def _housed(item: SceneItem, facts: Facts) -> Iterator[Problem]:
-    """Every object is in the room that its pose says, or one of those it may be in."""
-    for thing in item.scene.objects:
-        rooms = facts.room_ids(thing.id)
-        if thing.room_id not in rooms:
-            where = f"{item.where('scene.json')}: object {thing.id} ({thing.category})"
-            yield Problem(
-                "scene", f"{where}: room_id: {thing.room_id} stored, {list(rooms)} derived"
-            )
-
-
-def _carried(item: SceneItem, facts: Facts) -> Iterator[Problem]:
-    """Whatever is not fixed rests on or in something, twins' things too."""
-    for key in unheld(facts):
-        text = f"object {key} ({facts.category(key)}): rests on nothing"
-        yield Problem("scene", f"{item.where('scene.json')}: {text}")
-
-
-def _swings(item: SceneItem, facts: Facts) -> Iterator[Problem]:
-    """Every door swings free of what is benign."""
-    guilty = {anomaly.object_id for anomaly in item.anomalies.anomalies}
-    benign = [body for key, body in facts.bodies.items() if key not in guilty]
-    for node_id in swing_blocked(benign):
-        text = f"object {node_id} stands where a door must swing"
-        yield Problem("scene", f"{item.where('scene.json')}: {text}")
 
 
 def _graph(

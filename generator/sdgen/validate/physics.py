@@ -11,7 +11,6 @@ from typing import NamedTuple
 from sdgen.closing import Closing
 from sdgen.dataset import Dataset, SceneItem
 from sdgen.errors import InputError
-from sdgen.facts import Measured, in_the_air
 from sdgen.library import Library
 from sdgen.physics.checks import penetrations, unsupported
 from sdgen.physics.client import Client
@@ -94,10 +93,6 @@ def check_scene_physics(item: SceneItem, library: Library, client: Client) -> It
     for violation in unsupported(world):
         (key,) = violation.objects
         yield problem(key, f"nothing within {violation.limit * 1000:.0f} mm under it")
-    for violation in in_the_air(Measured(scene, library.infos)):
-        (key,) = violation.objects
-        gap = f"{violation.measured:.2f} m from the nearest wall or ceiling"
-        yield problem(key, f"is fixed in the air: on nothing, {gap}")
     for violation in moving(world):
         (key,) = violation.objects
         metres = violation.check == "moves"

@@ -192,6 +192,18 @@ def resting(entry: dict) -> list[dict]:
     return json.loads(kept.read_text())
 
 
+def add_standing_states(entries: dict[str, dict]) -> None:
+    """Give single models the states of `standing_states.yaml`, once."""
+    text = (Path(__file__).with_name("standing_states.yaml")).read_text()
+    for state, groups in yaml.safe_load(text).items():
+        for category, numbers in ((c, n) for group in groups for c, n in group.items()):
+            for number in numbers:
+                entry = entries[f"{category}_{number:02d}"]
+                rule = {"state": state, "variants": ["default"]}
+                if rule not in entry["states"]:
+                    entry["states"] = [rule, *entry["states"]]
+
+
 def check(entry: dict) -> list[str]:
     problems = []
     total = sum(p["faces"] for p in entry["parts"] if p["name"] in entry["variants"]["default"])
@@ -280,6 +292,7 @@ def main() -> int:
         for entry in entries.values():
             if "resting" not in entry:
                 entry["resting"] = resting(entry)
+        add_standing_states(entries)
         ordered = [entries[k] for k in sorted(entries)]
         temporary = target.with_suffix(".tmp")
         temporary.write_text(dump(ordered, [surfaces[k] for k in sorted(surfaces)]))

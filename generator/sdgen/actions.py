@@ -8,16 +8,16 @@ from sdgen.library.records import AssetInfo, Joint, StateRule
 from sdgen.library.states import derive_states
 from sdgen.scene import ObjectInstance
 
-#: How far beyond a limit a drawn joint value stays, as a share of the travel left: what nobody
-#: meant to leave open by a hand's breadth is neither certain nor to be seen.
-JOINT_MARGIN = 0.25
+#: How far beyond a limit a drawn joint value stays, radians or metres: so ajar, a leaf is seen to
+#: stand open, and a rounded value is no doubt.
+JOINT_MARGIN = 0.05
 
 
 def _joint_range(rule: StateRule, joint: Joint) -> tuple[float, float]:
     low = joint.lower if rule.min is None else max(joint.lower, rule.min)
     high = joint.upper if rule.max is None else min(joint.upper, rule.max)
     if rule.min is not None:
-        low += JOINT_MARGIN * (high - low)
+        low = min(low + JOINT_MARGIN, (low + high) / 2)
     return low, max(low, high)
 
 

@@ -128,7 +128,8 @@ def _at_home(category: str, abode: Abode, target: str) -> World:
         ]
         states = ("CLOSED",) if all(c.closed_by for c in hollows) else ()
     related = {abode.relation: (Related(2, target, True, True, {}, states),)}
-    return World({1: Thing(category, (), (), "", height, related), 2: Thing(target)})
+    rests = (abode.state,) if abode.state else ()
+    return World({1: Thing(category, rests, (), "", height, related), 2: Thing(target)})
 
 
 def test_where_things_live_is_no_hazard() -> None:

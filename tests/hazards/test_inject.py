@@ -4,6 +4,7 @@ from collections import Counter
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import PlaceRecipe
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import inject_candidate
@@ -128,3 +129,24 @@ def test_hazards_lie_no_nearer_to_walls_than_clutter_does(home, monkeypatch):
     assert 0 < by_clutter < len(asked)
     for area, outline in asked:
         assert area.difference(outline.buffer(-FLOOR_OFF_WALLS_M)).area < 1e-9
+
+
+def test_a_recipe_leaves_out_models_that_come_in_a_state(home):
+    """An apple that is no halved one; and halves where these are asked for."""
+
+    def placed(**changes):
+        recipe = PlaceRecipe(
+            categories=("apple",), relation="ON", targets=("kitchen_counter",), **changes
+        )
+        (candidate,) = candidates("x", (recipe,), home.layout, home.context)
+        states = []
+        for k in range(12):
+            layout = home.layout.copy(iter(range(60000, 61000)))
+            made = inject_candidate(candidate, layout, home.context, (), lane(3, k, "x"))
+            states += [layout.items[made.object_id].states] if made else []
+        assert states
+        return states
+
+    assert all("CUT" not in states for states in placed(not_state=("CUT",)))
+    assert all("CUT" in states for states in placed(state="CUT"))
+    assert len({"CUT" in states for states in placed()}) == 2

@@ -11,8 +11,9 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.geometry import apply, inverse
 from sdgen.hazards.splits import SplitModels
-from sdgen.home.clutter import LEAST_THINGS, add_clutter
+from sdgen.home.clutter import LEAST_THINGS, add_clutter, living_so
 from sdgen.home.layout import Layout
+from sdgen.library.states import rest_states
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import lane
@@ -103,3 +104,25 @@ def _hollow(item: ObjectInstance, target: ObjectInstance, layout: Layout) -> str
         if off.max() <= 0:
             return hollow.name
     raise AssertionError(f"{item.category} is in no hollow of the {target.category}")
+
+
+def test_what_is_cut_opened_or_poured_lives_only_where_the_catalogue_says() -> None:
+    """Halves and opened tins in the fridge; nobody left a glass of wine about."""
+    library, seen = shipped_library(), Counter[str]()
+    for category in CATALOG.categories:
+        named = {abode.state for abode in category.lives if abode.state}
+        models = library.by_category(category.name)
+        for abode in category.lives:
+            rests = [set(rest_states(model)) for model in living_so(category, abode, models)]
+            if abode.state:
+                assert rests, f"no {category.name} comes {abode.state}"
+                assert all(abode.state in states for states in rests)
+            else:
+                assert all(named.isdisjoint(states) for states in rests)
+    for layout in _homes():
+        for item in _loose(layout):
+            states = {"CUT", "OPENED", "CREAMED"} & set(item.states)
+            target = layout.items.get(layout.intents[item.id].target_id)
+            assert not states or (target and target.category == "fridge"), item.asset
+            seen.update(states)
+    assert seen["CUT"]

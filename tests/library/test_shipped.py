@@ -4,6 +4,7 @@ import pytest
 import yaml
 from sdgen.catalog.load import load_catalog
 from sdgen.library import Library
+from sdgen.library.states import rest_states
 from sdgen.resources import data_path
 from sdgen.validate.assets import check_assets
 
@@ -94,3 +95,31 @@ def test_geometries_are_counted_and_skins_are_not(
     assert capsys.readouterr().out.splitlines()[-1] == "6 distinct geometries in 9 models"
     first = library.by_category("mug")[0]
     assert geometries.count_shapes(library, [first, first]) == {"mug": [float("inf"), 0.0]}
+
+
+def test_forms_of_single_models_are_states_of_the_manifest(library: Library) -> None:
+    """What `standing_states.yaml` says is in the manifest, and the manifest says no more."""
+    text = (ROOT / "assets" / "blender" / "standing_states.yaml").read_text(encoding="utf-8")
+    said = {
+        (f"{category}_{number:02d}", state)
+        for state, groups in yaml.safe_load(text).items()
+        for group in groups
+        for category, numbers in group.items()
+        for number in numbers
+    }
+    stands = {state for _, state in said}
+    assert said == {
+        (asset.id, state)
+        for asset in library.assets.values()
+        for state in rest_states(asset)
+        if state in stands
+    }
+
+
+def test_a_leaf_that_is_ajar_is_open(library: Library) -> None:
+    """OPEN begins where one sees it; nothing is said of what lies between it and CLOSED."""
+    for category in ("fridge", "freezer", "front_door", "door", "wardrobe", "microwave"):
+        for asset in library.by_category(category):
+            for rule in asset.states:
+                if rule.state == "OPEN" and asset.joint(rule.joint).type == "revolute":
+                    assert 0.1 <= rule.min <= 0.2, asset.id

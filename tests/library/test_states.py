@@ -123,3 +123,20 @@ def test_every_state_can_be_reached_and_left():
             assert not undecided_states(FRIDGE, changed.variant, changed.joints)
             assert at_rest(changed, FRIDGE).states == ("CLOSED", "OFF")
     assert in_state(item, FRIDGE, "BROKEN", lane(0, 0, "state")) is None
+
+
+def test_what_is_opened_stands_anywhere_from_ajar_to_wide():
+    item = ObjectInstance(
+        id=1,
+        category="fridge",
+        asset="fridge_01",
+        pose=Pose(position_m=(0, 0, 0), quat_xyzw=(0, 0, 0, 1)),
+        room_id=2,
+    )
+    drawn = [in_state(item, FRIDGE, "OPEN", lane(0, k, "state")).joints for k in range(300)]
+    for rule in (rule for rule in FRIDGE.states if rule.state == "OPEN"):
+        values = [joints[rule.joint] for joints in drawn if joints.get(rule.joint)]
+        upper = FRIDGE.joint(rule.joint).upper
+        assert min(values) < rule.min + 0.05 + 0.1 * (upper - rule.min), "some stand ajar"
+        assert min(values) >= rule.min + 0.05, "none so near to the limit that one would doubt it"
+        assert upper - 0.1 * (upper - rule.min) < max(values) <= upper

@@ -15,6 +15,7 @@ from .cabinets import round_knob
 from .designs import extend
 from .dressers import DRESSERS
 from .joinery import (
+    AJAR,
     Assembly,
     bar_handle,
     carcass,
@@ -239,7 +240,7 @@ def toy_box(
         joints={"lid": Joint("revolute", (ledge + 0.003, 0.0, height), (0, -1, 0), 0.0, 1.4)},
         states=[
             {"state": "CLOSED", "joint": "lid", "max": 0.03, "parts": ["lid"]},
-            {"state": "OPEN", "joint": "lid", "min": 0.5, "parts": ["lid"]},
+            {"state": "OPEN", "joint": "lid", "min": AJAR, "parts": ["lid"]},
         ],
         supports=[
             surface("top", (x0, -half), (ledge, half), height, margin=0.008),

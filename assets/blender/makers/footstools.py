@@ -20,7 +20,7 @@ from toolkit.shapes import ellipsoid, lathe
 
 from .casework import metal_or
 from .designs import designed
-from .joinery import Assembly, cushion, fabric, finish, leg, surface
+from .joinery import AJAR, Assembly, cushion, fabric, finish, leg, surface
 
 Offset = tuple[float, float, float]
 
@@ -89,7 +89,7 @@ def ottoman_cube(
         joints={"lid": Joint("revolute", (-hx, 0.0, rim + 0.002), (0, -1, 0), 0.0, 1.4)},
         states=[
             {"state": "CLOSED", "joint": "lid", "max": 0.03, "parts": ["lid"]},
-            {"state": "OPEN", "joint": "lid", "min": 0.5, "parts": ["lid"]},
+            {"state": "OPEN", "joint": "lid", "min": AJAR, "parts": ["lid"]},
         ],
         supports=[supports[1]],
         containers=[Container("inside", center, size, "body", "lid")],

@@ -364,10 +364,14 @@ MODELS = {
             ("slanted", "#b98552", "#7d5230", "#1c1c1e"),
             ("slanted", "#6b4426", "#3d2413", "#1c1c1e"),
             ("round", "#2a2c30", "", "#8a8f94"),
-            ("magnet", "#b98552", "#7d5230", "#1c1c1e"),
             ("tower", "#c4c9cd", "", "#1c1c1e"),
             ("round", "#c8202c", "", "#1c1c1e"),
         ],
+    ),
+    "knife_stand": maker(
+        knife_block_form,
+        ("shape", "light", "dark", "handle"),
+        [("magnet", "#b98552", "#7d5230", "#1c1c1e")],
     ),
     "cleaver": maker(
         cleaver_form,

@@ -17,7 +17,7 @@ from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe, tube
 
 from .door_styles import glaze, grooved, louvre, planks
-from .joinery import Assembly, finish, open_closed, steel
+from .joinery import AJAR, Assembly, finish, open_closed, steel
 
 Offset = tuple[float, float, float]
 WALL = 0.12
@@ -240,7 +240,7 @@ def front_door(
         jamb,
         42.0,
         0.02,
-        0.25,
+        AJAR,
     )
 
 
@@ -328,7 +328,7 @@ def door(
         "louvre": "louvred interior door",
         "barn": "plank door with a Z brace",
     }
-    return _door_model(asm, kinds[style], width, jamb, 24.0, 0.02, 0.25)
+    return _door_model(asm, kinds[style], width, jamb, 24.0, 0.02, AJAR)
 
 
 def door_random(rng: np.random.Generator) -> dict:

@@ -11,7 +11,7 @@ from toolkit.model import Container, Joint, Model
 from toolkit.shapes import box, extrude, lathe, loft, rounded_rectangle, tube
 
 from .casework import metal_or
-from .joinery import Assembly, cushion, fabric, finish, surface
+from .joinery import AJAR, Assembly, cushion, fabric, finish, surface
 
 Offset = tuple[float, float, float]
 COLOURS = ("#d9534a", "#f0b429", "#4a90c4", "#5aa469", "#9b6bb3")
@@ -32,7 +32,7 @@ def _chest(
         joints={"lid": Joint("revolute", (hinge[0], 0.0, hinge[1]), (0, -1, 0), 0.0, upper)},
         states=[
             {"state": "CLOSED", "joint": "lid", "max": 0.03, "parts": ["lid"]},
-            {"state": "OPEN", "joint": "lid", "min": 0.5, "parts": ["lid"]},
+            {"state": "OPEN", "joint": "lid", "min": AJAR, "parts": ["lid"]},
         ],
         supports=[inside],
         containers=[Container("inside", center, size, "body", "lid")],

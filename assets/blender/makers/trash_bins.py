@@ -23,7 +23,7 @@ from toolkit.shapes import box, ellipsoid, extrude, lathe, loft, rounded_rectang
 
 from .decor import trash_bin as open_bin
 from .forms import by_form
-from .joinery import Assembly, surface
+from .joinery import AJAR, Assembly, surface
 
 Offset = tuple[float, float, float]
 
@@ -66,7 +66,7 @@ def _filled(model: Model, half: tuple[float, float], z: float, lid: bool, x: flo
         both = {"joint": "lid", "variants": ["default"], "parts": ["lid"]}
         model.states += [
             {"state": "CLOSED", "max": 0.03, **both},
-            {"state": "OPEN", "min": 0.5, **both},
+            {"state": "OPEN", "min": AJAR, **both},
         ]
     return model
 

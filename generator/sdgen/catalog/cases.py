@@ -21,6 +21,7 @@ def cases(recipe: Recipe) -> list[Case]:
             recipe.avoid_zones,
             recipe.min_height_m,
             recipe.max_height_m,
+            recipe.not_state,
         )
         for category in recipe.categories
         for target in recipe.targets

@@ -27,6 +27,7 @@ from sdgen.catalog.words import (
     OptionalCategories,
     RoomNames,
     State,
+    States,
     Text,
     Weight,
     Word,
@@ -54,6 +55,7 @@ class PlaceYaml(Record):
 
     place: Categories
     state: State | None = None
+    not_state: States = ()
     relation: HoldingRelation
     target: Categories
     zone: Zones = ()

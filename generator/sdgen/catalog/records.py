@@ -46,11 +46,13 @@ class PlaceRecipe(Record):
 
     ``targets`` are receptacle categories or ``floor``; ``zone`` asks for a spot in such a zone
     (with target ``floor``), ``avoid_zones`` for one clear of them; ``rooms`` restricts rooms.
+    Models that come in one of the states of ``not_state`` (a cut apple) are left out.
     """
 
     kind: Literal["place"] = "place"
     categories: tuple[str, ...]
     state: str | None = None
+    not_state: tuple[str, ...] = ()
     relation: HoldingRelation
     targets: tuple[str, ...]
     zone: tuple[str, ...] = ()
@@ -134,12 +136,14 @@ class Hazard(Record):
 
 class Abode(Record):
     """Where a category normally lives: a prior for clutter. ``hollow``: in which hollows of the
-    targets, by their models' name for them (``drawer`` is ``drawer_2``, too)."""
+    targets, by their models' name for them (``drawer`` is ``drawer_2``, too). ``state``: only of
+    models that come in that state; these live where such abodes say, and nowhere else."""
 
     relation: HoldingRelation
     targets: tuple[str, ...]
     rooms: tuple[str, ...] = ()
     hollow: str | None = None
+    state: str | None = None
     weight: AboveZero = 1.0
 
 

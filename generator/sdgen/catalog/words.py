@@ -204,6 +204,7 @@ Categories = Annotated[
     tuple[str, ...], names_of("category"), Expect("a category or a list of them")
 ]
 OptionalCategories = Annotated[tuple[str, ...], names_of("category", least=0)]
+States = Annotated[tuple[str, ...], names_of("state", least=0)]
 RoomNames = Annotated[tuple[str, ...], names_of("room type", least=0)]
 Belongs = Annotated[tuple[str, ...], names_of("pet, condition or age group", least=0)]
 Zones = Annotated[tuple[str, ...], names_of("zone", 0, ZONE_KINDS)]

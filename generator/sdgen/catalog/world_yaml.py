@@ -31,6 +31,7 @@ from sdgen.catalog.words import (
     RoomName,
     RoomNames,
     Size,
+    State,
     Text,
     Weight,
     Word,
@@ -95,6 +96,7 @@ class AbodeYaml(Record):
     target: Categories
     rooms: RoomNames = ()
     hollow: Word | None = None
+    state: State | None = None
     weight: Weight = 1.0
 
     @model_validator(mode="after")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from sdgen.catalog.predicate import Verdict
 from sdgen.catalog.records import Catalog
-from sdgen.catalog.terms import AllTerm, CategoryTerm, Term
+from sdgen.catalog.terms import AllTerm, AnyTerm, CategoryTerm, Term
 from sdgen.facts import Facts
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Scene
@@ -60,6 +60,10 @@ def categories_of(predicate: Term) -> frozenset[str] | None:
     """The only categories a predicate can be other than surely false of; None for any."""
     if isinstance(predicate, CategoryTerm):
         return frozenset(predicate.any_of)
+    if isinstance(predicate, AnyTerm):
+        branches = [categories_of(term) for term in predicate.terms]
+        known = [names for names in branches if names is not None]
+        return frozenset().union(*known) if len(known) == len(branches) else None
     if isinstance(predicate, AllTerm):
         found = [names for term in predicate.terms if (names := categories_of(term)) is not None]
         return frozenset.intersection(*found) if found else None

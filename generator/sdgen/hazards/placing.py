@@ -14,6 +14,7 @@ from sdgen.hazards.candidates import Candidate
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, at_spot, within_room
 from sdgen.library.records import Asset
+from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
 from sdgen.vocabulary import OPENINGS, ZONE_KEEP_SHARE
@@ -121,7 +122,8 @@ def _place(
     models = [
         m
         for m in context.models(candidate.unique.category)
-        if recipe.state is None or recipe.state in m.state_names
+        if (recipe.state is None or recipe.state in m.state_names)
+        and (not recipe.not_state or set(recipe.not_state).isdisjoint(rest_states(m)))
     ]
     if not models:
         return None

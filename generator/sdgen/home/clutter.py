@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -14,6 +15,7 @@ from sdgen.geometry import Array
 from sdgen.home.context import KEEP_CLEAR, HomeContext
 from sdgen.home.layout import Intent, Layout
 from sdgen.library.records import Asset
+from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance, Room
 from sdgen.seeding import Rng
 
@@ -108,18 +110,18 @@ class _Choices:
     """What lives in one place: categories with how they lie there, and the sums of their weights
     up to each, as shares."""
 
-    among: tuple[tuple[Category, Abode], ...]
+    among: tuple[tuple[Category, Abode, Sequence[Asset]], ...]
     sums: Array
 
     def pick(
-        self, room_id: int, target_id: int, stock: _Stock, context: HomeContext, rng: Rng
+        self, room_id: int, target_id: int, stock: _Stock, rng: Rng
     ) -> tuple[Asset, Abode] | None:
         """A model by the abodes' weights, any of its category's; None when all that were drawn
         are there as often as they may be."""
         for _ in range(PICKS):
             # What rng.choice with weights does, without summing them again for every thing.
-            category, abode = self.among[int(self.sums.searchsorted(rng.random(), side="right"))]
-            models = context.models(category.name)
+            k = int(self.sums.searchsorted(rng.random(), side="right"))
+            category, abode, models = self.among[k]
             asset = models[int(rng.integers(len(models)))]
             if stock.full(category, room_id):
                 continue
@@ -128,25 +130,38 @@ class _Choices:
         return None
 
 
+def living_so(category: Category, abode: Abode, models: Sequence[Asset]) -> Sequence[Asset]:
+    """The models of a category that live as one of its abodes says.
+
+    What comes in a state that some abode names (a cut apple) lives where such abodes say alone.
+    """
+    named = {other.state for other in category.lives} - {None}
+    if not named:
+        return models
+    if abode.state is not None:
+        return [model for model in models if abode.state in rest_states(model)]
+    return [model for model in models if named.isdisjoint(rest_states(model))]
+
+
 class _Abodes:
     """What lives where in a home, by the catalogue and the models at hand."""
 
     def __init__(self, context: HomeContext) -> None:
-        self._by_target: dict[str, list[tuple[Category, Abode]]] = {}
+        self._by_target: dict[str, list[tuple[Category, Abode, Sequence[Asset]]]] = {}
         for category in context.catalog.categories:
-            if category.kind == "small" and context.models(category.name):
-                for abode in category.lives:
-                    for target in dict.fromkeys(abode.targets):
-                        self._by_target.setdefault(target, []).append((category, abode))
+            for abode in category.lives if category.kind == "small" else ():
+                models = living_so(category, abode, context.models(category.name))
+                for target in dict.fromkeys(abode.targets) if models else ():
+                    self._by_target.setdefault(target, []).append((category, abode, models))
 
     def choices(self, target: str, room: Room) -> _Choices | None:
         """What lives on or in a target in a room; None when nothing does."""
         among = tuple(
-            (category, abode)
-            for category, abode in self._by_target.get(target, ())
-            if not abode.rooms or room.type in abode.rooms
+            one
+            for one in self._by_target.get(target, ())
+            if not one[1].rooms or room.type in one[1].rooms
         )
-        weights = np.array([abode.weight for _, abode in among])
+        weights = np.array([abode.weight for _, abode, _ in among])
         if weights.sum() <= 0:
             return None
         sums = (weights / weights.sum()).cumsum()
@@ -162,7 +177,7 @@ def _place(
     context: HomeContext,
     rng: Rng,
 ) -> None:
-    picked = choices.pick(room.id, receptacle.id, stock, context, rng)
+    picked = choices.pick(room.id, receptacle.id, stock, rng)
     if picked is None:
         return
     asset, abode = picked
@@ -200,7 +215,7 @@ def _place_on_floor(
     layout: Layout, room: Room, choices: _Choices, stock: _Stock, context: HomeContext, rng: Rng
 ) -> None:
     floor_id = context.floor_id(room.id)
-    picked = choices.pick(room.id, floor_id, stock, context, rng)
+    picked = choices.pick(room.id, floor_id, stock, rng)
     if picked is None:
         return
     asset, _ = picked

@@ -39,6 +39,11 @@ def derive_states(asset: AssetInfo, variant: str, joints: Mapping[str, float]) -
     return tuple(sorted(holding))
 
 
+def rest_states(asset: AssetInfo) -> tuple[str, ...]:
+    """States that a model comes in, sorted: its default variant, every joint at 0."""
+    return derive_states(asset, "default", {})
+
+
 def undecided_states(
     asset: AssetInfo, variant: str, joints: Mapping[str, float]
 ) -> tuple[str, ...]:

@@ -37,6 +37,8 @@ class StateTerm(Term):
     def possible(self, case: Case) -> Can:
         if case.state in self.any_of:
             return ALWAYS
+        if set(self.any_of) <= set(case.not_state):
+            return NEVER
         return NEVER if set(self.any_of) == {_OPPOSITE.get(case.state or "")} else EITHER
 
 

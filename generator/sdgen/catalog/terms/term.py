@@ -25,6 +25,7 @@ class Case(NamedTuple):
     avoid_zones: tuple[str, ...] = ()
     min_height_m: float | None = None
     max_height_m: float | None = None
+    not_state: tuple[str, ...] = ()
 
 
 class Can(NamedTuple):

@@ -196,8 +196,11 @@ def _place_somewhere(
     before = stock.count(category.name)
     rooms = context.home.rooms
     shuffled = [rooms[k] for k in rng.permutation(len(rooms)).tolist()]
-    for abode in category.lives if context.models(category.name) else ():
-        only = _Choices(((category, abode),), np.ones(1))
+    for abode in category.lives:
+        models = living_so(category, abode, context.models(category.name))
+        if not models:
+            continue
+        only = _Choices(((category, abode, models),), np.ones(1))
         for room in shuffled:
             if abode.rooms and room.type not in abode.rooms:
                 continue

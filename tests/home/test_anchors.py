@@ -12,6 +12,7 @@ from sdgen.geometry import Vec2, quat_from_yaw
 from sdgen.home import anchors
 from sdgen.home.anchors import BACK_GAP_M, HUNG_GAP_M, SIDE_GAP_M, TUCKED_M, PlacedAt, sides_of
 from sdgen.library.records import AssetInfo
+from sdgen.library.sweep import Reach
 from sdgen.scene import ObjectInstance, Pose
 from shapely.geometry import Polygon
 
@@ -192,3 +193,23 @@ def test_before_faces_the_piece_a_gap_away(target_size, size, yaw, gap_m):
     front = point(poses[0], size[0] / 2)
     assert front == pytest.approx(point(at, target_size[0] / 2 + gap_m), abs=1e-6)
     assert all(math.cos(p[3] - yaw) == pytest.approx(-1.0) for p in poses)
+
+
+def test_what_opens_beyond_its_box_gets_room_behind_and_at_its_sides():
+    """Its left is where the wall begins: it looks into the room, the wall runs to its right."""
+    reach = Reach(back_m=0.1, left_m=0.05)
+    size = (0.5, 1.0)
+    for side in sides_of(BOX):
+        poses = anchors.against_walls((side,), size, 0.0, rng(1), snap=1.0, reach=reach)
+        assert [side.measure(p[:2])[1] for p in poses] == pytest.approx([0.25 + 0.1] * len(poses))
+        along = sorted(side.measure(p[:2])[0] for p in poses)
+        assert along[0] == pytest.approx(0.5 + 0.05)
+        assert along[-1] == pytest.approx(side.length_m - 0.5 - SIDE_GAP_M)
+        x, y = poses[0][:2]
+        left = (x - math.sin(side.yaw), y + math.cos(side.yaw))
+        assert side.measure(left)[0] < side.measure((x, y))[0]
+    for pose in anchors.in_corners(sides_of(BOX), size, rng(1), reach):
+        assert gap_behind(pose, size, BOX) >= 0.1
+    sofa, _ = stands((0.5, 1.0, 0.0, 0.0), (0.9, 1.6))
+    for pose in anchors.opposite(sofa, sides_of(BOX), size, rng(1), reach):
+        assert gap_behind(pose, size, BOX) == pytest.approx(0.1)

@@ -69,6 +69,28 @@ def test_no_furniture_cuts_into_anything(stages):
             assert penetrations(world) == []
 
 
+def test_what_opens_opens_as_far_as_people_need(stages):
+    """By the simulator's own pieces, half way and all the way; seats are drawn back from desks."""
+    beyond_m = 0.01  # pieces of collision are a little larger than what is drawn
+    for made in stages[:2]:
+        items = dict(made.layout.items)
+        with standing(LIBRARY, made.scene(0, items)) as world:
+            for item, info in pieces(made):
+                for joint in info.joints:
+                    far = joint.upper if joint.type == "prismatic" else min(joint.upper, 1.57)
+                    for value in (far / 2, far):
+                        joints = {**item.joints, joint.name: value}
+                        opened = {**items, item.id: item.model_copy(update={"joints": joints})}
+                        world.become(made.scene(0, opened), ())
+                        met = {
+                            items[k].category if k in items else "shell"
+                            for violation in penetrations(world, [item.id], beyond_m)
+                            for k in violation.objects
+                            if k != item.id
+                        }
+                        assert met <= {"chair", "office_chair"}, (item.category, joint.name, met)
+
+
 def test_doorways_stay_clear(stages):
     for made in stages:
         for item, info in pieces(made):

@@ -1,6 +1,7 @@
 """Homes drawn by hand: their furniture stands clear of the shell, of doors and of itself."""
 
 import itertools
+import math
 
 import pytest
 from sdgen.catalog.load import load_catalog
@@ -24,6 +25,7 @@ from tests.shipped import shipped_library
 
 CATALOG = load_catalog()
 LIBRARY = shipped_library()
+(ROOM,) = box_room().home.rooms
 
 
 def stage(home, number: int) -> FurnishedHome:
@@ -124,7 +126,7 @@ def test_a_thin_rug_lies_under_furniture_and_a_thick_one_clear_of_it(fakes):
         return ObjectInstance(id=20, category="rug", asset=model, pose=pose, room_id=1, fixed=True)
 
     def lies(item: ObjectInstance) -> bool:
-        placed = put_piece(item, fakes.assets[item.asset], layout, None)
+        placed = put_piece(item, fakes.assets[item.asset], layout, None, ROOM, CATALOG)
         if placed:
             layout.drop(item.id)
         return placed
@@ -138,3 +140,70 @@ def test_a_thin_rug_lies_under_furniture_and_a_thick_one_clear_of_it(fakes):
     leaf = thing(11, "cabinet_01", (-0.5, 0, 0), joints={"door": -1.5}, fixed=True)
     layout.put(leaf.model_copy(update={"category": "door"}))
     assert not lies(rug("sheet_01", 0.3)), "under an open leaf"
+
+
+def turned(yaw_deg: float) -> tuple[float, float, float, float]:
+    return quat_from_yaw(math.radians(yaw_deg))
+
+
+def stands(layout: Layout, piece: ObjectInstance) -> bool:
+    """Whether a piece finds room; it stays there if so."""
+    asset = layout.library.assets[piece.asset]
+    if piece.category not in {category.name for category in CATALOG.categories}:
+        piece = piece.model_copy(update={"category": "stove"})
+    return put_piece(piece, asset, layout, None, ROOM, CATALOG)
+
+
+@pytest.mark.parametrize(("x", "y", "opens"), [(1.0, 0, True), (1.2, 0, False), (0, 1.68, False)])
+def test_a_leaf_opens_clear_of_the_walls(fakes, x, y, opens):
+    """The room ends at 2 m: the leaf goes 0.9 m before the cabinet and 3 cm to its left."""
+    cabinet = thing(10, "cabinet_01", (x, y, 0), fixed=True)
+    assert stands(Layout(fakes, itertools.count(1)), cabinet) is opens
+
+
+def test_nothing_stands_where_a_leaf_goes_whichever_came_first(fakes):
+    cabinet = thing(10, "cabinet_01", (0, 0, 0), fixed=True)
+    for x, y, free in ((0.7, 0.0, False), (1.1, 0.0, True), (0.7, 0.6, True)):
+        cube = thing(11, "cube_01", (x, y, 0), fixed=True)
+        for pair in ((cabinet, cube), (cube, cabinet)):
+            layout = Layout(fakes, itertools.count(1))
+            assert stands(layout, pair[0])
+            assert stands(layout.copy(), pair[1]) is free, (x, y)
+    low = thing(11, "sheet_01", (0.7, 0.0, 0), fixed=True)
+    assert stands(layout, low), "the leaf hangs clear of what is as thin as play"
+
+
+def test_a_seat_is_drawn_back_before_the_drawer_of_its_desk(fakes):
+    cabinet = thing(10, "cabinet_01", (0, 0, 0), fixed=True)
+    cube = thing(11, "cube_01", (0.7, 0, 0), fixed=True)
+    for desk, seat, free in (("desk", "chair", True), ("desk", "stove", False)):
+        pieces = (
+            cabinet.model_copy(update={"category": desk}),
+            cube.model_copy(update={"category": seat}),
+        )
+        for pair in (pieces, pieces[::-1]):
+            layout = Layout(fakes, itertools.count(1))
+            assert stands(layout, pair[0])
+            assert stands(layout, pair[1]) is free
+
+
+def test_a_leaf_opens_clear_of_the_frame_of_a_window(fakes):
+    layout = Layout(fakes, itertools.count(1))
+    frame = thing(11, "cube_01", (0.8, 0, 0.3), fixed=True)
+    layout.ways = layout.ways.with_frame(frame.model_copy(update={"category": "window"}), fakes)
+    assert not stands(layout, thing(10, "cabinet_01", (0, 0, 0), fixed=True))
+    assert stands(layout, thing(10, "cabinet_01", (0, 0, 0), turned(180), fixed=True))
+
+
+def test_what_opens_over_its_back_stands_off_the_wall_it_is_drawn_at():
+    home = next(home for home in CATALOG.homes if home.id == "apartment_1")
+    box = FurnitureItem(
+        category="toy_box", position_m=(5.29, 0.6, 0.0), yaw_deg=0, against_wall=True
+    )
+    room = next(r for r in home.rooms if r.name == "bedroom")
+    room = room.model_copy(update={"furniture": (box,)})
+    rooms = tuple(room if r.name == "bedroom" else r for r in home.rooms)
+    made = stage(home.model_copy(update={"rooms": rooms}), 0)
+    (item,) = (i for i in made.layout.items.values() if i.category == "toy_box")
+    back = item.pose.position_m[0] - LIBRARY.info(item.asset).extents_m[0] / 2
+    assert back - 5.26 == pytest.approx(max(0.03, LIBRARY.reach(item.asset).back_m), abs=1e-4)

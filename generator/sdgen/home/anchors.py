@@ -18,6 +18,7 @@ from shapely.geometry.base import BaseGeometry
 from sdgen.freespace import polygons
 from sdgen.geometry import Vec2, yaw_of
 from sdgen.library.records import AssetInfo
+from sdgen.library.sweep import Reach
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
 
@@ -56,6 +57,8 @@ TOP_EDGE_M = 0.04
 TOP_SPOTS, TOP_SPREAD = 4, 0.8
 
 PlacedAt = tuple[float, float, float, float]
+#: Of what does not open beyond its own box.
+NO_REACH = Reach()
 
 
 @dataclass(frozen=True)
@@ -99,18 +102,36 @@ def sides_of(polygon_m: Sequence[Vec2]) -> tuple[Side, ...]:
     return tuple(out)
 
 
+def back_gap(reach: Reach) -> float:
+    """Between a back and the wall: what opens beyond the back needs more."""
+    return max(BACK_GAP_M, reach.back_m)
+
+
+def end_gaps(reach: Reach) -> Vec2:
+    """Between a piece at a wall and the walls at its left and at its right."""
+    return max(SIDE_GAP_M, reach.left_m), max(SIDE_GAP_M, reach.right_m)
+
+
 def against_walls(
-    sides: Sequence[Side], size: Vec2, z: float, rng: Rng, snap: float = SNAP_CHANCE
+    sides: Sequence[Side],
+    size: Vec2,
+    z: float,
+    rng: Rng,
+    snap: float = SNAP_CHANCE,
+    reach: Reach = NO_REACH,
 ) -> list[PlacedAt]:
-    """Poses with the back to a wall: at its ends mostly, and anywhere. ``size`` (depth, width)."""
-    gap = HUNG_GAP_M if z > 0 else BACK_GAP_M
+    """Poses with the back to a wall: at its ends mostly, and anywhere. ``size`` (depth, width);
+    ``reach``: how far beyond it leaves and lids go."""
+    gap = HUNG_GAP_M if z > 0 else back_gap(reach)
     depth, width = size
+    # Along the wall its left comes first: it looks to the left of the wall's own direction.
+    left, right = end_gaps(reach)
     out: list[PlacedAt] = []
     lengths = np.array([side.length_m for side in sides])
     order = rng.choice(len(sides), len(sides), replace=False, p=lengths / lengths.sum())
     for k in order.tolist():
         side = sides[k]
-        low, high = width / 2 + SIDE_GAP_M, side.length_m - width / 2 - SIDE_GAP_M
+        low, high = width / 2 + left, side.length_m - width / 2 - right
         ends = [low, high] if rng.random() < 0.5 else [high, low]
         spots = [float(t) for t in rng.uniform(low, max(low, high), DRAWS_A_WALL)]
         first = rng.random() < snap
@@ -121,7 +142,9 @@ def against_walls(
     return out
 
 
-def in_corners(sides: Sequence[Side], size: Vec2, rng: Rng) -> list[PlacedAt]:
+def in_corners(
+    sides: Sequence[Side], size: Vec2, rng: Rng, reach: Reach = NO_REACH
+) -> list[PlacedAt]:
     """Poses in the room's outward corners, back to one of the two walls."""
     depth, width = size
     out: list[PlacedAt] = []
@@ -130,8 +153,8 @@ def in_corners(sides: Sequence[Side], size: Vec2, rng: Rng) -> list[PlacedAt]:
         turn = before.along[0] * side.along[1] - before.along[1] * side.along[0]
         if turn <= 0:
             continue
-        gap = BACK_GAP_M + SIDE_GAP_M
-        out.append((*side.at(width / 2 + gap, depth / 2 + gap), 0.0, side.yaw))
+        back, left = SIDE_GAP_M + back_gap(reach), BACK_GAP_M + end_gaps(reach)[0]
+        out.append((*side.at(width / 2 + left, depth / 2 + back), 0.0, side.yaw))
     return out
 
 
@@ -184,7 +207,13 @@ def around(target: ObjectInstance, info: AssetInfo, size: Vec2, rng: Rng) -> lis
     return [*[out[k] for k in rng.permutation(len(out)).tolist()], *ends]
 
 
-def opposite(target: ObjectInstance, sides: Sequence[Side], size: Vec2, rng: Rng) -> list[PlacedAt]:
+def opposite(
+    target: ObjectInstance,
+    sides: Sequence[Side],
+    size: Vec2,
+    rng: Rng,
+    reach: Reach = NO_REACH,
+) -> list[PlacedAt]:
     """Poses against the wall a piece faces, right across first."""
     yaw = yaw_of(target.pose.quat_xyzw)
     x, y, _ = target.pose.position_m
@@ -195,11 +224,12 @@ def opposite(target: ObjectInstance, sides: Sequence[Side], size: Vec2, rng: Rng
         t, away = side.measure((x, y))
         if facing > -OPPOSITE_COS or not OPPOSITE_M[0] < away < OPPOSITE_M[1]:
             continue
-        low, high = width / 2 + SIDE_GAP_M, side.length_m - width / 2 - SIDE_GAP_M
+        left, right = end_gaps(reach)
+        low, high = width / 2 + left, side.length_m - width / 2 - right
         for shift in (0.0, *rng.uniform(-OPPOSITE_BESIDE_M, OPPOSITE_BESIDE_M, 4).tolist()):
             if low <= high:
                 spot = min(max(t + shift, low), high)
-                out.append((*side.at(spot, depth / 2 + BACK_GAP_M), 0.0, side.yaw))
+                out.append((*side.at(spot, depth / 2 + back_gap(reach)), 0.0, side.yaw))
     return out
 
 

@@ -241,11 +241,11 @@ def _poses(
     rule: FurnitureRule, asset: AssetInfo, target_id: int | None, tried: _RoomTry
 ) -> list[PlacedAt]:
     layout, rng = tried.layout, tried.rng
-    size = (asset.extents_m[0], asset.extents_m[1])
+    size, reach = (asset.extents_m[0], asset.extents_m[1]), layout.library.reach(asset.id)
     if rule.where == "wall":
-        return anchors.against_walls(tried.sides, size, rule.z_m, rng)
+        return anchors.against_walls(tried.sides, size, rule.z_m, rng, reach=reach)
     if rule.where == "corner":
-        return anchors.in_corners(tried.sides, size, rng)
+        return anchors.in_corners(tried.sides, size, rng, reach)
     if target_id is None:
         return anchors.in_middle(tried.outline, _taken(tried), rng)
     target, info = layout.items[target_id], layout.info(target_id)
@@ -261,20 +261,17 @@ def _poses(
         return anchors.above(target, info, size, rule.z_m)
     if rule.where == "under":
         return anchors.under(target)
-    return anchors.opposite(target, tried.sides, size, rng)
+    return anchors.opposite(target, tried.sides, size, rng, reach)
 
 
 def _taken(tried: _RoomTry) -> BaseGeometry:
-    shapes: list[BaseGeometry] = [tried.doors]
-    shapes += [shape.buffer(AROUND_M) for shape in tried.prints.values()]
-    return unary_union(shapes)
+    return unary_union([tried.doors, *(s.buffer(AROUND_M) for s in tried.prints.values())])
 
 
 def _placed(
     rule: FurnitureRule, asset: AssetInfo, pose: PlacedAt, target: int | None, tried: _RoomTry
 ) -> _RoomTry | None:
-    """The room with a piece there; None unless it is in the room, clear of doors, windows and
-    others' fronts."""
+    """The room with a piece there, if it is clear of walls, doors, windows and others' fronts."""
     x, y, z, yaw = pose
     corners = corners_of(asset, x, y, yaw)
     low_x, low_y, high_x, high_y = tried.bounds
@@ -320,7 +317,7 @@ def _placed(
     )
     intent = Intent("ON", target) if rule.where == "on" and target is not None else None
     layout = tried.layout.copy()
-    if not put_piece(item, asset, layout, intent):
+    if not put_piece(item, asset, layout, intent, tried.room, tried.catalog):
         return None
     return tried.with_piece(item, layout, shape if on_floor else None, front)
 
@@ -348,15 +345,18 @@ def _row(rule: FurnitureRule, tried: _RoomTry) -> _RoomTry | None:
                 return None
             chosen.append(found[int(rng.integers(len(found)))])
         total = sum(a.extents_m[1] + ROW_GAP_M for a in chosen)
+        reach = tried.layout.library.reach
+        left, _ = anchors.end_gaps(reach(chosen[0].id))
+        _, right = anchors.end_gaps(reach(chosen[-1].id))
         lengths = np.array([side.length_m for side in tried.sides])
         turns = rng.permutation(len(tried.sides)).tolist()
         turns.sort(key=lambda k: lengths[k] < total + ROW_SLACK_M)
         for k in turns:
             side = tried.sides[k]
-            spare = side.length_m - total - 2 * anchors.SIDE_GAP_M
+            spare = side.length_m - total - left - right
             if spare < 0:
                 break
-            for start in (0.0, spare, float(rng.uniform(0.0, spare))):
+            for start in (left, left + spare, left + float(rng.uniform(0.0, spare))):
                 row = _with_row(rule, chosen, side, start, tried)
                 if row is not None:
                     return row
@@ -367,11 +367,11 @@ def _with_row(
     rule: FurnitureRule, chosen: Sequence[AssetInfo], side: Side, start: float, tried: _RoomTry
 ) -> _RoomTry | None:
     """The room with all units of a row; None when one of them finds no place."""
-    t = start + anchors.SIDE_GAP_M
+    t = start
     for asset in chosen:
-        width = asset.extents_m[1]
-        middle = t + width / 2
-        spot = side.at(middle, asset.extents_m[0] / 2 + anchors.BACK_GAP_M)
+        depth, width, _ = asset.extents_m
+        back = anchors.back_gap(tried.layout.library.reach(asset.id))
+        spot = side.at(t + width / 2, depth / 2 + back)
         more = _placed(rule, asset, (*spot, 0.0, side.yaw), None, tried)
         if more is None:
             return None

@@ -71,7 +71,7 @@ def blocks_of(item: ObjectInstance, info: AssetInfo, library: Library) -> list[B
     world = item.pose.matrix()
     if world[2, 2] != 1.0:
         raise ValueError(f"{item.category} {item.id} does not stand upright")
-    return [block for piece in pieces for block in _placed(item.id, piece, world)]
+    return [block for piece in pieces for block in blocks_at(item.id, piece, world)]
 
 
 def _framed(
@@ -104,8 +104,8 @@ def _boxed(
         yield seen_from_above([apply(local, box_corners(low, high))])
 
 
-def _placed(owner: int, pieces: Above, world: Array) -> Iterator[Block]:
-    """The pieces of an upright object as they lie in the world."""
+def blocks_at(owner: int, pieces: Above, world: Array) -> Iterator[Block]:
+    """The pieces of an upright object as they lie in the world, ``world`` its 4x4."""
     x, y = pieces.points_m.T
     # One product after another, so that a point comes out the same in whatever company.
     points = np.empty_like(pieces.points_m)

@@ -12,9 +12,11 @@ from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.home_shape import frame_size
 from sdgen.catalog.records import Catalog, Category, FurnitureItem, HomeSpec, RoomSpec
 from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_quat
+from sdgen.home.anchors import BACK_GAP_M
 from sdgen.home.blocks import Block
 from sdgen.home.context import Models
 from sdgen.home.layout import Intent, Layout, within_room
+from sdgen.home.ways import way_of
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
@@ -61,6 +63,7 @@ def fill_openings(
                 opened = _opened(item, asset, joint.name, min(value, math.pi / 2))
             item = opened
         layout.put(item)
+        layout.ways = layout.ways.with_frame(item, layout.library)
     return layout
 
 
@@ -149,9 +152,12 @@ def _try_piece(
         z = top_of(layout, target)
         intent = Intent("ON", target)
     if piece.against_wall:
-        # The given point is where the back touches; the centre lies half a depth in front.
-        x += math.cos(yaw) * asset.extents_m[0] / 2
-        y += math.sin(yaw) * asset.extents_m[0] / 2
+        # The given point is where the back touches; the centre lies half a depth in front, and
+        # further where a lid tilts back over more than the gap that is drawn.
+        reach = layout.library.reach(asset.id)
+        away = asset.extents_m[0] / 2 + max(0.0, reach.back_m - BACK_GAP_M)
+        x += math.cos(yaw) * away
+        y += math.sin(yaw) * away
     if piece.jitter_m:
         x += float(rng.uniform(-piece.jitter_m, piece.jitter_m))
         y += float(rng.uniform(-piece.jitter_m, piece.jitter_m))
@@ -164,7 +170,7 @@ def _try_piece(
         fixed=True,
     )
     item = stand_in(item, asset, catalog, rng)
-    if not put_piece(item, asset, layout, intent):
+    if not put_piece(item, asset, layout, intent, room, catalog):
         return False
     placed.setdefault(piece.category, []).append(item.id)
     return True
@@ -193,14 +199,52 @@ def may_stand(
 
 
 def put_piece(
-    item: ObjectInstance, asset: AssetInfo, layout: Layout, intent: Intent | None
+    item: ObjectInstance,
+    asset: AssetInfo,
+    layout: Layout,
+    intent: Intent | None,
+    room: Room,
+    catalog: Catalog,
 ) -> bool:
-    """Add a piece if there is room for it; False, and no change, otherwise."""
+    """Add a piece if there is room for it, what opens of it can open, and it is in no other's way;
+    False, and no change, otherwise."""
     blocks = layout.blocks_of(item)
     if not _has_room(blocks, asset, layout, intent):
         return False
+    way = way_of(item, layout.library)
+    if not _opens(item, blocks, way, layout, room, catalog):
+        return False
     layout.put(item, intent, blocks)
+    layout.ways = layout.ways.with_ways(way)
     return True
+
+
+def _opens(
+    item: ObjectInstance,
+    blocks: Sequence[Block],
+    way: Sequence[Block],
+    layout: Layout,
+    room: Room,
+    catalog: Catalog,
+) -> bool:
+    """True when a piece stands in the way of no leaf, lid or drawer, nor anything in its own.
+
+    A seat at a table or a desk is drawn back before its drawer is.
+    """
+
+    def drawn_back(other_id: int) -> bool:
+        pair = (item.category, layout.items[other_id].category)
+        traits = [catalog.category(name).properties for name in pair]
+        return any("SITTABLE" in a and "SAT_AT" in b for a, b in (traits, traits[::-1]))
+
+    if not all(map(drawn_back, layout.ways.crossed(blocks))):
+        return False
+    if not way:
+        return True
+    outline = Polygon(room.polygon_m)
+    return layout.ways.clear(way, outline, room.height_m) and all(
+        map(drawn_back, layout.entered(way))
+    )
 
 
 def _has_room(

@@ -31,6 +31,7 @@ from sdgen.geometry import (
 )
 from sdgen.home.blocks import NOBODY, Block, Table, blocks_of
 from sdgen.home.surfaces import PlacingSurface, placing_surfaces
+from sdgen.home.ways import Ways
 from sdgen.library import Library
 from sdgen.library.drawn import drawn
 from sdgen.library.records import AssetInfo
@@ -94,6 +95,7 @@ class Layout:
         self.ids = ids
         self.items: dict[int, ObjectInstance] = {}
         self.intents: dict[int, Intent] = {}
+        self.ways = Ways()
         self._blocks: dict[int, list[Block]] = {}
         self._surfaces: dict[int, tuple[ObjectInstance, list[PlacingSurface]]] = {}
         self._table: Table | None = Table()
@@ -131,6 +133,7 @@ class Layout:
         from the same source."""
         out = Layout(self.library, ids or self.ids, self.fronted)
         out.items, out.intents = dict(self.items), dict(self.intents)
+        out.ways = self.ways
         out._blocks, out._table = dict(self._blocks), self._table
         # Shared: what is known of one object as it stands holds in every layout.
         out._surfaces = self._surfaces

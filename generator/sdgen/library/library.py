@@ -17,6 +17,7 @@ from sdgen.library.meshes import Floats, Hull, MeshData, check_extents, read_glb
 from sdgen.library.prepared import Model, Prepared, open_files
 from sdgen.library.raw import file_bytes
 from sdgen.library.records import Asset, AssetInfo, Surface
+from sdgen.library.sweep import Reach, reach_of, way_of
 from sdgen.library.unpack import cached_texture, check_texture, unpack
 from sdgen.resources import data_path
 
@@ -60,6 +61,7 @@ class Library:
         self._objs: dict[str, dict[str, Path]] = {}
         self._bounds: dict[str, Mapping[str, Floats]] = {}
         self._above: dict[tuple[str, tuple[str, ...]], Above | None] = {}
+        self._ways: dict[str, tuple[Above | None, Reach]] = {}
         self._manifest_hash = hasher
         self._sha256 = sha256
 
@@ -136,6 +138,21 @@ class Library:
             pieces = [hull.vertices_m for hull in self.hulls(asset_id) if hull.part in parts]
             self._above[key] = seen_from_above(pieces) if pieces else None
         return self._above[key]
+
+    def way(self, asset_id: str) -> Above | None:
+        """Where leaves, lids and drawers go on their way open; None when nothing opens."""
+        return self._opening(asset_id)[0]
+
+    def reach(self, asset_id: str) -> Reach:
+        """How far what opens goes beyond the model's box."""
+        return self._opening(asset_id)[1]
+
+    def _opening(self, asset_id: str) -> tuple[Above | None, Reach]:
+        if asset_id not in self._ways:
+            asset = self.assets[asset_id]
+            way = way_of(asset, self.mesh(asset_id), self.hulls(asset_id)) if asset.joints else None
+            self._ways[asset_id] = way, reach_of(asset, way)
+        return self._ways[asset_id]
 
     def model(self, asset_id: str) -> Model:
         """Arrays of a model. Raises AssetError for a missing or broken file."""

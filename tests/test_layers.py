@@ -33,7 +33,7 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
     ),
     # Hazards stand on the same placing code as everyday clutter, or placing would tell them apart.
     # Cameras decide content by rays alone: they know neither the simulator nor the renderer.
-    3: (("home", "households", "cameras"), ("hazards",)),
+    3: (("home", "households"), ("cameras",), ("hazards",)),
     4: (("physics",), ("render",)),
     5: (("truth", "dataset"),),
     6: (("pipeline",), ("engines",)),

@@ -1,9 +1,9 @@
-"""Where to look from: pinhole cameras, what rays see, near views, overviews and their choice.
+"""Where to look from: spots where small things would lie, the views that show most of them, and
+what these show of a scene.
 
 Decides content, so it draws nothing: rays come in through :class:`~sdgen.cameras.sight.Cast`.
 """
 
-from sdgen.cameras.choice import Sight, choose_views, unseen
 from sdgen.cameras.pinhole import intrinsics, project
 
-__all__ = ["Sight", "choose_views", "intrinsics", "project", "unseen"]
+__all__ = ["intrinsics", "project"]

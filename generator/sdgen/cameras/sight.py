@@ -118,7 +118,7 @@ def estimate_pixels(
 
     ``points_m`` are the parts' vertices. All rays go in one cast.
     """
-    origins, targets, pixels = target_rays(np.asarray(poses), points_m, grid)
+    origins, targets, pixels = target_rays(np.asarray(poses).reshape(-1, 4, 4), points_m, grid)
     if len(origins) == 0:
         return pixels
     hits = cast(origins, targets)

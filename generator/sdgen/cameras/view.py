@@ -5,18 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
-import shapely
-from shapely.geometry import Polygon
-from shapely.geometry.base import BaseGeometry
+import numpy.typing as npt
+from shapely.geometry import Point, Polygon
 
 from sdgen.cameras.pinhole import FAR_M, NEAR_M, intrinsics, matrix4
 from sdgen.cameras.sight import Cast
 from sdgen.freespace import ROBOT_RADIUS_M
-from sdgen.geometry import Array
-from sdgen.scene import Camera, Scene
+from sdgen.geometry import Array, look_at, vec3
+from sdgen.options import EYE_HEIGHT_M
+from sdgen.scene import Camera, Room
 from sdgen.seeding import Rng
 
 #: Robots differ, and one height would be a regularity to learn.
@@ -26,23 +27,40 @@ CLEARANCE_M = ROBOT_RADIUS_M + 0.05
 _CLEARANCE_RAYS = 8
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class View:
-    """A camera's pose, what it is for and the room it stands in."""
+    """Where a camera stands, (3,), the point it aims at, (3,), and what it is for."""
 
     kind: Literal["room", "near"]
-    room_id: int
-    world_from_camera: Array
+    eye_m: Array
+    aim_m: Array
+
+    @cached_property
+    def world_from_camera(self) -> Array:
+        """The camera's pose, (4, 4)."""
+        return look_at(vec3(self.eye_m), vec3(self.aim_m))
+
+    def at(self, eye_height_m: float) -> View:
+        """The same place looked at from another usual eye height."""
+        raised = np.array([0.0, 0.0, eye_height_m - EYE_HEIGHT_M])
+        return View(self.kind, self.eye_m + raised, self.aim_m)
 
 
-def to_cameras(views: Sequence[View], size: tuple[int, int], rng: Rng) -> tuple[Camera, ...]:
-    """Cameras of ``size`` (width, height) at these poses, in a drawn order."""
+def poses_of(views: Sequence[View]) -> Array:
+    """``world_from_camera`` of views, (N, 4, 4)."""
+    return np.array([view.world_from_camera for view in views]).reshape(-1, 4, 4)
+
+
+def to_cameras(
+    views: Sequence[View], rooms: Sequence[Room], size: tuple[int, int], rng: Rng
+) -> tuple[Camera, ...]:
+    """Cameras of ``size`` (width, height) of these views, in a drawn order."""
     order = rng.permutation(len(views))
     return tuple(
         Camera(
             index=index,
             kind=views[k].kind,
-            room_id=views[k].room_id,
+            room_id=_room_id(rooms, views[k]),
             width=size[0],
             height=size[1],
             K=intrinsics(*size),
@@ -54,17 +72,17 @@ def to_cameras(views: Sequence[View], size: tuple[int, int], rng: Rng) -> tuple[
     )
 
 
-def free_area(scene: Scene) -> BaseGeometry:
-    """Where a robot's centre, and so a camera, can be."""
-    rings = [Polygon(ring) for ring in scene.free_space if len(ring) >= 3]
-    return shapely.union_all([r if r.is_valid else r.buffer(0) for r in rings])
+def _room_id(rooms: Sequence[Room], view: View) -> int:
+    """The room that a camera stands in or, in a doorway, on whose side."""
+    eye = Point(*view.eye_m[:2].tolist())
+    return min(rooms, key=lambda room: Polygon(room.polygon_m).distance(eye)).id
 
 
-def clear(cast: Cast, eyes_m: Array) -> Array:
-    """1.0 for eyes (N, 3) with nothing within :data:`CLEARANCE_M` at their height, else 0.0."""
+def clear(cast: Cast, views: Sequence[View]) -> npt.NDArray[np.bool_]:
+    """Which views have nothing within :data:`CLEARANCE_M` of their eye, at its height, (N,)."""
+    eyes = np.array([view.eye_m for view in views]).reshape(-1, 3)
     angles = np.arange(_CLEARANCE_RAYS) * (2 * math.pi / _CLEARANCE_RAYS)
     ring = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(len(angles))]) * CLEARANCE_M
-    origins = np.repeat(eyes_m, len(ring), axis=0)
-    hits = cast(origins, origins + np.tile(ring, (len(eyes_m), 1)))
-    nothing = hits.object_id.reshape(-1, len(ring)) == 0
-    return np.asarray(nothing.all(axis=1), dtype=np.float64)
+    origins = np.repeat(eyes, len(ring), axis=0)
+    hits = cast(origins, origins + np.tile(ring, (len(eyes), 1)))
+    return np.asarray((hits.object_id.reshape(-1, len(ring)) == 0).all(axis=1))

@@ -11,7 +11,7 @@ from shapely.geometry import Polygon
 from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
-from sdgen.home.context import HomeContext
+from sdgen.home.context import SPOTS_TRIED, HomeContext
 from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, at_spot, within_room
 from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
@@ -23,8 +23,6 @@ from sdgen.vocabulary import OPENINGS, ZONE_KEEP_SHARE
 FLUSH_M = 0.0005
 #: Bounds the search: pieces of furniture, or rooms with a free floor, looked at for one thing.
 TARGETS_TRIED = 4
-#: Spots looked at on one target where only some heights will do (a high shelf of a bookcase).
-SPOTS_TRIED = 6
 
 
 @dataclass(frozen=True)
@@ -83,6 +81,8 @@ def _set(
             continue
         is_opening = before.category in OPENINGS
         if not is_opening and not within_room(opened, context.home, before.room_id):
+            continue
+        if not context.shows.state(before.id, recipe.state):
             continue
         layout.put(after)
         return Injected(candidate.unique.hazard, before.id, before)
@@ -143,7 +143,7 @@ def _place(
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:
         target = targets[k]
         may_hold = partial(context.may_hold, asset.category, target.category)
-        spot = _spot(recipe, thing, target.id, may_hold, layout, rng)
+        spot = _spot(recipe, thing, target.id, may_hold, layout, context, rng)
         if spot is not None:
             return _put(candidate, recipe, thing, spot, target.room_id, target.id, layout)
     return None
@@ -165,13 +165,16 @@ def _spot(
     target_id: int,
     hollows: Callable[[str], bool],
     layout: Layout,
+    context: HomeContext,
     rng: Rng,
 ) -> Vec3Yaw | None:
-    """A free spot of the target at a height the recipe allows."""
+    """A free spot of the target at a height the recipe allows, where it can be seen."""
     asset, bulk = layout.library.assets[thing.asset], layout.bulk_of(thing)
     for _ in range(SPOTS_TRIED):
         spot = layout.spot_on_object(asset, target_id, recipe.relation, rng, hollows, bulk)
-        if spot is None or _height_fits(recipe, spot[0][2]):
+        if spot is None:
+            return None
+        if _height_fits(recipe, spot[0][2]) and context.shows_at(bulk, spot):
             return spot
     return None
 
@@ -196,17 +199,19 @@ def _place_on_floor(
         room = rooms[k]
         outline = Polygon(room.polygon_m)
         area = context.floor(room.id, recipe.avoid_zones)
+        keep_share, avoid = 0.0, None
         if recipe.zone:
             area = context.zone_shape(recipe.zone, room.id).intersection(area)
-            spot = layout.spot_on_floor(
-                asset, area, outline, rng, keep_share=ZONE_KEEP_SHARE, bulk=bulk
-            )
-        else:
-            avoid = context.zone_shape(recipe.avoid_zones) if recipe.avoid_zones else None
-            spot = layout.spot_on_floor(asset, area, outline, rng, avoid=avoid, bulk=bulk)
-        if spot is not None:
-            floor_id = context.floor_id(room.id)
-            return _put(candidate, recipe, thing, spot, room.id, floor_id, layout)
+            keep_share = ZONE_KEEP_SHARE
+        elif recipe.avoid_zones:
+            avoid = context.zone_shape(recipe.avoid_zones)
+        for _ in range(SPOTS_TRIED):
+            spot = layout.spot_on_floor(asset, area, outline, rng, keep_share, avoid, bulk)
+            if spot is None:
+                break
+            if context.shows_at(bulk, spot):
+                floor_id = context.floor_id(room.id)
+                return _put(candidate, recipe, thing, spot, room.id, floor_id, layout)
     return None
 
 

@@ -12,8 +12,8 @@ from shapely.geometry import Polygon
 
 from sdgen.catalog.records import Abode, Category
 from sdgen.geometry import Array
-from sdgen.home.context import KEEP_CLEAR, HomeContext
-from sdgen.home.layout import Intent, Layout
+from sdgen.home.context import KEEP_CLEAR, SPOTS_TRIED, HomeContext
+from sdgen.home.layout import Bulk, Intent, Layout
 from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance, Room
@@ -182,11 +182,18 @@ def _place(
         return
     asset, abode = picked
     may_hold = partial(context.may_hold, asset.category, receptacle.category)
-    spot = layout.spot_on_object(asset, receptacle.id, abode.relation, rng, may_hold)
-    if spot is not None:
+    shut_in = abode.relation == "INSIDE" and "CLOSED" in receptacle.states
+    must_show = not shut_in and context.keeps_to_views(asset.category, rng)
+    for _ in range(SPOTS_TRIED):
+        spot = layout.spot_on_object(asset, receptacle.id, abode.relation, rng, may_hold)
+        if spot is None:
+            return
+        if must_show and not context.shows_at(Bulk(asset.extents_m), spot):
+            continue
         item = layout.new_item(asset, spot, room.id)
         layout.put(item, Intent(abode.relation, receptacle.id))
         stock.add(item, receptacle.id)
+        return
 
 
 def _place_somewhere(
@@ -223,14 +230,15 @@ def _place_on_floor(
         return
     asset, _ = picked
     outline = Polygon(room.polygon_m)
-    spot = layout.spot_on_floor(
-        asset,
-        context.floor(room.id, KEEP_CLEAR),
-        outline,
-        rng,
-        avoid=context.zone_shape(KEEP_CLEAR),
-    )
-    if spot is not None:
+    area, keep_clear = context.floor(room.id, KEEP_CLEAR), context.zone_shape(KEEP_CLEAR)
+    must_show = context.keeps_to_views(asset.category, rng)
+    for _ in range(SPOTS_TRIED):
+        spot = layout.spot_on_floor(asset, area, outline, rng, avoid=keep_clear)
+        if spot is None:
+            return
+        if must_show and not context.shows_at(Bulk(asset.extents_m), spot):
+            continue
         item = layout.new_item(asset, spot, room.id)
         layout.put(item, Intent("ON", floor_id))
         stock.add(item, floor_id)
+        return

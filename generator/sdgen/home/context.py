@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Protocol
 
 import shapely
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.records import Catalog
 from sdgen.freespace import union
+from sdgen.geometry import Array
+from sdgen.home.layout import Bulk, Vec3Yaw
 from sdgen.library.records import Asset
 from sdgen.scene import Home, Zone
+from sdgen.seeding import Rng
 
 #: Which models a scene may use (its split decides): category -> models.
 Models = Callable[[str], tuple[Asset, ...]]
@@ -22,16 +26,59 @@ Models = Callable[[str], tuple[Asset, ...]]
 FLOOR_OFF_WALLS_M = 0.1
 #: Zones that things on the floor keep out of, or they would trip somebody.
 KEEP_CLEAR = ("doorway", "walkway", "swing")
+#: Spots looked at on one target where only some will do: those that views show, and of a bookcase
+#: only the high shelves.
+SPOTS_TRIED = 8
+#: Of the everyday things that may be taken for an anomaly or a near miss, so many lie where a view
+#: shows them, as every anomaly does; the others lie anywhere, or rooms that no view looks into
+#: would be bare.
+IN_VIEW_SHARE = 0.8
+
+
+class Shows(Protocol):
+    """What the views of a home would show."""
+
+    def thing(self, corners_m: Array, /) -> bool:
+        """True for a thing with these outermost points (N, 3)."""
+        ...
+
+    def state(self, object_id: int, state: str, /) -> bool:
+        """True for a piece of furniture brought into a state."""
+        ...
+
+
+class Everything:
+    """A home that nobody has chosen views for: all will do."""
+
+    def thing(self, _corners_m: Array, /) -> bool:
+        """True."""
+        return True
+
+    def state(self, _object_id: int, _state: str, /) -> bool:
+        """True."""
+        return True
 
 
 @dataclass(frozen=True)
 class HomeContext:
-    """A furnished home's shell and zones, and the catalogue and models it may be filled from."""
+    """A furnished home's shell and zones, and the catalogue and models it may be filled from.
+
+    ``shows`` tells where things can be seen.
+    """
 
     home: Home
     zones: Sequence[Zone]
     catalog: Catalog
     models: Models
+    shows: Shows = field(default_factory=Everything)
+
+    def shows_at(self, bulk: Bulk, spot: Vec3Yaw) -> bool:
+        """True when what fills this can be seen at a spot."""
+        return self.shows.thing(bulk.corners(spot))
+
+    def keeps_to_views(self, category: str, rng: Rng) -> bool:
+        """Draws whether an everyday thing is to lie where it can be seen."""
+        return category in self.made_categories and rng.random() < IN_VIEW_SHARE
 
     def room_type(self, room_id: int) -> str:
         """What a room of the home is for."""
@@ -91,6 +138,16 @@ class HomeContext:
                 for target in abode.targets if abode.hollow is not None else ():
                     named.setdefault((category.name, target), []).append(str(abode.hollow))
         return named, {c.name: c.reserved for c in self.catalog.categories if c.reserved}
+
+    @cached_property
+    def made_categories(self) -> frozenset[str]:
+        """Every category that recipes of anomalies and lookalikes place or set."""
+        return frozenset(
+            category
+            for hazard in self.catalog.hazards
+            for recipe in (*hazard.anomalies, *hazard.lookalikes)
+            for category in recipe.categories
+        )
 
     @cached_property
     def _zone_shapes(self) -> dict[tuple[tuple[str, ...], int | None], BaseGeometry]:

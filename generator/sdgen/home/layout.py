@@ -21,6 +21,7 @@ from shapely.geometry.base import BaseGeometry
 from sdgen.actions import at_rest
 from sdgen.freespace import opening_rectangle, random_point
 from sdgen.geometry import (
+    Array,
     Vec2,
     Vec3,
     apply,
@@ -73,6 +74,13 @@ class Bulk(NamedTuple):
         """Where the thing's frame is when the middle of its base is at a point."""
         (x, y), cos, sin = self.middle_m, math.cos(yaw), math.sin(yaw)
         return middle[0] - (cos * x - sin * y), middle[1] - (sin * x + cos * y)
+
+    def corners(self, spot: Vec3Yaw) -> Array:
+        """Corners (8, 3) of what the thing fills when its frame is at a spot."""
+        (x, y, z), yaw = spot
+        (u, v), cos, sin = self.middle_m, math.cos(yaw), math.sin(yaw)
+        ring = _ring(self.size_m, x + cos * u - sin * v, y + sin * u + cos * v, yaw)
+        return np.array([(*corner, z + up) for up in (0.0, self.size_m[2]) for corner in ring])
 
 
 @dataclass(frozen=True)

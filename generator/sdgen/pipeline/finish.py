@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 
-from sdgen.cameras import Sight, choose_views, unseen
 from sdgen.catalog.records import Catalog
 from sdgen.facts import Facts, unheld
 from sdgen.hazards.certify import Survey, facts_of, survey
@@ -16,10 +15,11 @@ from sdgen.library.records import AssetInfo
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations, unsupported
 from sdgen.physics.client import Client
-from sdgen.physics.rays import RayWorld
 from sdgen.physics.settle import Settled
 from sdgen.physics.world import standing
 from sdgen.pipeline.attempt import Proved
+from sdgen.pipeline.furnished import FurnishedHome
+from sdgen.pipeline.overlook import looked_at
 from sdgen.pipeline.spec import SceneSpec
 from sdgen.rejection import Causes, Rejection, reject
 from sdgen.scene import (
@@ -35,22 +35,22 @@ from sdgen.truth.graph import build_graph
 
 def finish(
     spec: SceneSpec,
+    home: FurnishedHome,
     proved: Proved,
-    catalog: Catalog,
     library: Library,
     options: BuildOptions,
     client: Client,
 ) -> SceneBundle | Rejection:
     """The bundle of a proved scene, as if it were the first try."""
+    catalog = home.context.catalog
     facts, scene = proved.facts, proved.facts.scene
     anomalies = anomaly_records(proved.surveyed.positives, facts, catalog, spec.household)
-    lookalikes = lookalike_records(proved.lookalikes, facts, catalog)
-    with RayWorld(library, scene, client.still) as world:
-        sight = Sight(library, scene, world.cast, options.seed)
-        hidden = unseen(sight, anomalies)
-        if hidden is not None:
-            return reject("views", "unseen", hazard=hidden.hazard, objects=(hidden.object_id,))
-        cameras = choose_views(sight, catalog, anomalies, lookalikes, options)
+    looked = looked_at(
+        home, scene, anomalies, proved.lookalikes, options, client, spec.lane("cameras")
+    )
+    if isinstance(looked, Rejection):
+        return looked
+    lookalikes = lookalike_records(looked.lookalikes, facts, catalog)
     bundle = SceneBundle(
         scene=scene,
         graph=build_graph(scene, library.infos, catalog, facts),
@@ -62,7 +62,7 @@ def finish(
         household=spec.household,
         physics=physics_report(proved.settled, proved.taken_away, facts.bodies),
         split=spec.split,
-        cameras=cameras,
+        cameras=looked.cameras,
     )
     # Whether or not it is written: what a scene holds does not depend on --twins.
     undone_soundly = check_undone(bundle, catalog, library.infos, facts)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+from sdgen.cameras.view import View
 from sdgen.catalog.records import Catalog, HomeMix, HomeSpec
 from sdgen.errors import UsageError
 from sdgen.facts import Facts, bodies_of, room_at
@@ -34,12 +35,14 @@ BASE_SHARE = 0.3
 
 @dataclass(frozen=True)
 class FurnishedHome:
-    """Where a scene can play: the home, the furniture, and what follows from them."""
+    """Where a scene can play: the home, the furniture, and what follows from them; with
+    :func:`~sdgen.pipeline.overlook.overlooked`, the views too, canonical ones first."""
 
     context: HomeContext
     layout: Layout
     free_space: tuple[tuple[Vec2, ...], ...]
     agent_start: AgentStart
+    views: tuple[View, ...] = ()
 
     @property
     def ids(self) -> frozenset[int]:

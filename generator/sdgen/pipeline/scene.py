@@ -2,6 +2,7 @@
 
     spec      what is asked: drawn hazards, home, split, household (survives every retry)
     home      shell, openings, furniture, zones, free floor            up to HOME_ATTEMPTS
+    overlook  its views: of places, before anything lies there
     attempt   hazards, lookalikes, clutter -> physics -> proof         up to PLACEMENT_ATTEMPTS each
     finish    labels, views, graph, benign twin
 
@@ -21,6 +22,7 @@ from sdgen.physics.client import Client
 from sdgen.pipeline.attempt import attempt
 from sdgen.pipeline.finish import finish, with_history
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
+from sdgen.pipeline.overlook import out_of_view, overlooked
 from sdgen.pipeline.spec import SceneSpec, draw_spec, node_ids
 from sdgen.rejection import Cause, Causes, Rejection
 from sdgen.scene import SceneBundle
@@ -60,6 +62,11 @@ def make_scene(
         home = furnish_for(spec, home_attempt, catalog, library)
         if isinstance(home, Rejection):
             rejections[home.cause] += 1
+            continue
+        home = overlooked(home, options.views, client, spec.lane(f"views:{home_attempt}"))
+        hidden = out_of_view(home, spec.hazards)
+        if hidden is not None:
+            rejections[hidden.cause] += 1
             continue
         here: Counter[Cause] = Counter()
         for placement in range(PLACEMENT_ATTEMPTS):
@@ -118,4 +125,4 @@ def try_scene(
     proved = attempt(spec, home, home_attempt, placement, library, client)
     if isinstance(proved, Rejection):
         return proved
-    return finish(spec, proved, home.context.catalog, library, options, client)
+    return finish(spec, home, proved, library, options, client)

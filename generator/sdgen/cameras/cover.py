@@ -1,0 +1,118 @@
+"""Which views a home gets: together they show as much as they can of where small things lie."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sdgen.cameras.framing import Bools, framed, glance_pixels
+from sdgen.cameras.parts import part_area, part_numbers, part_points
+from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, Ints, estimate_pixels
+from sdgen.cameras.spots import SetTo
+from sdgen.cameras.view import View, poses_of
+from sdgen.geometry import Array
+from sdgen.library import Library
+from sdgen.seeding import Rng
+
+#: So near and so far a small thing shows well: 8 cm are 12 pixels wide at 3 m, 150 in all.
+_DEPTH_M = (0.45, 3.0)
+#: A thing's middle is this far from the picture's edges: 8 cm at 1.2 m, so that it is not cut off.
+_MARGIN_PIXELS = 16
+#: Rays along a side of what is set to a state: few choose, many count in the end. It must show so
+#: many times what a glance needs, since other things will stand before it, and from no further.
+_GRID, _STATE_TIMES, _FAR_M = 5, 1.5, 5.0
+#: A ray that ends so near to a point has met what the point stands at, or nothing.
+_AT_M = 0.03
+#: What a spot counts that views show already: less, not nothing.
+_AGAIN = 0.2
+#: Views that show nearly as much as the best are told apart by chance.
+_NEARLY = 0.85
+#: Views of the usual options. They decide content, whatever number of views is asked for.
+CANONICAL = 8
+#: Near views are what small things are told in; overviews place them.
+_NEAR_SHARE = 2 / 3
+
+
+def near_count(count: int) -> int:
+    """How many of so many views are near views, in every scene."""
+    return round(count * _NEAR_SHARE)
+
+
+def things_shown(views: Sequence[View], points_m: Array, cast: Cast) -> Bools:
+    """Which view would show a small thing at which point well, (views, points)."""
+    poses, margin = poses_of(views), _MARGIN_PIXELS
+    at = framed(poses, points_m)
+    out = (at.depth >= _DEPTH_M[0]) & (at.depth <= _DEPTH_M[1])
+    out &= (at.u >= margin) & (at.u <= WIDTH - margin)
+    out &= (at.v >= margin) & (at.v <= HEIGHT - margin)
+    return _unhidden(poses, points_m, out, cast)
+
+
+def states_shown(
+    library: Library, views: Sequence[View], states: Sequence[SetTo], cast: Cast
+) -> Bools:
+    """Which view would show well what is set to a state, (views, states), by rays into the home
+    with all of it so."""
+    poses = poses_of(views)
+    out = np.zeros((len(poses), len(states)), dtype=np.bool_)
+    for k, one in enumerate(states):
+        points = part_points(library, one.item, one.parts)
+        numbers = part_numbers(library, one.item, one.parts)
+        needed = _STATE_TIMES * glance_pixels(part_area(library, one.item, one.parts))
+        near = _toward(poses, points.mean(axis=0), one.item.id, cast)
+        pixels = estimate_pixels(cast, list(poses[near]), points, one.item.id, numbers, _GRID)
+        out[near, k] = pixels >= needed
+    return out
+
+
+def _toward(poses: Array, point_m: Array, object_id: int, cast: Cast) -> Ints:
+    """Numbers of the views that have an object's middle in their picture, with nothing else
+    before it."""
+    at = framed(poses, point_m[None])
+    near = np.flatnonzero(at.inside[:, 0] & (at.depth[:, 0] < _FAR_M))
+    eyes = poses[near, :3, 3]
+    hits = cast(eyes, np.repeat(point_m[None], len(near), axis=0))
+    reached = hits.distance_m >= np.linalg.norm(point_m - eyes, axis=1) - _AT_M
+    return np.asarray(near[reached | (hits.object_id == object_id)])
+
+
+def _unhidden(poses: Array, points_m: Array, among: Bools, cast: Cast) -> Bools:
+    """Which of these pairs of a camera and a point nothing stands between."""
+    out = np.zeros(among.shape, dtype=np.bool_)
+    which, point = np.nonzero(among)
+    eyes = poses[which, :3, 3]
+    hits = cast(eyes, points_m[point])
+    length = np.linalg.norm(points_m[point] - eyes, axis=1)
+    out[which, point] = hits.distance_m >= length - _AT_M
+    return out
+
+
+def choose(views: Sequence[View], shows: Bools, weight: Array, count: int, rng: Rng) -> list[int]:
+    """Up to ``count`` of the views, by number, for what each adds (Nemhauser et al. 1978: the
+    greedy choice is within 1 - 1/e of the best); a longer choice begins with a shorter one.
+
+    ``shows`` says which view shows which spot, (views, spots), ``weight`` how likely spots are.
+    """
+    near = np.array([view.kind == "near" for view in views])
+    worth = weight.copy()
+    left = np.ones(len(views), dtype=np.bool_)
+    chosen: list[int] = []
+    while len(chosen) < count and left.any():
+        allowed = left & _allowed(near, near[chosen])
+        gain = np.where(allowed if allowed.any() else left, shows @ worth, -1.0)
+        good = np.flatnonzero(gain >= _NEARLY * gain.max())
+        best = int(good[int(rng.integers(len(good)))])
+        chosen.append(best)
+        left[best] = False
+        worth = np.where(shows[best], worth * _AGAIN, worth)
+    return chosen
+
+
+def _allowed(near: Bools, chosen: Bools) -> Bools:
+    """The views of a kind still wanted; ``near`` and ``chosen`` say which are near views."""
+    wanted = max(CANONICAL, len(chosen) + 1)
+    got = int(chosen.sum())
+    more_near = got < near_count(wanted)
+    more_rooms = len(chosen) - got < wanted - near_count(wanted)
+    return np.asarray(np.where(near, more_near, more_rooms))

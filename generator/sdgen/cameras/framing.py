@@ -1,0 +1,83 @@
+"""How large a thing shows in a picture, and when that is enough to tell what it is."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+
+from sdgen.cameras.pinhole import intrinsics
+from sdgen.cameras.sight import HEIGHT, WIDTH
+from sdgen.geometry import Array
+from sdgen.vocabulary import EVIDENCE_PIXELS
+
+Bools = npt.NDArray[np.bool_]
+
+#: A view shows a thing when rays promise half as much again as is needed at the reference size:
+#: rays are few and pictures exact.
+PIXELS_NEEDED = 1.5 * EVIDENCE_PIXELS
+#: Surface of a small thing, a mug or a bowl; larger ones must show more pixels.
+SMALL_M2 = 0.04
+#: Enough to tell a wardrobe: 1 % of a picture of 640x480. More would refuse most views of it.
+GLANCE_MOST = 3000.0
+#: Points nearer to a camera than this are not in its picture.
+_NEAREST_M = 0.05
+#: What is to lie somewhere must show so much of itself, by its outermost points, and so many times
+#: the pixels that a glance needs: things fill half of their boxes, and others will stand before
+#: them. Of what is large, less will do.
+_SHARE, _TIMES = 0.75, 2.0
+_LARGE_PIXELS = 10_000.0
+
+
+def glance_pixels(surface_m2: float) -> float:
+    """Pixels at 640x480 that tell a thing at a glance, in proportion to what can be seen of it.
+
+    A quarter of its surface is what a convex thing shows on average. Somewhat more than the
+    promised 100 for small things; large ones must show more than a sliver.
+    """
+    return min(max(PIXELS_NEEDED, PIXELS_NEEDED * surface_m2 / SMALL_M2), GLANCE_MOST)
+
+
+class Framed(NamedTuple):
+    """Points as several cameras have them: pixel coordinates from the corner and planar depths,
+    (cameras, points), and which fall into the picture."""
+
+    u: Array
+    v: Array
+    depth: Array
+    inside: Bools
+
+
+def framed(poses: Array, points_m: Array) -> Framed:
+    """Where ``world_from_camera`` poses (N, 4, 4) have world points (M, 3)."""
+    eyes, turns = poses[:, :3, 3], poses[:, :3, :3]
+    local = points_m @ turns - eyes[:, None] @ turns
+    depth = local[..., 2]
+    safe = np.maximum(depth, _NEAREST_M)
+    k = np.asarray(intrinsics(WIDTH, HEIGHT))
+    u = k[0, 0] * local[..., 0] / safe + WIDTH / 2
+    v = k[1, 1] * local[..., 1] / safe + HEIGHT / 2
+    inside = (depth > _NEAREST_M) & (u >= 0) & (u < WIDTH) & (v >= 0) & (v < HEIGHT)
+    return Framed(u, v, depth, inside)
+
+
+def enough(seen: Framed, unhidden: Bools, points_m: Array) -> Bools:
+    """Which cameras would show a thing with these outermost points (M, 3) well, (N,).
+
+    ``unhidden`` says which of the points, (N, M), nothing stands before.
+    """
+    share = (seen.inside & unhidden).mean(axis=1)
+    pixels = np.zeros(len(share))
+    rows = np.flatnonzero(share)
+    inner = np.stack([np.clip(seen.u[rows], 0, WIDTH), np.clip(seen.v[rows], 0, HEIGHT)], axis=-1)
+    pixels[rows] = share[rows] * shapely.area(shapely.convex_hull(shapely.multipoints(inner)))
+    needed = _TIMES * glance_pixels(_surface_m2(points_m))
+    return np.asarray((share >= _SHARE) & (pixels >= needed) | (pixels >= _LARGE_PIXELS))
+
+
+def _surface_m2(points_m: Array) -> float:
+    """About the surface of a thing with these outermost points: that of their box."""
+    a, b, c = np.ptp(points_m, axis=0).tolist()
+    return float(2.0 * (a * b + b * c + c * a))

@@ -1,0 +1,129 @@
+"""Views that a furnished home offers: places looked at from near by, and overviews of rooms."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
+
+from sdgen.cameras.parts import part_points
+from sdgen.cameras.spots import SetTo, Spots
+from sdgen.cameras.view import HEIGHT_JITTER_M, View
+from sdgen.freespace import random_point, union
+from sdgen.geometry import Array, look_at, vec3
+from sdgen.home.layout import Layout
+from sdgen.library import Library
+from sdgen.options import EYE_HEIGHT_M
+from sdgen.scene import Room
+from sdgen.seeding import Rng
+
+#: Places that near views are aimed at, and eyes tried for each.
+_PLACES, _EYES = 60, 3
+#: Near enough to tell what a thing is, far enough for a robot that wants to look at it.
+_DISTANCE_M = (0.8, 2.2)
+#: What lies on the floor is seen with the floor around it: whether it is in the way depends on
+#: where it lies.
+_FLOOR_Z_M, _FLOOR_FURTHER_M = 0.1, 0.5
+#: Furniture is looked at from further away: this much of its size is added, or only a piece of it
+#: would be in the picture.
+_DISTANCE_PER_SIZE = 0.5
+#: How far beside its place a near view aims, as tangents to the right and down: up to halfway to
+#: the picture's edges (tan 35 and tan 27.7 degrees).
+_BESIDE = (0.35, 0.26)
+#: Overviews tried of each room.
+_OVERVIEWS = 8
+#: Free-floor points drawn for an eye: those nearest to a room's rim see most of it.
+_RIM_OF = 4
+#: Overviews aim at the room's middle at the height of seats and tables, give or take (x, y, z).
+_AIM_Z_M = 0.65
+_AIM_JITTER_M = (0.5, 0.5, 0.15)
+#: An aim nearer than this would look down the camera's own post.
+_NEAREST_AIM_M = 0.5
+#: Free floor below this is a gap between furniture, square metres.
+_LEAST_FLOOR_M2 = 0.01
+#: Poses of a leaf between shut and wide open.
+_LEAF_STEPS = 4
+#: Points thrown into the ring so that enough fall on the free floor, a fortieth of it at worst.
+_DRAWS = 40 * _EYES
+
+
+def candidates(
+    library: Library, rooms: Sequence[Room], free: BaseGeometry, spots: Spots, rng: Rng
+) -> list[View]:
+    """Near views of drawn spots and overviews of every room; ``free`` is where they may stand."""
+    shapely.prepare(free)
+    return [*_near(library, free, spots, rng), *_overviews(rooms, free, rng)]
+
+
+def swept_by(layout: Layout, states: Sequence[SetTo]) -> BaseGeometry:
+    """The floor under every leaf, lid and drawer that may be set open: no eye stands in its way."""
+    shapes = []
+    for one in states:
+        item, info = layout.items[one.item.id], layout.info(one.item.id)
+        for rule in info.states:
+            if rule.state == one.state and rule.joint is not None:
+                joint = info.joint(rule.joint)
+                for value in np.linspace(joint.lower, joint.upper, _LEAF_STEPS).tolist():
+                    opened = item.model_copy(
+                        update={"joints": {**item.joints, rule.joint: round(value, 4)}}
+                    )
+                    shapes += [block.shape for block in layout.blocks_of(opened)]
+    return union(shapes)
+
+
+def _near(library: Library, free: BaseGeometry, spots: Spots, rng: Rng) -> Iterator[View]:
+    for k in rng.choice(len(spots.weight), _PLACES, p=spots.weight).tolist():
+        state = k - len(spots.points_m)
+        if state < 0:
+            place, size = spots.points_m[k], 0.0
+        else:
+            found = spots.states[state]
+            points = part_points(library, found.item, found.parts)
+            place, size = points.mean(axis=0), float(np.ptp(points, axis=0).max())
+        for eye in _eyes_around(free, place, size, rng):
+            yield View("near", eye, _beside(eye, place, rng.uniform(-1.0, 1.0, 2)))
+
+
+def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng) -> Array:
+    """A few eyes over the free floor in the ring around a place or a thing of a size, (N, 3)."""
+    further = _DISTANCE_PER_SIZE * size_m
+    if place[2] < _FLOOR_Z_M:
+        further += _FLOOR_FURTHER_M
+    low, high = (limit + further for limit in _DISTANCE_M)
+    distance = np.sqrt(rng.uniform(low**2, high**2, _DRAWS))
+    angle = rng.uniform(-math.pi, math.pi, _DRAWS)
+    points = place[:2] + distance[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    inside = shapely.contains_xy(free, points[:, 0], points[:, 1])
+    stands = points[inside][:_EYES]
+    heights = EYE_HEIGHT_M + rng.uniform(-HEIGHT_JITTER_M, HEIGHT_JITTER_M, _EYES)
+    return np.column_stack([stands, heights[: len(stands)]])
+
+
+def _beside(eye: Array, place: Array, aim: Array) -> Array:
+    """A point beside a place: ``aim`` from (-1, -1) to (1, 1)."""
+    straight = look_at(vec3(eye), vec3(place))
+    reach = float(np.linalg.norm(place - eye))
+    beside = straight[:3, 0] * aim[0] * _BESIDE[0] + straight[:3, 1] * aim[1] * _BESIDE[1]
+    return np.asarray(place + reach * beside)
+
+
+def _overviews(rooms: Sequence[Room], free: BaseGeometry, rng: Rng) -> Iterator[View]:
+    for room in rooms:
+        outline = Polygon(room.polygon_m)
+        floor = free.intersection(outline)
+        if floor.area < _LEAST_FLOOR_M2:
+            continue
+        middle = np.array([*outline.centroid.coords[0], _AIM_Z_M])
+        for _ in range(_OVERVIEWS):
+            found = [random_point(floor, rng) for _ in range(_RIM_OF)]
+            points = np.array([point for point in found if point is not None])
+            away = np.hypot(*(points - middle[:2]).T)
+            height = EYE_HEIGHT_M + rng.uniform(0.0, 2 * HEIGHT_JITTER_M)
+            eye = np.array([*points[int(np.argmax(away))], height])
+            aim = middle + rng.uniform(-1.0, 1.0, 3) * _AIM_JITTER_M
+            if math.dist(aim[:2], eye[:2]) >= _NEAREST_AIM_M:
+                yield View("room", eye, aim)

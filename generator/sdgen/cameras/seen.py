@@ -1,0 +1,68 @@
+"""What a home's views would show of a thing that is not there yet: depth maps of the furniture."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import numpy as np
+
+from sdgen.cameras.framing import enough, framed
+from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, pixel_rays
+from sdgen.cameras.view import View, poses_of
+from sdgen.geometry import Array
+
+#: Pixels across and down that one ray stands for: a hand's width at three metres.
+_CELL = 16
+#: Longer than any home.
+_REACH_M = 25.0
+#: Slack of a depth: what stands on a table top seen at a low angle is as far as the cell's middle,
+#: give or take half of what its neighbours differ by.
+_SLACK_M = (0.02, 0.15)
+
+
+class Seen:
+    """What a home's views would show, the furniture at rest: a
+    :class:`~sdgen.home.context.Shows`."""
+
+    def __init__(
+        self, views: Sequence[View], states: Collection[tuple[int, str]], cast: Cast
+    ) -> None:
+        """``states`` are the ids and states of what the views show set to a state."""
+        self._states = frozenset(states)
+        across, down = WIDTH // _CELL, HEIGHT // _CELL
+        u, v = np.meshgrid((np.arange(across) + 0.5) * _CELL, (np.arange(down) + 0.5) * _CELL)
+        pixels = np.stack([u.ravel() - 0.5, v.ravel() - 0.5], axis=1)
+        self._poses = poses_of(views)
+        #: How deep each view sees, cell by cell, the slack included.
+        self._depth = np.empty((len(views), down, across))
+        for k, pose in enumerate(self._poses):
+            origins, targets = pixel_rays(pose, pixels, _REACH_M)
+            reached = cast(origins, targets).distance_m / np.linalg.norm(targets - origins, axis=1)
+            # Planar depth is a ray's share of its length.
+            depth = (np.minimum(reached, 1.0) * _REACH_M).reshape(down, across)
+            self._depth[k] = depth + np.clip(_slope(depth), *_SLACK_M)
+
+    def state(self, object_id: int, state: str) -> bool:
+        """True when some view shows that an object is in this state."""
+        return (object_id, state) in self._states
+
+    def thing(self, corners_m: Array) -> bool:
+        """True when some view shows enough of a thing with these outermost points (N, 3)."""
+        at = framed(self._poses, corners_m)
+        rows, columns = (
+            np.where(at.inside, along // _CELL, 0).astype(np.int64) for along in (at.v, at.u)
+        )
+        reached = self._depth[np.arange(len(self._depth))[:, None], rows, columns]
+        return bool(enough(at, at.depth <= reached, corners_m).any())
+
+
+def _slope(depth: Array) -> Array:
+    """Half of what neighbouring cells of a depth map (H, W) differ by, along the steeper axis;
+    at an edge, on the side where the surface goes on."""
+    steps = []
+    for axis in (0, 1):
+        step = np.abs(np.diff(depth, axis=axis))
+        before = np.insert(step, 0, np.inf, axis=axis)
+        after = np.insert(step, step.shape[axis], np.inf, axis=axis)
+        steps.append(np.minimum(before, after))
+    return np.asarray(np.maximum(*steps) / 2)

@@ -1,0 +1,263 @@
+"""Where a furnished home's small things would lie, and how often, before any of them exists.
+
+Follows from the furniture and the catalogue alone: from the recipes of every hazard, drawn or not,
+and from where its categories live.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+from shapely.geometry.base import BaseGeometry
+
+from sdgen.actions import in_state
+from sdgen.catalog.cases import cases
+from sdgen.catalog.records import Recipe, SetRecipe
+from sdgen.freespace import random_point, union
+from sdgen.geometry import Array
+from sdgen.home.context import HomeContext
+from sdgen.home.layout import Layout
+from sdgen.home.surfaces import placing_surfaces
+from sdgen.library.states import state_parts
+from sdgen.scene import ObjectInstance, Room
+from sdgen.seeding import Rng
+from sdgen.vocabulary import FLAT_M, OVERHEAD_M
+
+Bools = npt.NDArray[np.bool_]
+
+#: A small thing's middle is about this high above what it stands on.
+ABOVE_M = 0.04
+#: Points on each surface, and on each square metre of floor: the next one is a thing's width away.
+_ON_SURFACE, _ON_FLOOR_M2 = 4, 3.0
+#: What a hazard's near misses and all everyday things count, against one hazard's anomalies: a
+#: choice. An anomaly must be seen; nothing breaks when an everyday thing is not.
+_LOOKALIKES, _EVERYDAY = 0.5, 3.0
+#: What is set to a state counts so many times what is placed: it can be seen in one place only.
+_STATES = 3.0
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What makes a spot likely for one placement: where it may lie."""
+
+    relation: str
+    target: str
+    rooms: tuple[str, ...] = ()
+    low_m: float | None = None
+    high_m: float | None = None
+    zone: tuple[str, ...] = ()
+    avoid: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class SetTo:
+    """An object of the home as it is once it is set to a state, and the parts that show that."""
+
+    item: ObjectInstance
+    state: str
+    parts: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Spots:
+    """Points (N, 3) where small things would lie, what would be set to a state, and how likely
+    each point is and then each of these, (N + states,), 1 in all."""
+
+    points_m: Array
+    states: tuple[SetTo, ...]
+    weight: Array
+
+
+@dataclass(frozen=True)
+class _Surface:
+    """Points on one surface or floor: whose it is (None: a floor), how things lie there."""
+
+    owner: ObjectInstance | None
+    room: Room
+    relation: str
+    points_m: Array
+
+
+def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
+    """Spots on every support and floor of a furnished home, and on what recipes set to a state."""
+    surfaces = _Surfaces(
+        [*_supports(context, layout, rng), *_floors(context, layout, rng)], context
+    )
+    placed = np.zeros(len(surfaces.points_m))
+    were_set: defaultdict[tuple[int, str], float] = defaultdict(float)
+    for wanted, weight in _everyday(context, layout).items():
+        placed += weight * surfaces.share(wanted)
+    for hazard in context.catalog.hazards:
+        for recipes, worth in ((hazard.anomalies, 1.0), (hazard.lookalikes, _LOOKALIKES)):
+            could_place, could_set = _possible(recipes, context, layout)
+            total = sum(could_place.values()) + sum(could_set.values())
+            for wanted, weight in could_place.items():
+                placed += worth * weight / total * surfaces.share(wanted)
+            for key, weight in could_set.items():
+                were_set[key] += _STATES * worth * weight / total
+    states = {key: _set_to(layout, *key, rng) for key in sorted(were_set)}
+    possible = {key: found for key, found in states.items() if found is not None}
+    likely = placed > 0
+    weights = np.array([*placed[likely], *(were_set[key] for key in possible)])
+    return Spots(surfaces.points_m[likely], tuple(possible.values()), weights / weights.sum())
+
+
+class _Surfaces:
+    """All surfaces with their points in one row."""
+
+    def __init__(self, surfaces: Sequence[_Surface], context: HomeContext) -> None:
+        self._surfaces = surfaces
+        self._context = context
+        self.points_m = np.concatenate(
+            [np.zeros((0, 3)), *(surface.points_m for surface in surfaces)]
+        )
+        self._end = np.cumsum([len(surface.points_m) for surface in surfaces]).tolist()
+
+    def share(self, wanted: Wanted) -> Array:
+        """How likely each point is for one such thing, (N,): owners (or rooms) evenly; 1 in all,
+        or 0 where there is none."""
+        out = np.zeros(len(self.points_m))
+        fitting = np.zeros(len(self.points_m), dtype=np.bool_)
+        owner = np.zeros(len(self.points_m), dtype=np.int64)
+        for surface, end in zip(self._surfaces, self._end, strict=True):
+            category = "floor" if surface.owner is None else surface.owner.category
+            if category != wanted.target or surface.relation != wanted.relation:
+                continue
+            if wanted.rooms and surface.room.type not in wanted.rooms:
+                continue
+            rows = slice(end - len(surface.points_m), end)
+            fitting[rows] = self._fits(surface, wanted)
+            owner[rows] = surface.room.id if surface.owner is None else surface.owner.id
+        if fitting.any():
+            _, of, count = np.unique(owner[fitting], return_inverse=True, return_counts=True)
+            out[fitting] = 1.0 / count[of] / len(count)
+        return out
+
+    def _fits(self, surface: _Surface, wanted: Wanted) -> Bools:
+        points = surface.points_m
+        height = points[:, 2] - ABOVE_M
+        fits = np.ones(len(points), dtype=np.bool_)
+        if wanted.low_m is not None:
+            fits &= height >= wanted.low_m
+        if wanted.high_m is not None:
+            fits &= height <= wanted.high_m
+        if wanted.zone:
+            fits &= self._within(wanted.zone, surface.room, points)
+        if wanted.avoid:
+            fits &= ~self._within(wanted.avoid, surface.room, points)
+        return fits
+
+    def _within(self, kinds: tuple[str, ...], room: Room, points: Array) -> Bools:
+        shape = self._context.zone_shape(kinds, room.id)
+        return np.asarray(shapely.contains_xy(shape, points[:, 0], points[:, 1]))
+
+
+def _possible(
+    recipes: Sequence[Recipe], context: HomeContext, layout: Layout
+) -> tuple[dict[Wanted, float], dict[tuple[int, str], float]]:
+    """What these recipes could place where, and what they could set to which state, with weights:
+    as :func:`sdgen.hazards.candidates.weighted_order` draws them."""
+    present: dict[str, list[ObjectInstance]] = {}
+    for item in layout.items.values():
+        present.setdefault(item.category, []).append(item)
+    placed: defaultdict[Wanted, float] = defaultdict(float)
+    were_set: defaultdict[tuple[int, str], float] = defaultdict(float)
+    for recipe in recipes:
+        for case in cases(recipe):
+            if isinstance(recipe, SetRecipe):
+                found = [
+                    item
+                    for item in present.get(case.category, ())
+                    if not recipe.rooms or context.room_type(item.room_id) in recipe.rooms
+                ]
+                for item in found:
+                    were_set[item.id, recipe.state] += recipe.weight / len(found)
+            elif context.models(case.category):
+                targets = [t for t in recipe.targets if t == "floor" or t in present]
+                if case.target in targets:
+                    placed[
+                        Wanted(
+                            recipe.relation,
+                            case.target,
+                            recipe.rooms,
+                            recipe.min_height_m,
+                            recipe.max_height_m,
+                            recipe.zone,
+                            recipe.avoid_zones,
+                        )
+                    ] += recipe.weight / len(targets)
+    return placed, were_set
+
+
+def _everyday(context: HomeContext, layout: Layout) -> dict[Wanted, float]:
+    """Where everyday things of the categories that recipes name would lie, by the rooms' priors."""
+    made = context.made_categories
+    types = {room_type.name: room_type for room_type in context.catalog.room_types}
+    wanted: defaultdict[Wanted, float] = defaultdict(float)
+    for room in context.home.rooms:
+        room_type = types.get(room.type)
+        if room_type is None:
+            continue
+        among = Counter(item.category for item in layout.items.values() if item.room_id == room.id)
+        counts = {
+            prior.receptacle: among[prior.receptacle] * (prior.count_min + prior.count_max) / 2
+            for prior in room_type.clutter
+        }
+        counts["floor"] = (room_type.floor_clutter_min + room_type.floor_clutter_max) / 2
+        lives: defaultdict[tuple[str, str], float] = defaultdict(float)
+        total: defaultdict[str, float] = defaultdict(float)
+        for category in context.catalog.categories:
+            for abode in category.lives if category.kind == "small" else ():
+                for target in abode.targets:
+                    if counts.get(target) and (not abode.rooms or room.type in abode.rooms):
+                        total[target] += abode.weight
+                        if category.name in made:
+                            lives[abode.relation, target] += abode.weight
+        for (relation, target), weight in lives.items():
+            wanted[Wanted(relation, target, (room.type,))] += (
+                counts[target] * weight / total[target]
+            )
+    whole = sum(wanted.values())
+    return {one: _EVERYDAY * count / whole for one, count in wanted.items()}
+
+
+def _supports(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surface]:
+    rooms = {room.id: room for room in context.home.rooms}
+    for item in layout.items.values():
+        for surface in placing_surfaces(item, layout.info(item.id)):
+            found = [surface.random_point(rng) for _ in range(_ON_SURFACE)]
+            points = np.array([(*p, surface.z_m + ABOVE_M) for p in found if p is not None])
+            relation = "ON" if surface.support.container is None else "INSIDE"
+            if len(points):
+                yield _Surface(item, rooms[item.room_id], relation, points)
+
+
+def _floors(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surface]:
+    taken = union(list(_standing(layout)))
+    for room in context.home.rooms:
+        floor = context.floor(room.id).difference(taken)
+        found = [random_point(floor, rng) for _ in range(round(floor.area * _ON_FLOOR_M2))]
+        points = np.array([(*p, ABOVE_M) for p in found if p is not None])
+        if len(points):
+            yield _Surface(None, room, "ON", points)
+
+
+def _standing(layout: Layout) -> Iterator[BaseGeometry]:
+    """What takes floor: not what lies flat on it, nor what hangs over it."""
+    for item in layout.items.values():
+        for block in layout.blocks_of(item):
+            if block.box[2] < OVERHEAD_M and block.box[5] > FLAT_M:
+                yield block.shape
+
+
+def _set_to(layout: Layout, object_id: int, state: str, rng: Rng) -> SetTo | None:
+    item, info = layout.items[object_id], layout.info(object_id)
+    changed = item if state in item.states else in_state(item, info, state, rng)
+    if changed is None:
+        return None
+    return SetTo(changed, state, state_parts(info, state, changed.variant, changed.joints))

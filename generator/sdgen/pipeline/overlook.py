@@ -1,0 +1,136 @@
+"""A home's views: chosen before anything lies there, then held against what does."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import compress
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
+
+from sdgen.cameras.choice import Marked, pick, shows
+from sdgen.cameras.cover import CANONICAL, choose, states_shown, things_shown
+from sdgen.cameras.posts import candidates, swept_by
+from sdgen.cameras.seen import Seen
+from sdgen.cameras.spots import SetTo, spots_of
+from sdgen.cameras.view import CLEARANCE_M, clear, to_cameras
+from sdgen.catalog.records import PlaceRecipe, SetRecipe
+from sdgen.hazards.placing import Injected
+from sdgen.options import BuildOptions
+from sdgen.physics.client import Client
+from sdgen.physics.rays import RayWorld
+from sdgen.pipeline.furnished import FurnishedHome
+from sdgen.rejection import Rejection, reject
+from sdgen.scene import Anomaly, Camera, Scene
+from sdgen.seeding import Rng
+
+
+def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> FurnishedHome:
+    """The home with ``count`` views or, if more, the canonical ones, and with what these show.
+
+    The canonical views come first and are the same for any ``count``: content follows from them
+    alone.
+    """
+    context, layout, library = home.context, home.layout, home.layout.library
+    spots = spots_of(context, layout, rng)
+    swept = swept_by(layout, spots.states).buffer(CLEARANCE_M)
+    free = shapely.union_all([Polygon(ring) for ring in home.free_space]).difference(swept)
+    views = candidates(library, context.home.rooms, free, spots, rng)
+    states = np.zeros((len(views), len(spots.states)), dtype=np.bool_)
+    for numbers in _at_once(spots.states):
+        now = [spots.states[k] for k in numbers]
+        items = {**layout.items, **{one.item.id: one.item for one in now}}
+        with RayWorld(library, home.scene(0, items), client.still) as world:
+            states[:, numbers] = states_shown(library, views, now, world.cast)
+    with RayWorld(library, home.scene(0, layout.items), client.still) as world:
+        stands = clear(world.cast, views)
+        views, states = list(compress(views, stands)), states[stands]
+        shows = np.concatenate([things_shown(views, spots.points_m, world.cast), states], axis=1)
+        chosen = choose(views, shows, spots.weight, max(count, CANONICAL), rng)
+        canonical = chosen[:CANONICAL]
+        shown = zip(spots.states, states[canonical].T, strict=True)
+        seen = Seen(
+            [views[k] for k in canonical],
+            [(one.item.id, one.state) for one, views_show in shown if views_show.any()],
+            world.cast,
+        )
+    return replace(
+        home, context=replace(context, shows=seen), views=tuple(views[k] for k in chosen)
+    )
+
+
+def out_of_view(home: FurnishedHome, hazards: Sequence[str]) -> Rejection | None:
+    """Why no try in this home can show all these hazards: one of them would only be set to a state,
+    and no view shows any of what could be."""
+    context = home.context
+    for hazard_id in hazards:
+        recipes = context.catalog.hazard(hazard_id).anomalies
+        could = [
+            (item.id, recipe.state)
+            for recipe in recipes
+            if isinstance(recipe, SetRecipe)
+            for item in home.layout.items.values()
+            if item.category in recipe.categories
+        ]
+        placed = any(isinstance(recipe, PlaceRecipe) for recipe in recipes)
+        if could and not placed and not any(context.shows.state(*one) for one in could):
+            return reject("views", "unseen", hazard=hazard_id)
+    return None
+
+
+def _at_once(states: Sequence[SetTo]) -> list[list[int]]:
+    """Numbers of the states in rounds, each object in one state a round; one round at least."""
+    rounds: list[list[int]] = [[]]
+    times: Counter[int] = Counter()
+    for number, one in enumerate(states):
+        if times[one.item.id] == len(rounds):
+            rounds.append([])
+        rounds[times[one.item.id]].append(number)
+        times[one.item.id] += 1
+    return rounds
+
+
+@dataclass(frozen=True)
+class Looked:
+    """A scene's cameras, and those of its near misses that a view shows."""
+
+    cameras: tuple[Camera, ...]
+    lookalikes: tuple[Injected, ...]
+
+
+def looked_at(
+    home: FurnishedHome,
+    scene: Scene,
+    anomalies: Sequence[Anomaly],
+    lookalikes: Sequence[Injected],
+    options: BuildOptions,
+    client: Client,
+    rng: Rng,
+) -> Looked | Rejection:
+    """The scene as the home's views show it, all in place; rejected when they miss an anomaly.
+
+    A near miss that they do not show is one thing among others, as an anomaly that they do not
+    show is none.
+    """
+    library, canonical = home.layout.library, home.views[:CANONICAL]
+    marked = [Marked(one.object_id, one.evidence_parts) for one in anomalies]
+    marked += [Marked(one.object_id) for one in lookalikes]
+    with RayWorld(library, scene, client.still) as world:
+        if not clear(world.cast, canonical).all():
+            return reject("views", "blocked")
+        shown = shows(library, scene, world.cast, canonical, marked)
+    visible = [bool(column.any()) for column in shown.T]
+    for anomaly, seen in zip(anomalies, visible, strict=False):
+        if not seen:
+            return reject("views", "unseen", hazard=anomaly.hazard, objects=(anomaly.object_id,))
+    kept = tuple(
+        one for one, seen in zip(lookalikes, visible[len(anomalies) :], strict=True) if seen
+    )
+    is_anomaly = [k < len(anomalies) for k in range(len(marked))]
+    views = pick(home.views, shown, is_anomaly, options.views, rng)
+    size = (options.width, options.height)
+    raised = [view.at(options.eye_height_m) for view in views]
+    return Looked(to_cameras(raised, scene.home.rooms, size, rng), kept)

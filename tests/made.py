@@ -5,49 +5,58 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-import pytest
-from sdgen.cameras.choice import Sight
-from sdgen.cameras.pinhole import matrix4
+import numpy as np
+from sdgen.cameras.parts import part_numbers, part_points
+from sdgen.cameras.sight import estimate_pixels, in_picture
 from sdgen.catalog.records import Catalog
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
+from sdgen.physics.rays import RayWorld
 from sdgen.pipeline import make_scene
 from sdgen.scene import SceneBundle
 
 from tests.shared import Shared
 
 OPTIONS = BuildOptions(n=60, seed=7)
+#: Rays along a side of a thing's rectangle: as many as tell about how much of it shows.
+_GRID = 8
 
 
 @dataclass(frozen=True)
 class Made:
-    """A scene, and what each of its near cameras was pointed at (by the camera's index)."""
+    """A scene, and pixels of each small thing in each view (in the cameras' order) by rays, for
+    things that show at all."""
 
     bundle: SceneBundle
-    targets: dict[int, int]
+    pixels: dict[int, tuple[float, ...]]
 
 
 def made_scenes(
     shared: Shared, catalog: Catalog, library: Library, indices: Iterable[int]
 ) -> list[Made]:
     """These scenes of :data:`OPTIONS`, without pictures."""
-    found: dict[object, int] = {}
-    near = Sight.near
-
-    def noted(sight: Sight, object_id: int, parts: tuple[str, ...] = (), rounds: int = 1) -> object:
-        view = near(sight, object_id, parts, rounds)
-        if view is not None:
-            found[matrix4(view.world_from_camera)] = object_id
-        return view
-
-    with pytest.MonkeyPatch.context() as patch, Client() as client:
-        patch.setattr(Sight, "near", noted)
+    with Client() as client:
 
         def make(name: str) -> Made:
-            found.clear()
             bundle = make_scene(int(name.split("-")[-1]), catalog, library, OPTIONS, client)
-            near_ones = [camera for camera in bundle.cameras if camera.kind == "near"]
-            return Made(bundle, {c.index: found[c.world_from_camera] for c in near_ones})
+            return Made(bundle, _pixels(bundle, library, client))
 
         return shared.values([f"scene-{index}" for index in indices], make)
+
+
+def _pixels(bundle: SceneBundle, library: Library, client: Client) -> dict[int, tuple[float, ...]]:
+    poses = np.array([camera.world_from_camera for camera in bundle.cameras])
+    found = {}
+    with RayWorld(library, bundle.scene, client.still) as world:
+        for item in bundle.scene.objects:
+            middle = np.array([item.pose.position_m])
+            near = [k for k, pose in enumerate(poses) if in_picture(pose, middle).any()]
+            if item.fixed or not near:
+                continue
+            points, parts = part_points(library, item, ()), part_numbers(library, item, ())
+            counts = estimate_pixels(world.cast, list(poses[near]), points, item.id, parts, _GRID)
+            shown = dict(zip(near, counts.tolist(), strict=True))
+            if any(shown.values()):
+                found[item.id] = tuple(shown.get(k, 0.0) for k in range(len(poses)))
+    return found

@@ -1,0 +1,57 @@
+"""Depth maps of the furniture tell what its views would show of a thing that is not there yet."""
+
+import numpy as np
+import pytest
+from sdgen.cameras.seen import Seen
+from sdgen.cameras.view import View
+from sdgen.geometry import Array, box_corners
+from sdgen.library import Library
+from sdgen.physics.rays import RayWorld
+
+from tests.fakes import box_room, thing
+
+
+def small(x: float, y: float, z: float, size: float = 0.1) -> Array:
+    return box_corners((x - size / 2, y - size / 2, z), (x + size / 2, y + size / 2, z + size))
+
+
+@pytest.fixture(scope="module")
+def seen(library: Library) -> Seen:
+    """One view of a table in a room, from 1.5 m before it."""
+    scene = box_room([thing(10, "table_01", (0.5, 0.8, 0))])
+    view = View("near", np.array([0.5, -0.9, 1.2]), np.array([0.5, 0.8, 0.7]))
+    with RayWorld(library, scene) as world:
+        return Seen([view], [(10, "OPEN")], world.cast)
+
+
+@pytest.mark.parametrize(
+    ("where", "shown"),
+    [
+        ((0.3, 0.6, 0.74), True),  # on the table
+        ((0.8, 1.1, 0.74), True),  # at its far edge
+        ((0.8, 0.6, 0.0), True),  # on the floor below
+        ((0.5, 1.6, 0.0), False),  # on the floor behind, hidden by the top
+        ((0.5, -1.5, 0.0), False),  # behind the camera
+        ((-1.8, 0.8, 0.0), False),  # beside the picture
+        ((0.5, 2.3, 0.8), False),  # behind the wall
+    ],
+)
+def test_what_stands_where_is_seen(seen: Seen, where, shown: bool) -> None:
+    assert seen.thing(small(*where)) is shown
+
+
+def test_what_is_too_small_to_tell_is_not_seen(seen: Seen) -> None:
+    assert not seen.thing(small(0.3, 0.6, 0.74, size=0.02))
+
+
+def test_what_is_cut_off_by_the_edge_is_not_seen(seen: Seen, library: Library) -> None:
+    """Half of a cube in the picture does not do, though it has pixels enough."""
+    assert seen.thing(small(1.1, 0.4, 0.9))
+    edge = np.tan(np.deg2rad(35)) * 1.5 + 0.5
+    assert not seen.thing(small(edge, 0.6, 0.9, size=0.2))
+
+
+def test_states_are_those_that_were_shown(seen: Seen) -> None:
+    assert seen.state(10, "OPEN")
+    assert not seen.state(10, "ON")
+    assert not seen.state(11, "OPEN")

@@ -135,6 +135,8 @@ def test_only_the_same_overlap_in_nearly_all_tries_ends_them():
 def test_overlapping_hazards_are_not_tried_a_hundred_times(cause, homes, tries, monkeypatch):
     rejected = Rejection(cause)
     monkeypatch.setattr(scene_module, "furnish_for", lambda *_: None)
+    monkeypatch.setattr(scene_module, "overlooked", lambda *_: None)
+    monkeypatch.setattr(scene_module, "out_of_view", lambda *_: None)
     monkeypatch.setattr(scene_module, "try_scene", lambda *_: rejected)
     with pytest.raises(SceneRejected) as caught:
         make_scene(0, toy.catalog(), None, BuildOptions(), client=object())

@@ -206,7 +206,9 @@ def _place_on_floor(
         elif recipe.avoid_zones:
             avoid = context.zone_shape(recipe.avoid_zones)
         for _ in range(SPOTS_TRIED):
-            spot = layout.spot_on_floor(asset, area, outline, rng, keep_share, avoid, bulk)
+            spot = layout.spot_on_floor(
+                asset, area, outline, rng, keep_share=keep_share, avoid=avoid, bulk=bulk
+            )
             if spot is None:
                 break
             if context.shows_at(bulk, spot):

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from sdgen.errors import AssetError
-from sdgen.library.above import Above, seen_from_above
+from sdgen.library.above import Above, seen_from_above, with_left_out
 from sdgen.library.cache import digest
 from sdgen.library.kept import kept_manifest
 from sdgen.library.meshes import Floats, Hull, MeshData, check_extents, read_glb, read_hulls
@@ -129,14 +129,17 @@ class Library:
         return self._bounds[asset_id]
 
     def above(self, asset_id: str, parts: tuple[str, ...]) -> Above | None:
-        """The collision pieces of these parts, seen from above; None when they have none.
+        """The collision pieces of these parts and what they leave out of what is drawn, seen from
+        above; None when they have none.
 
         Kept for all models that were asked for: about 2 KB each.
         """
         key = (asset_id, parts)
         if key not in self._above:
             pieces = [hull.vertices_m for hull in self.hulls(asset_id) if hull.part in parts]
-            self._above[key] = seen_from_above(pieces) if pieces else None
+            drawn = [mesh for part, mesh in self.mesh(asset_id).items() if part in parts]
+            seen = seen_from_above(pieces) if pieces else None
+            self._above[key] = with_left_out(seen, drawn) if seen is not None else None
         return self._above[key]
 
     def way(self, asset_id: str) -> Above | None:

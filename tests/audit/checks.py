@@ -1,0 +1,107 @@
+"""All checks by name, and those that the suite enforces."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from tests.audit import clutter, facing, graph, hazards, household, leaves, physics, pictures
+from tests.audit import walking
+from tests.audit.dataset import DataSet, Finding, Scene
+
+Check = Callable[[Scene], Iterator[Finding]]
+
+#: Every check of one scene, in the order of the table.
+CHECKS: dict[str, Check] = {
+    "tripping: in the way, unlabelled": walking.in_the_way,
+    "tripping: labelled, in nobody's way": walking.in_nobodys_way,
+    "reach: unlabelled and within reach": hazards.within_reach,
+    "food: cut, opened or cream, out": hazards.food_out,
+    "food: frozen, in the fridge": hazards.frozen_thaws,
+    "sharp: bare blades on a stand": hazards.bare_blades,
+    "alcohol: filled glasses": hazards.alcohol,
+    "choking: grapes": hazards.grapes,
+    "choking: labelled, too large": hazards.too_large_to_choke,
+    "expired: overripe lookalikes": hazards.overripe,
+    "physics: in the air": physics.floating,
+    "physics: shards in the air": physics.shards_in_air,
+    "physics: into walls": physics.into_walls,
+    "physics: small things in things": physics.entangled,
+    "physics: furniture in furniture": physics.furniture_in_furniture,
+    "physics: through rugs and mats": physics.through_rugs,
+    "leaves: cannot open": leaves.cannot_open,
+    "rooms: unreachable": walking.unreachable,
+    "rooms: no room before it": walking.cannot_be_used,
+    "facing: frames and screens at a wall": facing.faces_wall,
+    "facing: chairs and their tables": facing.chairs_at_tables,
+    "household: does not live there": household.nowhere_to_live,
+    "household: pets and bowls": household.pets,
+    "household: silent about fire": household.silent_about_fire,
+    "household: reasons as text": household.reasons,
+    "household: report and notify": household.report,
+    "clutter: copies side by side": clutter.copies,
+    "clutter: soaps": clutter.soaps,
+    "clutter: two knife blocks": clutter.knife_blocks,
+    "clutter: not frozen, in a freezer": clutter.in_the_freezer,
+    "clutter: odd places": clutter.odd_places,
+    "graph: boxes": graph.boxes,
+    "graph: CLOSE": graph.close,
+    "graph: ON": graph.on,
+    "graph: INSIDE": graph.inside,
+    "graph: FACING": graph.facing,
+    "pictures: masks and visibility": pictures.visibility,
+}
+
+
+def never_seen(data: DataSet, scenes: list[Scene]) -> Iterator[Finding]:
+    """Categories of the library that no scene shows."""
+    seen = {o["category"] for scene in scenes for o in scene.scene["objects"]}
+    for category in sorted(data.models.library - seen):
+        yield Finding("all", None, f"{category} in none of {len(scenes)} homes")
+
+
+def always_wide_open(data: DataSet, scenes: list[Scene]) -> Iterator[Finding]:
+    """Labelled doors and fridges: is some ajar (opened less than 0.5 rad)?"""
+    for hazard in ("front_door_open", "fridge_open"):
+        least = [
+            max(abs(value) for value in scene.things[id].json["joints"].values())
+            for scene in scenes
+            for id, names in scene.hazards_of.items()
+            if hazard in names
+        ]
+        if len(least) >= 12 and min(least) > 0.5:
+            yield Finding("all", None, f"{hazard}: all {len(least)} wide open", min(least))
+
+
+def ages_stop_short(data: DataSet, scenes: list[Scene]) -> Iterator[Finding]:
+    """Is there any infant among many households?"""
+    ages = [m["age"] for scene in scenes for m in scene.household["members"]]
+    if len(scenes) >= 200 and min(ages) > 0:
+        yield Finding("all", None, "nobody is younger than a year", min(ages))
+
+
+#: Checks of a whole data set; what takes many homes to say is silent on few.
+WHOLE: dict[str, Callable[[DataSet, list[Scene]], Iterator[Finding]]] = {
+    "variety: categories never seen": never_seen,
+    "variety: always wide open": always_wide_open,
+    "variety: ages": ages_stop_short,
+}
+
+#: What the suite fails on. Checks that still find something wait here for the mending of it.
+NOT_YET: frozenset[str] = frozenset()
+ENFORCED = [name for name in (*CHECKS,) if name not in NOT_YET]
+
+
+def run(data: DataSet, limit: int | None = None) -> dict[str, list[Finding]]:
+    """The findings of every check on a data set, by the check's name."""
+    found: dict[str, list[Finding]] = {name: [] for name in (*CHECKS, *WHOLE)}
+    looked_at = []
+    for scene in data.scenes():
+        if limit is not None and len(looked_at) == limit:
+            break
+        for name, check in CHECKS.items():
+            found[name].extend(check(scene))
+        # Meshes where they stand are many: only what whole checks need is kept.
+        looked_at.append(Scene(scene.folder, scene.models, scene.catalogue))
+    for name, whole in WHOLE.items():
+        found[name].extend(whole(data, looked_at))
+    return found

@@ -27,13 +27,14 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.audit", description=__doc__)
     parser.add_argument("folder", type=Path, help="a data set")
     parser.add_argument("--assets", type=Path, default=ROOT / "assets", help="folder of models")
+    parser.add_argument("--only", default="", help="only checks whose name holds this")
     parser.add_argument("--limit", type=int, help="only so many scenes")
     parser.add_argument("--examples", type=int, default=3, help="findings shown a check")
     parser.add_argument("--json", type=Path, help="where all findings are written")
     parser.add_argument("--probes", action="store_true", help="what gives labels away, too")
     args = parser.parse_args()
     data = DataSet(args.folder, args.assets)
-    found = run(data, args.limit)
+    found = run(data, args.limit, args.only)
     print(table(found, args.examples))
     if args.json:
         args.json.write_text(

@@ -62,7 +62,9 @@ def soaps(scene: Scene) -> Iterator[Finding]:
     count = Counter(thing.category for thing in scene.things.values())
     places = count["washbasin"] + count["sink_cabinet"]
     if count["soap_dispenser"] > places + SPARE_SOAPS:
-        yield scene.found(None, f"soap dispensers, {places} places to wash", count["soap_dispenser"])
+        yield scene.found(
+            None, f"soap dispensers, {places} places to wash", count["soap_dispenser"]
+        )
 
 
 def knife_blocks(scene: Scene) -> Iterator[Finding]:
@@ -106,6 +108,6 @@ def odd_places(scene: Scene) -> Iterator[Finding]:
     """Cleaning products kept (not as an anomaly) in rooms where nobody keeps them."""
     cleaning = scene.catalogue.categories_of("poison_cleaning")
     for thing in scene.small:
-        if thing.category in cleaning and thing.id not in scene.hazards_of:
-            if scene.room_type(thing) in ODD_ROOMS:
-                yield scene.found(thing, "nobody keeps it here", thing.bottom)
+        odd = thing.category in cleaning and scene.room_type(thing) in ODD_ROOMS
+        if odd and thing.id not in scene.hazards_of:
+            yield scene.found(thing, "nobody keeps it here", thing.bottom)

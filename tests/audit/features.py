@@ -17,7 +17,12 @@ Strings = npt.NDArray[np.str_]
 SEEN_PIXELS = 100
 #: Things in a band of this height count as equally high, metres.
 BAND_M = 0.3
-DOORS = {"doorway", "walkway"}
+#: What the definition of a class is made of (of all: height, by which children reach): of these a
+#: detector may learn without having been given anything away.
+DEFINING = {
+    "*": {"height"},
+    "tripping_hazard": {"from the wall", "from a doorway"},
+}
 
 
 @dataclass
@@ -31,6 +36,17 @@ class Rows:
     @property
     def features(self) -> Floats:
         return np.array(self.values, float).reshape(len(self.values), len(self.names))
+
+    @property
+    def free(self) -> Floats:
+        """The features without what the definition of each row's class is made of."""
+        features = self.features
+        hazards = self.column("hazard").astype(str)
+        for hazard, names in DEFINING.items():
+            rows = np.ones(len(hazards), bool) if hazard == "*" else hazards == hazard
+            for name in names & set(self.names):
+                features[rows, self.names.index(name)] = np.nan
+        return features
 
     def column(self, key: str) -> npt.NDArray[np.generic]:
         return np.array([row[key] for row in self.about])
@@ -126,6 +142,8 @@ def picture_row(
     far = [float(np.hypot(*offset)) for offset in offsets]
     best = int(np.argmax([item["pixels"] for _, item, _ in shown]))
     number, item, (x, y, w, h) = shown[best]
+    # Sizes are told per size of the thing: how large a knife is beside a spoon is content.
+    own = float(np.linalg.norm(thing.box[1] - thing.box[0]))
     view = views[number]
     camera = np.array(view["world_from_camera"])
     size = np.array([view["width"], view["height"]], float)
@@ -135,14 +153,14 @@ def picture_row(
         min(n for n, _, _ in shown),
         number,
         view["kind"] == "near",
-        item["pixels"],
-        sum(i["pixels"] for _, i, _ in shown),
+        item["pixels"] / own**2,
+        sum(i["pixels"] for _, i, _ in shown) / own**2,
         item["fraction"],
         min(far),
         far[best],
         *np.abs(offsets[best]),
-        w,
-        h,
+        w / own,
+        h / own,
         float(np.linalg.norm(thing.position - camera[:3, 3])),
         thing.bottom,
         x <= 0 or y <= 0 or x + w >= size[0] or y + h >= size[1],
@@ -279,7 +297,8 @@ def scene_tables(scenes: list[Scene]) -> tuple[dict[str, Floats], npt.NDArray[np
     files, kinds = [], []
     for k, scene in enumerate(scenes):
         for item in scene.scene["objects"]:
-            if item["id"] not in scene.hazards_of:
+            # What a label took away or added; a fridge stands there whether or not it is open.
+            if item["fixed"] or item["id"] not in scene.hazards_of:
                 counts[k, column[item["category"]]] += 1
         views = scene.views
         sizes = [rgb_bytes(scene, n) for n in range(len(views))]

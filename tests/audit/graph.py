@@ -77,10 +77,10 @@ def on(scene: Scene) -> Iterator[Finding]:
                         best = (height, holder.id)
                 elif share > 0.38:
                     unsure = True
-        if best and not unsure and best[1] not in told and not scene.inside.get(thing.id):
-            if not told & {t.id for t in scene.small}:  # what it is on may stand there itself
-                other = scene.things[best[1]]
-                yield scene.found(thing, f"not ON {other.category} {other.id}", best[0])
+        elsewhere = scene.inside.get(thing.id) or told & {t.id for t in scene.small}
+        if best and not unsure and not elsewhere and best[1] not in told:
+            other = scene.things[best[1]]
+            yield scene.found(thing, f"not ON {other.category} {other.id}", best[0])
         for b in told & {t.id for t in scene.furniture}:
             tops = surfaces(scene.things[b])
             rises = [

@@ -32,8 +32,7 @@ CUT = re.compile(r"\b(half|halves|wedges?|slices|sliced|cut|peeled|pieces)\b")
 OPENED = re.compile(r"\bopened (tin|jar)\b|\bcream cake\b")
 #: Cut and yet dry: no food that spoils.
 KEEPS = {"bread", "cheese", "cake", "chocolate_bar", "strawberries", "cutting_board"}
-#: What of the pantry an opened jar spoils too slowly of to matter (FoodKeeper: jam keeps 6 months
-#: in the fridge and is to be refrigerated after opening): jam counts.
+GLASSES = {"wine_glass", "drinking_glass"}
 COLD = {"fridge", "freezer", "trash_bin"}
 #: 16 CFR 1501.4: the small-parts cylinder, metres.
 CYLINDER_WIDTH_M, CYLINDER_DEPTH_M = 0.0317, 0.0571
@@ -122,40 +121,42 @@ def food_out(scene: Scene) -> Iterator[Finding]:
 def frozen_thaws(scene: Scene) -> Iterator[Finding]:
     """Frozen food in the fridge's own compartment, unlabelled."""
     for thing in scene.small:
-        if thing.category in FROZEN and not scene.hazards_of.get(thing.id):
-            if freezer_for(scene, thing.id) == "fridge":
-                yield scene.found(thing, "frozen, in the fridge's compartment")
+        frozen = thing.category in FROZEN and freezer_for(scene, thing.id) == "fridge"
+        if frozen and not scene.hazards_of.get(thing.id):
+            yield scene.found(thing, "frozen, in the fridge's compartment")
 
 
 def bare_blades(scene: Scene) -> Iterator[Finding]:
     """Stands that show their blades within reach."""
     arm = scene.catalogue.reach(BY_REACH["sharp_object"])
     for thing in scene.things.values():
-        if thing.category == "knife_block" and "magnetic" in thing.title and thing.bottom <= arm:
-            if "sharp_object" not in scene.hazards_of.get(thing.id, set()):
-                yield scene.found(thing, "bare blades within reach", thing.bottom)
+        bare = thing.category == "knife_block" and "magnetic" in thing.title
+        if bare and thing.bottom <= arm and not scene.hazards_of.get(thing.id):
+            yield scene.found(thing, "bare blades within reach", thing.bottom)
 
 
 def alcohol(scene: Scene) -> Iterator[Finding]:
     """Glasses with wine, brandy or beer in them within reach."""
     arm = scene.catalogue.reach(BY_REACH["poison_medication"])
     for thing in scene.small:
-        filled = "FULL" in thing.states or "with wine" in thing.title
-        vessel = thing.category == "wine_glass" or "beer" in thing.title
-        broken = "BROKEN" in thing.states
-        if thing.category in {"wine_glass", "drinking_glass"} and vessel and filled and not broken:
-            if thing.bottom <= arm and not is_shut_in(scene, thing):
-                if "poison_medication" not in scene.hazards_of.get(thing.id, set()):
-                    yield scene.found(thing, "a filled glass within reach", thing.bottom)
+        full = "FULL" in thing.states or "with wine" in thing.title
+        if thing.category != "wine_glass" and "beer" not in thing.title:
+            continue
+        if not full or "BROKEN" in thing.states or thing.category not in GLASSES:
+            continue
+        within = thing.bottom <= arm and not is_shut_in(scene, thing)
+        if within and not scene.hazards_of.get(thing.id):
+            yield scene.found(thing, "a filled glass within reach", thing.bottom)
 
 
 def grapes(scene: Scene) -> Iterator[Finding]:
     """Grapes that a small child can reach (American Academy of Pediatrics, Pediatrics 125(3))."""
     arm = scene.catalogue.reach(BY_REACH["choking_hazard"])
     for thing in scene.small:
-        if thing.category == "grapes" and thing.bottom <= arm and not is_shut_in(scene, thing):
-            if not kept_cold(scene, thing) and not scene.hazards_of.get(thing.id):
-                yield scene.found(thing, "grapes within reach", thing.bottom)
+        if thing.category != "grapes" or thing.bottom > arm or scene.hazards_of.get(thing.id):
+            continue
+        if not is_shut_in(scene, thing) and not kept_cold(scene, thing):
+            yield scene.found(thing, "grapes within reach", thing.bottom)
 
 
 def overripe(scene: Scene) -> Iterator[Finding]:

@@ -63,7 +63,7 @@ def reasons(scene: Scene) -> Iterator[Finding]:
     for label in scene.labels["anomalies"]:
         for name in ("reason", "message"):
             text = label[name]
-            if re.search(r"-0\.0+\b|None|nan|\s\s|[{}]|_", text):
+            if re.search(r"-0\.0+\b|\b(None|nan)\b|\s\s|[{}]|_", text):
                 yield scene.found(scene.things[label["object_id"]], f"{name}: {text!r}")
 
 

@@ -27,6 +27,15 @@ def moved(thing: Thing, joint: str, value: float) -> list[Part]:
     return [part for part in thing.posed(joints) if part.joint == joint]
 
 
+def is_pulled_away(scene: Scene, other: Thing) -> bool:
+    """Chairs and stools give way to a drawer."""
+    return (
+        other.has("MOVABLE", scene.catalogue)
+        and other.has("SITTABLE", scene.catalogue)
+        and (other.record["mass_kg"] < 12)
+    )
+
+
 def obstacle(scene: Scene, thing: Thing, parts: list[Part]) -> tuple[float, str]:
     """How deep moved parts stand in a wall, a ceiling or in other fixed things, and in what."""
     worst, name = 0.0, ""
@@ -39,10 +48,12 @@ def obstacle(scene: Scene, thing: Thing, parts: list[Part]) -> tuple[float, str]
                 if depth > worst:
                     worst, name = depth, "a wall"
         for other in scene.things.values():
-            if other.id == thing.id or not other.fixed or not overlap(other.box, part.box, TOUCH_M):
+            if other.id == thing.id or not other.fixed or is_pulled_away(scene, other):
                 continue
-            for solid in other.solids:
-                if not overlap(solid.box, part.box, TOUCH_M):
+            if not overlap(other.box, part.box, TOUCH_M):
+                continue
+            for solid in other.solids:  # leaves of others can be shut
+                if solid.joint is not None or not overlap(solid.box, part.box, TOUCH_M):
                     continue
                 near = ((points > solid.box[0]) & (points < solid.box[1])).all(1)
                 if near.any():

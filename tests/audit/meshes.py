@@ -34,6 +34,13 @@ class Mesh:
     faces: Ints
 
     @cached_property
+    def corners(self) -> Floats:
+        """(F, 3, 3) the corners of the faces that have an area."""
+        corners = self.vertices[self.faces]
+        sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        return corners[np.linalg.norm(sides, axis=1) > 1e-10]
+
+    @cached_property
     def samples(self) -> tuple[Floats, Floats]:
         """Points spread over the surface (N, 3) and the outward normals there (N, 3)."""
         corners = self.vertices[self.faces]
@@ -137,14 +144,17 @@ def depths(points: Floats, mesh: Mesh, least: float) -> Floats:
     """
     deep = np.zeros(len(points))
     samples, normals = mesh.samples
-    far, index = mesh.tree.query(points)
-    below = -np.einsum("pd,pd->p", points - samples[index], normals[index])
-    suspects = np.flatnonzero((below > 0.6 * least) & (far >= 0.9 * least))
+    far, index = mesh.tree.query(points, min(6, len(samples)))
+    below = -np.einsum("pkd,pkd->pk", points[:, None] - samples[index], normals[index])
+    # The nearest sample says on which side a point is; the flattest of a few, how deep at most.
+    depth = np.minimum(np.abs(below).min(1), far[:, 0])
+    suspects = np.flatnonzero((below[:, 0] > 0) & (depth > 0.6 * least))
     if len(suspects) > 24:
-        suspects = suspects[np.argsort(-below[suspects], kind="stable")[:24]]
+        suspects = suspects[np.argsort(-depth[suspects], kind="stable")[:24]]
     if len(suspects):
-        triangles = mesh.vertices[mesh.faces]
-        inside = winding(points[suspects], triangles) > 0.5
+        triangles = mesh.corners
+        # Exactly 1 within what is closed; a pile without an underside has 0.5 at its border.
+        inside = winding(points[suspects], triangles) > 0.8
         if inside.any():
             depth = distances(points[suspects][inside], triangles)
             deep[suspects[inside]] = np.where(depth > least, depth, 0)

@@ -15,14 +15,23 @@ Floats = npt.NDArray[np.float64]
 
 #: Solid things may share this much, metres: what a person does not see.
 PENETRATION_M = 0.005
+#: Cloth gives way and sinks in: so much of it is not seen, metres.
+YIELDING_M = 0.015
+CLOTH = {"clothes_pile", "towel", "blanket", "cushion", "hat", "rubber_gloves", "teddy_bear"} | {
+    "backpack",
+    "handbag",
+    "slippers",
+}
 #: A gap that is seen, metres.
 FLOATING_M = 0.01
-#: A rug is soft: what stands on it may sink in this far, metres.
-PILE_M = 0.003
+#: A flat-woven rug of up to this thickness gives way under a leg, metres.
+PILE_M = 0.005
 #: Crumbs smaller than this are not looked at, metres.
 CRUMB_M = 0.006
 #: A piece whose middle is this far beyond what bears it would tip, metres.
 TIPPING_M = 0.005
+#: Looked at by what goes through them.
+MATS = {"rug", "bath_mat"}
 SAMPLES = 400
 
 
@@ -81,6 +90,8 @@ def shards_in_air(scene: Scene) -> Iterator[Finding]:
             continue
         triangles = below(scene, thing)
         for part in thing.parts:
+            if part.name != "shards":  # what is cracked hangs together
+                continue
             hanging = []
             for faces in part.mesh.pieces:
                 own = part.triangles[faces]
@@ -152,8 +163,9 @@ def entangled(scene: Scene) -> Iterator[Finding]:
         for b in things[i + 1 :]:
             if (a.fixed and b.fixed) or not overlap(a.box, b.box, PENETRATION_M):
                 continue
-            depth, where = penetration(a, b)
-            if depth > PENETRATION_M:
+            least = YIELDING_M if {a.category, b.category} & CLOTH else PENETRATION_M
+            depth, where = penetration(a, b, least)
+            if depth > least:
                 thing, other = (b, a) if a.fixed else (a, b)
                 yield scene.found(thing, f"in {other.category} {other.id}: {where}", depth)
 
@@ -163,9 +175,9 @@ def furniture_in_furniture(scene: Scene) -> Iterator[Finding]:
     things = [thing for thing in scene.things.values() if thing.fixed]
     for i, a in enumerate(things):
         for b in things[i + 1 :]:
-            if overlap(a.box, b.box, PENETRATION_M) and not (
-                scene.is_opening(a) and scene.is_opening(b)
-            ):
+            if MATS & {a.category, b.category} or (scene.is_opening(a) and scene.is_opening(b)):
+                continue
+            if overlap(a.box, b.box, PENETRATION_M):
                 depth, where = penetration(a, b)
                 if depth > PENETRATION_M:
                     yield scene.found(a, f"in {b.category} {b.id}: {where}", depth)
@@ -173,7 +185,7 @@ def furniture_in_furniture(scene: Scene) -> Iterator[Finding]:
 
 def through_rugs(scene: Scene) -> Iterator[Finding]:
     """What stands on the ground below a rug or a mat and so through it; leaves that sweep it."""
-    flat = [t for t in scene.things.values() if t.category in {"rug", "bath_mat"}]
+    flat = [t for t in scene.things.values() if t.category in MATS]
     for mat in flat:
         top = mat.box[1, 2]
         inner = mat.footprint.buffer(-0.01)

@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from tests.audit.dataset import Finding, Scene, Thing
+from tests.audit.leaves import is_pulled_away
 from tests.audit.routes import FLAT_M, Ground
 
 #: So far from walls and furniture, a thing lies in the open floor, metres (the review's).
@@ -27,7 +28,9 @@ MATS = {"rug", "bath_mat"}
 def on_floor(scene: Scene, thing: Thing) -> bool:
     if thing.bottom > FLAT_M or thing.category in MATS:
         return False
-    return all(b not in scene.things or scene.things[b].category in MATS for b in scene.on[thing.id])
+    return all(
+        b not in scene.things or scene.things[b].category in MATS for b in scene.on[thing.id]
+    )
 
 
 def can_be_tripped_over(thing: Thing) -> bool:
@@ -111,7 +114,7 @@ def cannot_be_used(scene: Scene) -> Iterator[Finding]:
         for id, other in ground.blocks.items():
             if scene.things[id].bottom > SHOULDER_M:
                 continue
-            movable = scene.things[id].has("MOVABLE", scene.catalogue)
+            movable = is_pulled_away(scene, scene.things[id])
             if id != thing.id and not movable and other.intersection(need).area > 0.01:
                 gap = float(other.distance(at))
                 yield scene.found(thing, f"faces {scene.things[id].category} {id}", gap)

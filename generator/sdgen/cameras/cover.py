@@ -28,6 +28,8 @@ _AT_M = 0.03
 _AGAIN = 0.2
 #: Views that show nearly as much as the best are told apart by chance.
 _NEARLY = 0.85
+#: Two views from nearer to each other than this, less than 35 degrees apart, are the same picture.
+_SAME_M, _SAME_COS = 0.8, 0.82
 #: Views of the usual options. They decide content, whatever number of views is asked for.
 CANONICAL = 8
 #: Near views are what small things are told in; overviews place them.
@@ -95,18 +97,28 @@ def choose(views: Sequence[View], shows: Bools, weight: Array, count: int, rng: 
     ``shows`` says which view shows which spot, (views, spots), ``weight`` how likely spots are.
     """
     near = np.array([view.kind == "near" for view in views])
+    alike = _alike(views)
     worth = weight.copy()
     left = np.ones(len(views), dtype=np.bool_)
     chosen: list[int] = []
     while len(chosen) < count and left.any():
-        allowed = left & _allowed(near, near[chosen])
-        gain = np.where(allowed if allowed.any() else left, shows @ worth, -1.0)
+        fresh = left & ~alike[chosen].any(axis=0)
+        wanted = _allowed(near, near[chosen])
+        among = next((a for a in (fresh & wanted, left & wanted) if a.any()), left)
+        gain = np.where(among, shows @ worth, -1.0)
         good = np.flatnonzero(gain >= _NEARLY * gain.max())
         best = int(good[int(rng.integers(len(good)))])
         chosen.append(best)
         left[best] = False
         worth = np.where(shows[best], worth * _AGAIN, worth)
     return chosen
+
+
+def _alike(views: Sequence[View]) -> Bools:
+    """Which two views are the same picture, nearly, (views, views)."""
+    poses = poses_of(views)
+    apart = np.linalg.norm(poses[:, None, :3, 3] - poses[None, :, :3, 3], axis=-1)
+    return np.asarray((apart < _SAME_M) & (poses[:, :3, 2] @ poses[:, :3, 2].T > _SAME_COS))
 
 
 def _allowed(near: Bools, chosen: Bools) -> Bools:

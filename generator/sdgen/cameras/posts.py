@@ -34,6 +34,8 @@ _DISTANCE_PER_SIZE = 0.5
 #: How far beside its place a near view aims, as tangents to the right and down: up to halfway to
 #: the picture's edges (tan 35 and tan 27.7 degrees).
 _BESIDE = (0.35, 0.26)
+#: Near views look up by so much at most, a tangent: high shelves are in the picture, ceilings not.
+_UP = 0.12
 #: Overviews tried of each room.
 _OVERVIEWS = 8
 #: Free-floor points drawn for an eye: those nearest to a room's rim see most of it.
@@ -76,6 +78,8 @@ def swept_by(layout: Layout, states: Sequence[SetTo]) -> BaseGeometry:
 
 
 def _near(library: Library, free: BaseGeometry, spots: Spots, rng: Rng) -> Iterator[View]:
+    if len(spots.weight) == 0:
+        return
     for k in rng.choice(len(spots.weight), _PLACES, p=spots.weight).tolist():
         state = k - len(spots.points_m)
         if state < 0:
@@ -108,7 +112,10 @@ def _beside(eye: Array, place: Array, aim: Array) -> Array:
     straight = look_at(vec3(eye), vec3(place))
     reach = float(np.linalg.norm(place - eye))
     beside = straight[:3, 0] * aim[0] * _BESIDE[0] + straight[:3, 1] * aim[1] * _BESIDE[1]
-    return np.asarray(place + reach * beside)
+    aim = place + reach * beside
+    level = math.dist(aim[:2], eye[:2])
+    aim[2] = min(aim[2], eye[2] + _UP * level)
+    return np.asarray(aim)
 
 
 def _overviews(rooms: Sequence[Room], free: BaseGeometry, rng: Rng) -> Iterator[View]:

@@ -13,15 +13,16 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 import shapely
+from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import in_state
 from sdgen.catalog.cases import cases
 from sdgen.catalog.records import Recipe, SetRecipe
-from sdgen.freespace import random_point, union
+from sdgen.freespace import union
 from sdgen.geometry import Array
 from sdgen.home.context import HomeContext
-from sdgen.home.layout import Layout
+from sdgen.home.layout import Layout, room_to_change
 from sdgen.home.surfaces import placing_surfaces
 from sdgen.library.states import state_parts
 from sdgen.scene import ObjectInstance, Room
@@ -34,6 +35,8 @@ Bools = npt.NDArray[np.bool_]
 ABOVE_M = 0.04
 #: Points on each surface, and on each square metre of floor: the next one is a thing's width away.
 _ON_SURFACE, _ON_FLOOR_M2 = 4, 3.0
+#: Draws of a state, such as how wide a door stands open, until there is room for it.
+_DRAWS = 4
 #: What a hazard's near misses and all everyday things count, against one hazard's anomalies: a
 #: choice. An anomaly must be seen; nothing breaks when an everyday thing is not.
 _LOOKALIKES, _EVERYDAY = 0.5, 3.0
@@ -88,19 +91,20 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     surfaces = _Surfaces(
         [*_supports(context, layout, rng), *_floors(context, layout, rng)], context
     )
-    placed = np.zeros(len(surfaces.points_m))
+    expected = defaultdict(float, _everyday(context, layout))
     were_set: defaultdict[tuple[int, str], float] = defaultdict(float)
-    for wanted, weight in _everyday(context, layout).items():
-        placed += weight * surfaces.share(wanted)
     for hazard in context.catalog.hazards:
         for recipes, worth in ((hazard.anomalies, 1.0), (hazard.lookalikes, _LOOKALIKES)):
             could_place, could_set = _possible(recipes, context, layout)
             total = sum(could_place.values()) + sum(could_set.values())
             for wanted, weight in could_place.items():
-                placed += worth * weight / total * surfaces.share(wanted)
+                expected[wanted] += worth * weight / total
             for key, weight in could_set.items():
                 were_set[key] += _STATES * worth * weight / total
-    states = {key: _set_to(layout, *key, rng) for key in sorted(were_set)}
+    placed = np.zeros(len(surfaces.points_m))
+    for wanted, weight in expected.items():
+        placed += weight * surfaces.share(wanted)
+    states = {key: _set_to(context, layout, *key, rng) for key in sorted(were_set)}
     possible = {key: found for key, found in states.items() if found is not None}
     likely = placed > 0
     weights = np.array([*placed[likely], *(were_set[key] for key in possible)])
@@ -241,8 +245,11 @@ def _floors(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surface
     taken = union(list(_standing(layout)))
     for room in context.home.rooms:
         floor = context.floor(room.id).difference(taken)
-        found = [random_point(floor, rng) for _ in range(round(floor.area * _ON_FLOOR_M2))]
-        points = np.array([(*p, ABOVE_M) for p in found if p is not None])
+        x0, y0, x1, y1 = Polygon(room.polygon_m).bounds
+        drawn = round((x1 - x0) * (y1 - y0) * _ON_FLOOR_M2)
+        points = np.column_stack([rng.uniform((x0, y0), (x1, y1), (drawn, 2)), np.zeros(drawn)])
+        points[:, 2] = ABOVE_M
+        points = points[shapely.contains_xy(floor, points[:, 0], points[:, 1])]
         if len(points):
             yield _Surface(None, room, "ON", points)
 
@@ -255,9 +262,13 @@ def _standing(layout: Layout) -> Iterator[BaseGeometry]:
                 yield block.shape
 
 
-def _set_to(layout: Layout, object_id: int, state: str, rng: Rng) -> SetTo | None:
+def _set_to(
+    context: HomeContext, layout: Layout, object_id: int, state: str, rng: Rng
+) -> SetTo | None:
+    """The object in a state, with room for it; None when a few draws find none."""
     item, info = layout.items[object_id], layout.info(object_id)
-    changed = item if state in item.states else in_state(item, info, state, rng)
-    if changed is None:
-        return None
-    return SetTo(changed, state, state_parts(info, state, changed.variant, changed.joints))
+    for _ in range(_DRAWS):
+        changed = item if state in item.states else in_state(item, info, state, rng)
+        if changed is not None and room_to_change(layout, context.home, item, changed):
+            return SetTo(changed, state, state_parts(info, state, changed.variant, changed.joints))
+    return None

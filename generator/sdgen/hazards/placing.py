@@ -12,12 +12,12 @@ from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
 from sdgen.home.context import SPOTS_TRIED, HomeContext
-from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, at_spot, within_room
+from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, at_spot, room_to_change
 from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
-from sdgen.vocabulary import OPENINGS, ZONE_KEEP_SHARE
+from sdgen.vocabulary import ZONE_KEEP_SHARE
 
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
@@ -71,16 +71,7 @@ def _set(
         after = in_state(before, layout.info(before.id), recipe.state, rng)
         if after is None or recipe.state not in after.states:
             continue
-        stood = layout.blocks_of(before)
-        opened = [
-            block
-            for block in layout.blocks_of(after)
-            if not any(block.same_space(other) for other in stood)
-        ]
-        if not layout.fits(opened):
-            continue
-        is_opening = before.category in OPENINGS
-        if not is_opening and not within_room(opened, context.home, before.room_id):
+        if not room_to_change(layout, context.home, before, after):
             continue
         if not context.shows.state(before.id, recipe.state):
             continue

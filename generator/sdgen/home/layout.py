@@ -39,7 +39,7 @@ from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
 from sdgen.scene import Home, ObjectInstance, Opening, Pose
 from sdgen.seeding import Rng
-from sdgen.vocabulary import HALF_WALL_M, ZONE_AVOID_SHARE
+from sdgen.vocabulary import HALF_WALL_M, OPENINGS, ZONE_AVOID_SHARE
 
 #: Things start this far above what they stand on: a contact at the start would push them.
 DROP_M = 0.001
@@ -325,6 +325,21 @@ def random_yaw(rng: Rng, square_to: float = 0.0) -> float:
     if rng.random() < SQUARE_CHANCE:
         return float(square_to + rng.integers(4) * math.pi / 2 + rng.normal(0.0, SQUARE_SPREAD_RAD))
     return float(rng.uniform(-math.pi, math.pi))
+
+
+def room_to_change(
+    layout: Layout, home: Home, before: ObjectInstance, after: ObjectInstance
+) -> bool:
+    """True when what moves between two states of a placed object has room where it comes."""
+    stood = layout.blocks_of(before)
+    opened = [
+        block
+        for block in layout.blocks_of(after)
+        if not any(block.same_space(other) for other in stood)
+    ]
+    if not layout.fits(opened):
+        return False
+    return before.category in OPENINGS or within_room(opened, home, before.room_id)
 
 
 def within_room(

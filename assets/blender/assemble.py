@@ -142,6 +142,19 @@ def decompose(mesh: trimesh.Trimesh) -> list[np.ndarray]:
     return [np.asarray(v) for v, _ in pieces]
 
 
+#: Models whose pieces are taken as they are: drawn out to the mesh they would tip, roll or fill
+#: what is open. Found by `sdgen assets validate`.
+COMPLETE = (
+    "balloon_04",
+    "cushion_05",
+    "headphones_04",
+    "ladle_06",
+    "phone_03",
+    "umbrella_04",
+    "umbrella_06",
+)
+
+
 def hull_pieces(entry: dict, collision: dict) -> list[dict]:
     """Convex pieces of all parts, as the hulls file holds them."""
     pieces = []
@@ -158,7 +171,8 @@ def hull_pieces(entry: dict, collision: dict) -> list[dict]:
             corners = np.round(simplify_hull(points), 4)
             # Slices of a lying thing can be flat: nothing to stand on.
             if np.linalg.matrix_rank(corners - corners[0], tol=1e-3) == 3:
-                pieces.append({"part": part, "vertices_m": corners.tolist()})
+                piece = {"part": part, "vertices_m": corners.tolist()}
+                pieces.append(piece | ({"complete": True} if entry["id"] in COMPLETE else {}))
     return pieces
 
 

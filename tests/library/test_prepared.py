@@ -16,6 +16,7 @@ from sdgen.library import Library, library, prepared
 from sdgen.library.cache import cache_root, usable_cache, write
 from sdgen.library.meshes import MeshData, read_glb, read_hulls, within_meshes
 from sdgen.library.outlines import outlines_of
+from sdgen.library.reaching import reaching_meshes
 from sdgen.scratch import PREFIX
 
 from tests.fakes import MODELS, write_library
@@ -45,7 +46,8 @@ def check(found: Library, folder: Path) -> None:
                 ours = getattr(found.mesh(asset.id)[part], field.name)
                 assert ours.dtype == getattr(mesh, field.name).dtype
                 assert np.array_equal(ours, getattr(mesh, field.name))
-        pieces = within_meshes(read_hulls(folder / asset.hulls, asset), meshes, asset)
+        cut = within_meshes(read_hulls(folder / asset.hulls, asset), meshes, asset)
+        pieces = reaching_meshes(cut, meshes, asset)
         assert [hull.part for hull in found.hulls(asset.id)] == [hull.part for hull in pieces]
         for ours, theirs in zip(found.hulls(asset.id), pieces, strict=True):
             assert np.array_equal(ours.vertices_m, theirs.vertices_m)

@@ -56,16 +56,21 @@ class MeshData:
 
 @dataclass(frozen=True)
 class Hull:
-    """A convex collision piece of a part: the hull of ``vertices_m`` (N, 3)."""
+    """A convex collision piece of a part: the hull of ``vertices_m`` (N, 3).
+
+    ``complete`` says that the part's pieces are to be taken as they are.
+    """
 
     part: str
     vertices_m: Floats
+    complete: bool = False
 
 
 class _Piece(BaseModel):
     model_config = ConfigDict(strict=True)
     part: str
     vertices_m: list[Annotated[list[float], Field(min_length=3, max_length=3)]]
+    complete: bool = False
 
 
 class _Pieces(BaseModel):
@@ -148,7 +153,8 @@ def read_hulls(path: Path, asset: Asset, raw: bytes | None = None) -> tuple[Hull
     raw = file_bytes(path, MAX_BYTES) if raw is None else raw
     try:
         hulls = tuple(
-            Hull(piece.part, np.array(piece.vertices_m, dtype=np.float64)) for piece in _pieces(raw)
+            Hull(piece.part, np.array(piece.vertices_m, dtype=np.float64), piece.complete)
+            for piece in _pieces(raw)
         )
     except ValueError as error:
         raise AssetError([f"{path}: hulls of {asset.id} cannot be read: {error}"]) from None
@@ -202,7 +208,7 @@ def within_meshes(
         moves = joint_of[hull.part]
         vertices = np.concatenate([meshes[k].vertices for k, v in joint_of.items() if v == moves])
         low, high = vertices.min(axis=0) - HULL_SLACK_M, vertices.max(axis=0) + HULL_SLACK_M
-        out.append(Hull(hull.part, np.clip(hull.vertices_m, low, high)))
+        out.append(Hull(hull.part, np.clip(hull.vertices_m, low, high), hull.complete))
     return tuple(out)
 
 

@@ -35,6 +35,7 @@ from sdgen.library.meshes import (
 )
 from sdgen.library.outlines import Points, outlines_of
 from sdgen.library.raw import file_bytes
+from sdgen.library.reaching import reaching_meshes
 from sdgen.library.records import Asset
 
 try:
@@ -98,7 +99,10 @@ def open_files() -> int:
 
 
 def _key(asset: Asset, glb: bytes, hulls: bytes) -> str:
-    named = [(part.name, part.faces, part.joint) for part in asset.parts]
+    named = (
+        [(part.name, part.faces, part.joint) for part in asset.parts],
+        bool(asset.supports or asset.containers),
+    )
     return digest(glb, hulls, repr(named).encode(), _code())
 
 
@@ -178,7 +182,7 @@ def _read(folder: Path, asset: Asset, glb: bytes, hulls: bytes) -> Model:
     pieces = read_hulls(folder / asset.hulls, asset, hulls)
     return Model(
         meshes=meshes,
-        hulls=within_meshes(pieces, meshes, asset),
+        hulls=reaching_meshes(within_meshes(pieces, meshes, asset), meshes, asset),
         outlines_m={part: outlines_of(mesh) for part, mesh in meshes.items()},
     )
 
@@ -187,6 +191,6 @@ def _read(folder: Path, asset: Asset, glb: bytes, hulls: bytes) -> Model:
 def _code() -> bytes:
     """What else decides the arrays: the code that reads models, ours and that of others."""
     here = Path(__file__).parent
-    names = ("glb.py", "meshes.py", "outlines.py", "prepared.py", "quantized.py")
+    names = ("glb.py", "meshes.py", "outlines.py", "prepared.py", "quantized.py", "reaching.py")
     sources = [(here / name).read_bytes() for name in names]
     return digest(f"{version('trimesh')} {np.__version__}".encode(), *sources).encode()

@@ -1,0 +1,80 @@
+"""Collision pieces reach as far as what is drawn, and fill nothing that is open."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import trimesh
+from sdgen.geometry import box_corners
+from sdgen.library import Library
+from sdgen.library.meshes import Hull, MeshData
+from sdgen.library.reaching import OWN_PIECE_M, STANDS_OUT_M, reaching_meshes
+from sdgen.library.records import Asset
+from sdgen.library.shape import corners_of, outside_share, surface_points
+
+from tests.shipped import shipped_library
+
+BOARD = Hull("body", np.array(box_corners((-0.1, -0.1, 0.0), (0.1, 0.1, 0.02))))
+
+
+@pytest.fixture(scope="module")
+def library() -> Library:
+    return shipped_library()
+
+
+@pytest.fixture(scope="module")
+def plain(library: Library) -> Asset:
+    """A model of one part that nothing stands on."""
+    found = (a for a in library.by_category("apple") if not a.supports)
+    return next(found).model_copy(update={"containers": (), "supports": ()})
+
+
+def mesh(*boxes: tuple[tuple[float, float, float], tuple[float, float, float]]) -> MeshData:
+    """Boxes from corner to corner."""
+    made = trimesh.util.concatenate([trimesh.creation.box(bounds=np.array(box)) for box in boxes])
+    count = len(made.vertices)
+    return MeshData(made.vertices, np.zeros((count, 3)), np.zeros((count, 2)), made.faces)
+
+
+def reach(pieces: tuple[Hull, ...]) -> float:
+    return max(float(piece.vertices_m[:, 0].max()) for piece in pieces)
+
+
+def test_a_piece_is_drawn_out_to_what_stands_a_little_out_of_it(plain: Asset) -> None:
+    drawn = mesh(((-0.1, -0.1, 0), (0.108, 0.1, 0.02)))
+    found = reaching_meshes([BOARD], {"body": drawn}, plain)
+    assert len(found) == 1
+    assert reach(found) == pytest.approx(0.108)
+    assert {tuple(p) for p in BOARD.vertices_m} <= {tuple(p) for p in found[0].vertices_m}
+
+
+def test_what_stands_far_out_is_a_piece_of_its_own_and_fills_nothing_between(plain: Asset) -> None:
+    post = ((0.05, -0.01, 0.0), (0.07, 0.01, 0.2))
+    drawn = mesh(((-0.1, -0.1, 0), (0.1, 0.1, 0.02)), post)
+    board, found = reaching_meshes([BOARD], {"body": drawn}, plain)
+    assert np.array_equal(board.vertices_m, BOARD.vertices_m)
+    assert found.vertices_m.max(axis=0) == pytest.approx(post[1])
+    assert found.vertices_m.min(axis=0) == pytest.approx(post[0])
+
+
+def test_what_is_close_enough_complete_or_stood_on_stays_as_it_is(plain: Asset) -> None:
+    near = mesh(((-0.1, -0.1, 0), (0.1 + STANDS_OUT_M / 2, 0.1, 0.02)))
+    assert reaching_meshes([BOARD], {"body": near}, plain) == (BOARD,)
+    far = {"body": mesh(((-0.1, -0.1, 0), (0.1 + 2 * OWN_PIECE_M, 0.1, 0.02)))}
+    complete = Hull("body", BOARD.vertices_m, complete=True)
+    assert reaching_meshes([complete], far, plain) == (complete,)
+    tray = next(a for a in shipped_library().assets.values() if a.supports)
+    assert reaching_meshes([BOARD], far, tray) == (BOARD,)
+    assert reach(reaching_meshes([BOARD], far, plain)) > 0.12
+
+
+@pytest.mark.parametrize("category", ["apple", "orange", "cutting_board", "keyboard", "handbag"])
+def test_shipped_models_do_not_stand_out_of_their_pieces(library: Library, category: str) -> None:
+    for asset in library.by_category(category):
+        if asset.supports or asset.containers or any(h.complete for h in library.hulls(asset.id)):
+            continue
+        parts = asset.variants["default"]
+        pieces = [h.vertices_m for h in library.hulls(asset.id) if h.part in parts]
+        drawn = corners_of([library.mesh(asset.id)[part] for part in parts])
+        points, _ = surface_points(drawn, 300)
+        assert outside_share(points, pieces, 0.006) < 0.1, asset.id

@@ -252,6 +252,7 @@ def test_hazard_only_things_live_nowhere_and_the_rest_is_used() -> None:
         if category.kind == "small":
             assert category.lives, f"{category.name} lives nowhere"
     receptacles = {p.receptacle for room in CATALOG.room_types for p in room.clutter} | {"floor"}
+    receptacles |= {category.name for category in CATALOG.categories if category.holds}
     for category in CATALOG.categories:
         for abode in category.lives:
             assert receptacles & set(abode.targets), (

@@ -160,13 +160,21 @@ class AtMost(Record):
         )
 
 
+class Holds(Record):
+    """How often a small thing holds others where it lies as clutter, and how many."""
+
+    chance: Annotated[float, between(0.0, 1.0)]
+    count: Annotated[tuple[int, int], span(1, 20, whole=True), PAIR]
+
+
 class Category(Record):
     """An object category. ``switched_on``: the share of its furniture that stands switched on.
 
     ``alike``: it comes in several, so that one piece of furniture may hold two of one model.
     ``reserved``: hollows that only take what lives in a hollow of that name. ``belongs_to``: the
     pets, conditions and age groups with which it comes, ``always`` or as often as anything;
-    ``sleeps``: how many a bed is for.
+    ``sleeps``: how many a bed is for. ``holds``: what lives on or in such a small thing is there
+    so often.
     """
 
     name: str
@@ -185,6 +193,7 @@ class Category(Record):
     belongs_to: tuple[str, ...] = ()
     always: bool = False
     sleeps: int = 0
+    holds: Holds | None = None
 
 
 class ClutterPrior(Record):

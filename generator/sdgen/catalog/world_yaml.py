@@ -15,6 +15,7 @@ from sdgen.catalog.records import (
     CategoryKind,
     ClutterPrior,
     FurnitureRule,
+    Holds,
     HomeMix,
     HouseholdTemplate,
     ReachRow,
@@ -129,6 +130,7 @@ class CategoryYaml(Record):
     always: bool = False
     # A family's bed for more is none that anybody sells.
     sleeps: Annotated[int, between(0, 4)] = 0
+    holds: Annotated[Holds | None, Expect("{chance: 0 to 1, count: [least, most]}")] = None
     replaces: bool = False
 
     @model_validator(mode="after")
@@ -139,6 +141,9 @@ class CategoryYaml(Record):
             refuse(problem(("mass_kg",), "masses must be above 0"))
         if self.switched_on and "HAS_SWITCH" not in self.properties:
             refuse(problem(("switched_on",), "only what has the property HAS_SWITCH is ever on"))
+        if self.holds is not None and self.kind != "small":
+            text = "only small things hold others by it; for furniture see 'clutter' of rooms.yaml"
+            refuse(problem(("holds",), text))
         if self.always and not (self.belongs_to and self.lives):
             refuse(problem(("always",), "always needs 'belongs_to' and 'lives': whose, and where?"))
         return self

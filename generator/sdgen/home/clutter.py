@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -14,6 +14,7 @@ from sdgen.catalog.records import Abode, Category
 from sdgen.geometry import Array
 from sdgen.home.context import KEEP_CLEAR, SPOTS_TRIED, HomeContext
 from sdgen.home.layout import Bulk, Intent, Layout
+from sdgen.home.small_on_small import spot_on_small
 from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance, Room
@@ -26,10 +27,15 @@ EXTRA_ROUNDS = 4
 #: Draws for one thing where the home has enough of what was drawn: of twenty that fail, one does
 #: so four times.
 PICKS = 4
+#: Things tried for one place on or in a small thing.
+HELD_TRIES = 6
 
 
-def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
-    """Fill supports and containers of every room by the catalogue's priors.
+def add_clutter(
+    layout: Layout, context: HomeContext, rng: Rng, keep_off: Collection[int] = ()
+) -> None:
+    """Fill supports and containers of every room by the catalogue's priors, and what small things
+    hold; nothing is put on or into the small things of ``keep_off``.
 
     A thing that finds no room is left out: clutter is never worth a retry. A small home whose
     priors give fewer than LEAST_THINGS gets one more on every receptacle, and again.
@@ -62,6 +68,7 @@ def add_clutter(layout: Layout, context: HomeContext, rng: Rng) -> None:
         if choices is not None:
             for _ in range(wanted):
                 _place_on_floor(layout, room, choices, stock, context, rng)
+    _fill_small_things(layout, abodes, stock, context, keep_off, rng)
     for _ in range(EXTRA_ROUNDS):
         for receptacle, room, choices in receptacles:
             if _things(layout) >= LEAST_THINGS:
@@ -168,6 +175,37 @@ class _Abodes:
         return _Choices(among, sums / sums[-1])
 
 
+def _fill_small_things(
+    layout: Layout,
+    abodes: _Abodes,
+    stock: _Stock,
+    context: HomeContext,
+    keep_off: Collection[int],
+    rng: Rng,
+) -> None:
+    """Put things on and into small ones that hold some: those that lie open and are whole."""
+    rooms = {room.id: room for room in context.home.rooms}
+    holds = {c.name: c.holds for c in context.catalog.categories if c.holds is not None}
+    holders = [item for item in layout.items.values() if item.category in holds]
+    # What is put on one may hold more: a plate on a mat, and a roll on the plate.
+    for holder in holders:
+        held = holds[holder.category]
+        lies_open = layout.intents[holder.id].relation == "ON" and holder.variant == "default"
+        if holder.id in keep_off or not lies_open or rng.random() >= held.chance:
+            continue
+        choices = abodes.choices(holder.category, rooms[holder.room_id])
+        if choices is None:
+            continue
+        for _ in range(int(rng.integers(held.count[0], held.count[1] + 1))):
+            # Most of what is drawn is too large for what would hold it.
+            for _ in range(HELD_TRIES):
+                room = rooms[holder.room_id]
+                placed = _place(layout, holder, room, choices, stock, context, rng)
+                if placed is not None:
+                    holders += [placed] if placed.category in holds else []
+                    break
+
+
 def _place(
     layout: Layout,
     receptacle: ObjectInstance,
@@ -176,24 +214,30 @@ def _place(
     stock: _Stock,
     context: HomeContext,
     rng: Rng,
-) -> None:
+) -> ObjectInstance | None:
     picked = choices.pick(room.id, receptacle.id, stock, rng)
     if picked is None:
-        return
+        return None
     asset, abode = picked
     may_hold = partial(context.may_hold, asset.category, receptacle.category)
     shut_in = abode.relation == "INSIDE" and "CLOSED" in receptacle.states
     must_show = not shut_in and context.keeps_to_views(asset.category, rng)
     for _ in range(SPOTS_TRIED):
-        spot = layout.spot_on_object(asset, receptacle.id, abode.relation, rng, may_hold)
+        if receptacle.fixed:
+            spot = layout.spot_on_object(asset, receptacle.id, abode.relation, rng, may_hold)
+        else:
+            spot = spot_on_small(
+                layout, layout.library.info(asset.id), receptacle.id, abode.relation, rng
+            )
         if spot is None:
-            return
+            return None
         if must_show and not context.shows_at(Bulk(asset.extents_m), spot):
             continue
         item = layout.new_item(asset, spot, room.id)
         layout.put(item, Intent(abode.relation, receptacle.id))
         stock.add(item, receptacle.id)
-        return
+        return item
+    return None
 
 
 def _place_somewhere(

@@ -216,7 +216,7 @@ class Layout:
         if point is None or not surface.carries(bulk.size_m, point, yaw):
             return None
         spot = (*bulk.origin(point, yaw), surface.z_m), yaw
-        block = _space(bulk.size_m, (*point, surface.z_m), yaw, GAP_M, DROP_M)
+        block = space_at(bulk.size_m, (*point, surface.z_m), yaw, GAP_M, DROP_M)
         return spot if self.fits([block], ignore=target.id) else None
 
     def _heading(self, asset: AssetInfo, target: ObjectInstance, rng: Rng) -> float:
@@ -281,7 +281,7 @@ class Layout:
                 and print_.intersection(avoid).area > ZONE_AVOID_SHARE * print_.area
             ):
                 continue
-            if self.fits([_space(bulk.size_m, (*point, 0.0), yaw, FLOOR_GAP_M)]):
+            if self.fits([space_at(bulk.size_m, (*point, 0.0), yaw, FLOOR_GAP_M)]):
                 return (*bulk.origin(point, yaw), 0.0), yaw
         return None
 
@@ -356,7 +356,7 @@ def within_room(
     return all(area.covers(b.shape) and b.high_m <= room.height_m for b in blocks)
 
 
-def _space(size: Vec3, base: Vec3, yaw: float, gap_m: float, over_m: float = 0.0) -> Block:
+def space_at(size: Vec3, base: Vec3, yaw: float, gap_m: float, over_m: float = 0.0) -> Block:
     """The space a new thing of a size takes whose base has its middle there, from ``over_m`` above
     its surface, and a gap around.
 

@@ -82,7 +82,7 @@ def place_contents(
     if isinstance(anomalies, Rejection):
         return anomalies
     lookalikes = add_lookalikes(layout, home.context, anomalies, rng)
-    add_clutter(layout, home.context, rng)
+    add_clutter(layout, home.context, rng, {injected.object_id for injected in anomalies})
     return Contents(
         items=dict(layout.items),
         intents=dict(layout.intents),

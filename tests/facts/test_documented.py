@@ -10,6 +10,7 @@ from sdgen.vocabulary import CHILD_REACH_M, RELATIONS, TAGS, ZONE_SHARE, ZONE_SH
 
 OUTPUT = data_path("hazard_catalog").parent / "output" / "README.md"
 PAGES = (data_path("hazard_catalog", "README.md"), OUTPUT)
+RELATIONS_PAGE = OUTPUT.parent.parent / "docs" / "relations.md"
 DEGREES = t.Threshold(*(math.degrees(value) for value in t.FACING_RAD))
 
 #: Relation or term, what is measured, which side of the limit holds, the threshold.
@@ -56,6 +57,21 @@ def test_the_table_has_every_threshold(page):
     assert len(table) == len(ROWS), "a row that no threshold has"
     flat = " ".join(text.split())
     assert [words for words in SENTENCES if words not in flat] == []
+
+
+def test_the_page_of_relations_has_every_threshold_with_its_source():
+    text = RELATIONS_PAGE.read_text(encoding="utf-8")
+    table = [row for row in text.splitlines() if row.count("|") == 6 and " to " in row]
+    assert len(table) == len(ROWS), "a row that no threshold has"
+    for row in ROWS:
+        (found,) = (told for told in table if told.startswith(line(*row)))
+        assert len(found.removeprefix(line(*row)).strip(" |")) > 10, "a source"
+    flat = " ".join(text.split())
+    assert all(f"| `{name}` |" in flat for name in RELATIONS)
+    assert f"`IN_REACH_OF_CHILD` | loose, at most {CHILD_REACH_M:g} m up" in flat
+    assert f"`NEAR_EDGE` | its centre is less than {t.NEAR_EDGE_M:g} m" in flat
+    assert f"`IN_DOORWAY`, `IN_WALKWAY` | at least {ZONE_SHARE:g} of its footprint" in flat
+    assert f"less than {t.BEARING_LEAST_M:g} m away" in flat
 
 
 def test_every_relation_tag_and_threshold_is_there():

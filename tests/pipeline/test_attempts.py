@@ -9,11 +9,12 @@ import pytest
 from sdgen.engines.protocol import Outcome
 from sdgen.engines.tally import Tally
 from sdgen.errors import SceneRejected
+from sdgen.facts import bodies_of
 from sdgen.hazards.placing import Injected
 from sdgen.home.layout import Intent
 from sdgen.options import BuildOptions
 from sdgen.pipeline import scene as scene_module
-from sdgen.pipeline.attempt import placed
+from sdgen.pipeline.attempt import placed, staying_bodies
 from sdgen.pipeline.contents import Contents, Reduced, without
 from sdgen.pipeline.finish import check_undone, with_history
 from sdgen.pipeline.scene import OVERLAP_HOMES, OVERLAP_TRIES, furnish_for, make_scene, overlap_of
@@ -145,3 +146,18 @@ def test_overlapping_hazards_are_not_tried_a_hundred_times(cause, homes, tries, 
     tally = Tally(1)
     tally.take_failed(Outcome(0, error=caught.value))
     assert tally.report(Path(), 0.0, 0.0, "none").home_attempts == homes
+
+
+def test_an_open_fridge_is_in_the_way_and_a_dropped_thing_is_picked_up():
+    bodies = {
+        body.item.id: body
+        for body in bodies_of(
+            [
+                toy.thing(11, "stove_01", (3.5, 0.5, 0), variant="lit", fixed=True),
+                toy.thing(40, "milk_carton_01", (1.4, 0.8, 0)),
+                toy.thing(9, "cushion_01", (2.4, 0.8, 0)),
+            ],
+            toy.infos(),
+        )
+    }
+    assert [body.item.id for body in staying_bodies(bodies, {11, 40})] == [11, 9]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Container, Mapping
 from dataclasses import dataclass
 
 from sdgen.facts import Body, Facts
@@ -111,6 +112,12 @@ def _benign_bodies(rested: Rested) -> list[Body]:
     ]
 
 
+def staying_bodies(bodies: Mapping[int, Body], anomalies: Container[int]) -> list[Body]:
+    """What a way through the home goes around: all but loose anomalies, which may lie in a doorway
+    and are picked up. The open door of a fridge stays."""
+    return [body for key, body in bodies.items() if body.item.fixed or key not in anomalies]
+
+
 def _proved(
     home: FurnishedHome,
     rested: Rested,
@@ -119,7 +126,7 @@ def _proved(
     library: Library,
 ) -> Proved | Rejection:
     contents = rested.contents
-    obstacles = floor_obstacles(_benign_bodies(rested))
+    obstacles = floor_obstacles(staying_bodies(rested.facts.bodies, contents.anomalies))
     cut_off = unreachable_rooms(home.context.home, free_shape(home.context.home, obstacles))
     if cut_off:
         return reject("proof", "room_cut_off", category=cut_off[0].type)

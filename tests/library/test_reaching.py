@@ -9,7 +9,7 @@ from sdgen.geometry import box_corners
 from sdgen.library import Library
 from sdgen.library.meshes import Hull, MeshData
 from sdgen.library.reaching import OWN_PIECE_M, STANDS_OUT_M, reaching_meshes
-from sdgen.library.records import Asset
+from sdgen.library.records import Asset, Support
 from sdgen.library.shape import corners_of, outside_share, surface_points
 
 from tests.shipped import shipped_library
@@ -63,9 +63,29 @@ def test_what_is_close_enough_complete_or_stood_on_stays_as_it_is(plain: Asset) 
     far = {"body": mesh(((-0.1, -0.1, 0), (0.1 + 2 * OWN_PIECE_M, 0.1, 0.02)))}
     complete = Hull("body", BOARD.vertices_m, complete=True)
     assert reaching_meshes([complete], far, plain) == (complete,)
-    tray = next(a for a in shipped_library().assets.values() if a.supports)
-    assert reaching_meshes([BOARD], far, tray) == (BOARD,)
+    assert reaching_meshes([BOARD], far, tray(plain, 0.5)) == (BOARD,)
     assert reach(reaching_meshes([BOARD], far, plain)) > 0.12
+
+
+def tray(plain: Asset, z_m: float) -> Asset:
+    ring = ((-0.09, -0.09), (0.09, -0.09), (0.09, 0.09), (-0.09, 0.09))
+    support = Support(name="top", part="body", z_m=z_m, polygon_m=ring)
+    return plain.model_copy(update={"supports": (support,)})
+
+
+def test_a_piece_just_below_a_support_is_raised_to_it(plain: Asset) -> None:
+    drawn = {"body": mesh(((-0.1, -0.1, 0), (0.1, 0.1, 0.026)))}
+    (raised,) = reaching_meshes([BOARD], drawn, tray(plain, 0.026))
+    assert sorted(set(raised.vertices_m[:, 2].tolist())) == [0.0, 0.026]
+    for z_m in (0.02, 0.015, 0.04):
+        assert reaching_meshes([BOARD], drawn, tray(plain, z_m)) == (BOARD,)
+
+
+def test_pieces_reach_the_supports_of_shipped_furniture(library: Library) -> None:
+    for asset in (*library.by_category("freezer"), *library.by_category("bed")):
+        tops = {round(float(h.vertices_m[:, 2].max()), 4) for h in library.hulls(asset.id)}
+        short = [s.z_m for s in asset.supports if any(0.001 < s.z_m - top < 0.01 for top in tops)]
+        assert not [z for z in short if z not in tops], asset.id
 
 
 @pytest.mark.parametrize("category", ["apple", "orange", "cutting_board", "keyboard", "handbag"])

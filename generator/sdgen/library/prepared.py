@@ -101,7 +101,8 @@ def open_files() -> int:
 def _key(asset: Asset, glb: bytes, hulls: bytes) -> str:
     named = (
         [(part.name, part.faces, part.joint) for part in asset.parts],
-        bool(asset.supports or asset.containers),
+        [(support.part, support.z_m, support.polygon_m) for support in asset.supports],
+        bool(asset.containers),
     )
     return digest(glb, hulls, repr(named).encode(), _code())
 

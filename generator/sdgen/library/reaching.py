@@ -17,6 +17,8 @@ STANDS_OUT_M = 0.002
 #: What stands out further is a piece of its own: a handle, a strap. Drawing the next piece out to
 #: it would fill all that is between.
 OWN_PIECE_M = 0.015
+#: Corners this near the highest one make a piece's top.
+FLAT_TOP_M = 0.001
 #: Directions (N, 3) a piece's reach is measured in; on a ball of radius r it is known to 0.01 r.
 _DIRECTIONS = 162
 
@@ -28,11 +30,12 @@ def reaching_meshes(
 
     Pieces cut an apple's cheeks and a board's handle off: the one sank 7 mm into the table, the
     other stuck in the wall. Only for models that nothing stands on or in: a piece drawn out to the
-    rim of a tray would lift what lies on it. Parts without any piece stay without: flames, steam;
-    those whose pieces are ``complete`` stay as they are.
+    rim of a tray would lift what lies on it. Of others a piece just below a support is raised to
+    it. Parts without any piece stay without: flames, steam; those whose pieces are ``complete``
+    stay as they are.
     """
     if asset.supports or asset.containers:
-        return tuple(hulls)
+        return tuple(_up_to_supports(hull, asset) for hull in hulls)
     out = list(hulls)
     for part in dict.fromkeys(hull.part for hull in hulls):
         if any(hull.complete for hull in hulls if hull.part == part):
@@ -49,6 +52,25 @@ def reaching_meshes(
         faces = same.reshape(-1)[meshes[part].faces]
         out += [Hull(part, points) for points in _own(corners, faces, least)]
     return tuple(out)
+
+
+def _up_to_supports(hull: Hull, asset: Asset) -> Hull:
+    """The piece with its level top raised to the support that lies a little above it: what is put
+    there stands on what is drawn."""
+    if hull.complete:
+        return hull
+    points = hull.vertices_m
+    top = float(points[:, 2].max())
+    level = points[:, 2] > top - FLAT_TOP_M
+    low, high = points[level, :2].min(axis=0), points[level, :2].max(axis=0)
+    for support in asset.supports:
+        ring = np.array(support.polygon_m)
+        above = 0.0 < support.z_m - top <= OWN_PIECE_M and support.part == hull.part
+        if above and (high > ring.min(axis=0)).all() and (low < ring.max(axis=0)).all():
+            raised = points.copy()
+            raised[level, 2] = support.z_m
+            return Hull(hull.part, raised, hull.complete)
+    return hull
 
 
 def _beyond(points: Array, piece: Array) -> Array:

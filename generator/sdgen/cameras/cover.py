@@ -21,7 +21,7 @@ _DEPTH_M = (0.45, 3.0)
 _MARGIN_PIXELS = 16
 #: Rays along a side of what is set to a state: few choose, many count in the end. It must show so
 #: many times what a glance needs, since other things will stand before it, and from no further.
-_GRID, _STATE_TIMES, _FAR_M = 5, 1.5, 5.0
+_GRID, _STATE_TIMES, _FAR_M = 5, 2.5, 5.0
 #: A ray that ends so near to a point has met what the point stands at, or nothing.
 _AT_M = 0.03
 #: What a spot counts that views show already: less, not nothing.

@@ -20,8 +20,8 @@ Bools = npt.NDArray[np.bool_]
 PIXELS_NEEDED = 1.5 * EVIDENCE_PIXELS
 #: Surface of a small thing, a mug or a bowl; larger ones must show more pixels.
 SMALL_M2 = 0.04
-#: Enough to tell a wardrobe: 1 % of a picture of 640x480. More would refuse most views of it.
-GLANCE_MOST = 3000.0
+#: Enough to tell a wardrobe: 45 x 45 pixels. More would refuse most views of it.
+GLANCE_MOST = 2000.0
 #: Points nearer to a camera than this are not in its picture.
 _NEAREST_M = 0.05
 #: What is to lie somewhere must show so much of itself, by its outermost points, and so many times

@@ -48,7 +48,9 @@ _NEAREST_AIM_M = 0.5
 #: Free floor below this is a gap between furniture, square metres.
 _LEAST_FLOOR_M2 = 0.01
 #: Poses of a leaf between shut and wide open.
-_LEAF_STEPS = 4
+_LEAF_STEPS = 3
+#: Outlines of free floor are this exact: plain overlays stumble over slivers.
+_GRID_M = 1e-4
 #: Points thrown into the ring so that enough fall on the free floor, a fortieth of it at worst.
 _DRAWS = 40 * _EYES
 
@@ -121,7 +123,7 @@ def _beside(eye: Array, place: Array, aim: Array) -> Array:
 def _overviews(rooms: Sequence[Room], free: BaseGeometry, rng: Rng) -> Iterator[View]:
     for room in rooms:
         outline = Polygon(room.polygon_m)
-        floor = free.intersection(outline)
+        floor = shapely.intersection(free, outline, grid_size=_GRID_M)
         if floor.area < _LEAST_FLOOR_M2:
             continue
         middle = np.array([*outline.centroid.coords[0], _AIM_Z_M])

@@ -244,12 +244,14 @@ def _supports(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surfa
 def _floors(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surface]:
     taken = union(list(_standing(layout)))
     for room in context.home.rooms:
-        floor = context.floor(room.id).difference(taken)
+        floor = context.floor(room.id)
         x0, y0, x1, y1 = Polygon(room.polygon_m).bounds
         drawn = round((x1 - x0) * (y1 - y0) * _ON_FLOOR_M2)
         points = np.column_stack([rng.uniform((x0, y0), (x1, y1), (drawn, 2)), np.zeros(drawn)])
         points[:, 2] = ABOVE_M
-        points = points[shapely.contains_xy(floor, points[:, 0], points[:, 1])]
+        free = shapely.contains_xy(floor, points[:, 0], points[:, 1])
+        free &= ~shapely.contains_xy(taken, points[:, 0], points[:, 1])
+        points = points[free]
         if len(points):
             yield _Surface(None, room, "ON", points)
 

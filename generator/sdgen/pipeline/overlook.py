@@ -27,6 +27,9 @@ from sdgen.rejection import Rejection, reject
 from sdgen.scene import Anomaly, Camera, Scene
 from sdgen.seeding import Rng
 
+#: Outlines of where cameras may stand are this exact: plain overlays stumble over slivers.
+_GRID_M = 1e-4
+
 
 def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> FurnishedHome:
     """The home with ``count`` views or, if more, the canonical ones, and with what these show.
@@ -37,7 +40,8 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
     context, layout, library = home.context, home.layout, home.layout.library
     spots = spots_of(context, layout, rng)
     swept = swept_by(layout, spots.states).buffer(CLEARANCE_M)
-    free = shapely.union_all([Polygon(ring) for ring in home.free_space]).difference(swept)
+    free = shapely.union_all([Polygon(ring) for ring in home.free_space])
+    free = shapely.difference(free, swept, grid_size=_GRID_M)
     views = candidates(library, context.home.rooms, free, spots, rng)
     states = np.zeros((len(views), len(spots.states)), dtype=np.bool_)
     for numbers in _at_once(spots.states):

@@ -81,6 +81,14 @@ def test_a_piece_just_below_a_support_is_raised_to_it(plain: Asset) -> None:
         assert reaching_meshes([BOARD], drawn, tray(plain, z_m)) == (BOARD,)
 
 
+def test_of_what_is_stood_on_the_feet_are_reached_for(plain: Asset) -> None:
+    foot, rim = ((-0.05, -0.05, -0.01), (0.05, 0.05, 0.0)), ((0.08, -0.1, 0.0), (0.1, 0.1, 0.03))
+    drawn = {"body": mesh(((-0.1, -0.1, 0), (0.1, 0.1, 0.02)), foot, rim)}
+    (found,) = reaching_meshes([BOARD], drawn, tray(plain, 0.02))
+    assert found.vertices_m[:, 2].min() == pytest.approx(-0.01)
+    assert found.vertices_m[:, 2].max() == pytest.approx(0.02)
+
+
 def test_pieces_reach_the_supports_of_shipped_furniture(library: Library) -> None:
     for asset in (*library.by_category("freezer"), *library.by_category("bed")):
         tops = {round(float(h.vertices_m[:, 2].max()), 4) for h in library.hulls(asset.id)}

@@ -29,28 +29,34 @@ def reaching_meshes(
     """The pieces, drawn out to what stands a little out of all of them, and more for the rest.
 
     Pieces cut an apple's cheeks and a board's handle off: the one sank 7 mm into the table, the
-    other stuck in the wall. Only for models that nothing stands on or in: a piece drawn out to the
-    rim of a tray would lift what lies on it. Of others a piece just below a support is raised to
-    it. Parts without any piece stay without: flames, steam; those whose pieces are ``complete``
-    stay as they are.
+    other stuck in the wall. Of models that things stand on or in only the feet are reached for: a
+    piece drawn out to the rim of a tray would lift what lies on it; but a piece just below a
+    support is raised to it. Parts without any piece stay without: flames, steam; those whose
+    pieces are ``complete`` stay as they are.
     """
-    if asset.supports or asset.containers:
-        return tuple(_up_to_supports(hull, asset) for hull in hulls)
-    out = list(hulls)
+    stood_on = bool(asset.supports or asset.containers)
+    out = [_up_to_supports(hull, asset) for hull in hulls] if stood_on else list(hulls)
+    lowest = min(float(hull.vertices_m[:, 2].min()) for hull in hulls)
     for part in dict.fromkeys(hull.part for hull in hulls):
         if any(hull.complete for hull in hulls if hull.part == part):
+            continue
+        feet = meshes[part].vertices[:, 2] < lowest - STANDS_OUT_M
+        if stood_on and not feet.any():
             continue
         mine = [k for k, hull in enumerate(hulls) if hull.part == part]
         corners, same = np.unique(meshes[part].vertices, axis=0, return_inverse=True)
         beyond = np.array([_beyond(corners, hulls[k].vertices_m) for k in mine])
         nearest, least = beyond.argmin(axis=0), beyond.min(axis=0)
         near = (least > STANDS_OUT_M) & (least <= OWN_PIECE_M)
+        if stood_on:
+            near &= corners[:, 2] < lowest - STANDS_OUT_M
         for place, k in enumerate(mine):
             added = corners[near & (nearest == place)]
             if len(added):
-                out[k] = Hull(part, np.concatenate([hulls[k].vertices_m, _outer(added)]))
-        faces = same.reshape(-1)[meshes[part].faces]
-        out += [Hull(part, points) for points in _own(corners, faces, least)]
+                out[k] = Hull(part, np.concatenate([out[k].vertices_m, _outer(added)]))
+        if not stood_on:
+            faces = same.reshape(-1)[meshes[part].faces]
+            out += [Hull(part, points) for points in _own(corners, faces, least)]
     return tuple(out)
 
 

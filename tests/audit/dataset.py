@@ -382,6 +382,10 @@ class Scene:
     def lookalikes(self) -> set[int]:
         return {item["object_id"] for item in self.labels["lookalikes"]}
 
+    def forget(self) -> None:
+        """Let go of meshes where they stand: of hundreds of homes they fill the memory."""
+        self.__dict__.pop("things", None)
+
     def found(self, thing: Thing | None, what: str, measured: float | None = None) -> Finding:
         if thing is not None:
             what = f"{thing.category} ({self.room_type(thing)}): {what}"

@@ -115,6 +115,7 @@ def picture_rows(scenes: list[Scene]) -> Rows:
             most = max((item["pixels"] for _, item, _ in shown), default=0)
             about["seen"] = bool(most >= SEEN_PIXELS * scale)
             rows.about.append(about)
+        scene.forget()
     return rows
 
 
@@ -244,6 +245,7 @@ def placement_rows(scenes: list[Scene]) -> Rows:
                 ]
             )
             rows.about.append(what_it_is(scene, thing, near_miss) | {"seen": True})
+        scene.forget()
     return rows
 
 
@@ -286,6 +288,7 @@ def record_rows(scenes: list[Scene]) -> Rows:
             rank = order.index(thing.id) / len(order)
             rows.values.append([rank, thing.id, thing.id % 10, int(prefab[-6:], 16), *digits])
             rows.about.append(what_it_is(scene, thing, near_miss) | {"seen": True})
+        scene.forget()
     return rows
 
 

@@ -32,6 +32,9 @@ CUT = re.compile(r"\b(half|halves|wedges?|slices|sliced|cut|peeled|pieces)\b")
 OPENED = re.compile(r"\bopened (tin|jar)\b|\bcream cake\b")
 #: Cut and yet dry: no food that spoils.
 KEEPS = {"bread", "cheese", "cake", "chocolate_bar", "strawberries", "cutting_board"}
+#: Spotted bananas and dark avocados are ripe (FoodKeeper); other produce with brown spots is not
+#: what a person would still eat without a second look.
+EATEN_RIPE = {"banana", "avocado"}
 GLASSES = {"wine_glass", "drinking_glass"}
 COLD = {"fridge", "freezer", "trash_bin"}
 #: 16 CFR 1501.4: the small-parts cylinder, metres.
@@ -85,7 +88,8 @@ def within_reach(scene: Scene) -> Iterator[Finding]:
     climbed = steps(scene)
     for hazard, age in BY_REACH.items():
         arm = scene.catalogue.reach(age)
-        categories = scene.catalogue.categories_of(hazard)
+        # Glasses are poison when filled, which is a check of its own.
+        categories = scene.catalogue.categories_of(hazard) - GLASSES
         for thing in scene.things.values():
             if thing.category not in categories or hazard in scene.hazards_of.get(thing.id, set()):
                 continue
@@ -130,7 +134,7 @@ def bare_blades(scene: Scene) -> Iterator[Finding]:
     """Stands that show their blades within reach."""
     arm = scene.catalogue.reach(BY_REACH["sharp_object"])
     for thing in scene.things.values():
-        bare = thing.category == "knife_block" and "magnetic" in thing.title
+        bare = "knife" in thing.title and "magnetic" in thing.title
         if bare and thing.bottom <= arm and not scene.hazards_of.get(thing.id):
             yield scene.found(thing, "bare blades within reach", thing.bottom)
 
@@ -160,10 +164,11 @@ def grapes(scene: Scene) -> Iterator[Finding]:
 
 
 def overripe(scene: Scene) -> Iterator[Finding]:
-    """Lookalikes of mouldy food that are called overripe: do they look spoiled?"""
+    """Lookalikes of mouldy food that look spoiled: overripe, and not of those eaten so."""
     for thing in scene.small:
-        if thing.id in scene.lookalikes and "OVERRIPE" in thing.states:
-            yield scene.found(thing, "an overripe lookalike")
+        ripe = "OVERRIPE" in thing.states and thing.category not in EATEN_RIPE
+        if ripe and not scene.hazards_of.get(thing.id):
+            yield scene.found(thing, "overripe, unlabelled")
 
 
 def fits_cylinder(points: Floats) -> bool:

@@ -68,7 +68,11 @@ def reasons(scene: Scene) -> Iterator[Finding]:
 
 
 def report(scene: Scene) -> Iterator[Finding]:
-    """``report`` and ``notify`` against the documented rule: concern, choice, urgency."""
+    """``report`` and ``notify`` against the documented rule: concern, choice, urgency.
+
+    Where one lives with a pet or a condition that raises a hazard, it is told at once.
+    """
+    lived_with = {*scene.household["pets"], *scene.household["conditions"]}
     ages = [member["age"] for member in scene.household["members"]]
     for label in scene.labels["anomalies"]:
         hazard = scene.catalogue.hazards[label["hazard"]]
@@ -81,6 +85,9 @@ def report(scene: Scene) -> Iterator[Finding]:
         notify = chosen or ("summary" if hazard["urgency"] == "low" else "now")
         if not young:
             notify = "silent"
+        for raised in hazard["concerns"].get("raised_by", []):
+            if lived_with & set(raised["living_with"]):
+                notify = "now"
         if (label["notify"], label["report"]) != (notify, notify != "silent"):
             told = f"notify {label['notify']}, report {label['report']}, by the rule {notify}"
             yield scene.found(scene.things[label["object_id"]], f"{label['hazard']}: {told}")

@@ -27,13 +27,9 @@ def moved(thing: Thing, joint: str, value: float) -> list[Part]:
     return [part for part in thing.posed(joints) if part.joint == joint]
 
 
-def is_pulled_away(scene: Scene, other: Thing) -> bool:
+def is_pulled_away(other: Thing) -> bool:
     """Chairs and stools give way to a drawer."""
-    return (
-        other.has("MOVABLE", scene.catalogue)
-        and other.has("SITTABLE", scene.catalogue)
-        and (other.record["mass_kg"] < 12)
-    )
+    return other.category in {"chair", "office_chair", "stool", "bar_stool", "high_chair"}
 
 
 def obstacle(scene: Scene, thing: Thing, parts: list[Part]) -> tuple[float, str]:
@@ -48,7 +44,7 @@ def obstacle(scene: Scene, thing: Thing, parts: list[Part]) -> tuple[float, str]
                 if depth > worst:
                     worst, name = depth, "a wall"
         for other in scene.things.values():
-            if other.id == thing.id or not other.fixed or is_pulled_away(scene, other):
+            if other.id == thing.id or not other.fixed or is_pulled_away(other):
                 continue
             if not overlap(other.box, part.box, TOUCH_M):
                 continue

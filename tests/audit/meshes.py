@@ -21,6 +21,8 @@ Bools = npt.NDArray[np.bool_]
 
 #: Distance of samples on a surface, metres: on things, and on what is larger than 0.3 m.
 FINE_M, COARSE_M = 0.01, 0.03
+#: Pieces whose surfaces come this near belong together, metres.
+TOUCHING_M = 0.004
 
 _TYPES = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
@@ -63,6 +65,24 @@ class Mesh:
         _, piece = connected_components(graph, directed=False)
         of_face = piece[joined[:, 0]]
         return [np.flatnonzero(of_face == k) for k in np.unique(of_face)]
+
+    @cached_property
+    def clusters(self) -> list[Ints]:
+        """The faces of pieces that touch one another: a handle is on the shard it belongs to."""
+        pieces = self.pieces
+        if len(pieces) < 2:
+            return pieces
+        points = [spread(self.vertices[self.faces[f]], TOUCHING_M)[0] for f in pieces]
+        owner = np.concatenate([np.full(len(p), k) for k, p in enumerate(points)])
+        pairs = cKDTree(np.concatenate(points)).query_pairs(TOUCHING_M, output_type="ndarray")
+        rows, columns = owner[pairs[:, 0]], owner[pairs[:, 1]]
+        shape = (len(pieces), len(pieces))
+        graph = coo_matrix((np.ones(len(rows)), (rows, columns)), shape=shape)
+        _, cluster = connected_components(graph, directed=False)
+        return [
+            np.concatenate([pieces[k] for k in np.flatnonzero(cluster == c)])
+            for c in np.unique(cluster)
+        ]
 
 
 def spread(corners: Floats, spacing: float) -> tuple[Floats, Floats]:

@@ -93,7 +93,7 @@ def shards_in_air(scene: Scene) -> Iterator[Finding]:
             if part.name != "shards":  # what is cracked hangs together
                 continue
             hanging = []
-            for faces in part.mesh.pieces:
+            for faces in part.mesh.clusters:
                 own = part.triangles[faces]
                 if np.ptp(own.reshape(-1, 3), axis=0).max() < CRUMB_M:
                     continue
@@ -146,7 +146,9 @@ def penetration(a: Thing, b: Thing, least: float = PENETRATION_M) -> tuple[float
         for other in b.solids:
             if not overlap(part.box, other.box, least):
                 continue
-            for inner, outer in ((part, other), (other, part)):
+            for inner, outer, name in ((part, other, b.category), (other, part, a.category)):
+                if name in CLOTH:  # cloth is no solid, and piles of it have no underside
+                    continue
                 points = np.concatenate([inner.vertices, inner.world(inner.mesh.samples[0])])
                 near = ((points > outer.box[0]) & (points < outer.box[1])).all(1)
                 if near.any():

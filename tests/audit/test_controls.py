@@ -226,7 +226,7 @@ PLANTS: dict[str, Plant] = {
     "reach: unlabelled and within reach": shelf_over_a_seat,
     "food: cut, opened or cream, out": lambda d: table_thing(d, "apple_08"),
     "food: frozen, in the fridge": lambda d: inside_of(d, "frozen_pizza_05", "fridge_01", "inside"),
-    "sharp: bare blades on a stand": lambda d: d.on_top("knife_block_04", d.any("kitchen_counter")),
+    "sharp: bare blades on a stand": lambda d: d.on_top("knife_stand_01", d.any("kitchen_counter")),
     "alcohol: filled glasses": lambda d: table_thing(d, "wine_glass_02"),
     "choking: grapes": lambda d: table_thing(d, "grapes_01"),
     "physics: in the air": lambda d: d.put("mug_02", d.open_floor() + 0.05 * UP),
@@ -299,7 +299,7 @@ def kept_oddly(draft: Draft) -> int:
 
 PLANTS |= {
     "choking: labelled, too large": too_large,
-    "expired: overripe lookalikes": overripe,
+    "expired: overripe, unlabelled": overripe,
     "physics: shards in the air": over_the_edge,
     "physics: furniture in furniture": lamp_in_a_shelf,
     "physics: through rugs and mats": through_a_rug,

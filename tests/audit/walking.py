@@ -114,7 +114,7 @@ def cannot_be_used(scene: Scene) -> Iterator[Finding]:
         for id, other in ground.blocks.items():
             if scene.things[id].bottom > SHOULDER_M:
                 continue
-            movable = is_pulled_away(scene, scene.things[id])
+            movable = is_pulled_away(scene.things[id])
             if id != thing.id and not movable and other.intersection(need).area > 0.01:
                 gap = float(other.distance(at))
                 yield scene.found(thing, f"faces {scene.things[id].category} {id}", gap)

@@ -57,6 +57,7 @@ CHECKS: dict[str, Check] = {
     "graph: ON": graph.on,
     "graph: INSIDE": graph.inside,
     "graph: FACING": graph.facing,
+    "graph: zones and BLOCKS": graph.zones,
     "pictures: masks and visibility": pictures.visibility,
 }
 

@@ -27,7 +27,7 @@ def stands_up(thing: Thing) -> bool:
 
 
 def faces_wall(scene: Scene) -> Iterator[Finding]:
-    """Frames, clocks and screens that look at a wall (a tall piece of furniture is one, too)."""
+    """Frames, clocks and screens that look at a wall."""
     for thing in scene.things.values():
         if thing.category not in SHOWS or not stands_up(thing) or "BROKEN" in thing.states:
             continue

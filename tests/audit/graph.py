@@ -133,3 +133,30 @@ def facing(scene: Scene) -> Iterator[Finding]:
             if (angle < 65 and not told) or (angle > 85 and told):
                 word = "FACING" if told else "not FACING"
                 yield scene.found(seat, f"{word} {other.category} {other.id}", angle)
+
+
+def zones(scene: Scene) -> Iterator[Finding]:
+    """IN_DOORWAY, IN_WALKWAY and BLOCKS: half of the footprint in such zones."""
+    shapes: dict[str, list[shapely.Geometry]] = {"doorway": [], "walkway": []}
+    doorways: dict[int, list[shapely.Geometry]] = {}
+    for zone in scene.scene["zones"]:
+        if zone["kind"] in shapes:
+            shape = shapely.Polygon(zone["polygon_m"]).buffer(0)
+            shapes[zone["kind"]].append(shape)
+            if zone["kind"] == "doorway":
+                doorways.setdefault(zone["source_id"], []).append(shape)
+    union = {kind: shapely.union_all(found) for kind, found in shapes.items()}
+    for thing in scene.small:
+        low = thing.bottom < 0.45  # doorways and walkways end at the knee
+        area = thing.footprint.area or 1e-9
+        for kind, shape in union.items():
+            share = thing.footprint.intersection(shape).area / area if low else 0.0
+            told = f"IN_{kind.upper()}" in scene.nodes[thing.id]["tags"]
+            if abs(thing.bottom - 0.5) > 0.06 and (share < 0.47 if told else share > 0.53):
+                yield scene.found(thing, f"{'' if told else 'not '}IN_{kind.upper()}", share)
+        for door, found in doorways.items():
+            share = thing.footprint.intersection(shapely.union_all(found)).area / area
+            told = (thing.id, "BLOCKS", door) in scene.edges
+            sure = thing.height > 0.036 and share > 0.66 and low
+            if (told and (share < 0.34 or thing.height < 0.024)) or (sure and not told):
+                yield scene.found(thing, f"{'' if told else 'not '}BLOCKS door {door}", share)

@@ -164,7 +164,7 @@ def grapes(scene: Scene) -> Iterator[Finding]:
 
 
 def overripe(scene: Scene) -> Iterator[Finding]:
-    """Lookalikes of mouldy food that look spoiled: overripe, and not of those eaten so."""
+    """Unlabelled produce that looks spoiled: overripe, and not of a kind that is eaten so."""
     for thing in scene.small:
         ripe = "OVERRIPE" in thing.states and thing.category not in EATEN_RIPE
         if ripe and not scene.hazards_of.get(thing.id):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tests.audit.checks import CHECKS, MANY, NOT_YET, WHOLE
-from tests.audit.dataset import ROOT, DataSet, Scene
+from tests.audit.dataset import ROOT, DataSet, Floats, Scene
 from tests.audit.drafts import Draft, library
 
 #: Plants a fault; the object that must be found, or None for one of the whole scene.
@@ -209,6 +209,12 @@ def not_facing(draft: Draft) -> int:
     return sofa
 
 
+def door_sill(draft: Draft) -> Floats:
+    """The middle of a doorway's zone."""
+    zone = next(z for z in draft.original.scene["zones"] if z["kind"] == "doorway")
+    return np.array([*np.mean(zone["polygon_m"], axis=0), 0.0])
+
+
 def wrong_pixels(draft: Draft) -> int:
     item = draft.files["visibility"]["views"][0]["objects"][0]
     item["pixels"] += 7
@@ -252,6 +258,7 @@ PLANTS: dict[str, Plant] = {
     "graph: ON": lambda d: less(d, "ON"),
     "graph: INSIDE": lambda d: less(d, "INSIDE"),
     "graph: FACING": not_facing,
+    "graph: zones and BLOCKS": lambda d: d.on_floor("backpack_01", door_sill(d)),
     "pictures: masks and visibility": wrong_pixels,
 }
 

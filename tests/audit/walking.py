@@ -69,7 +69,7 @@ def in_nobodys_way(scene: Scene) -> Iterator[Finding]:
 
 
 def unreachable(scene: Scene) -> Iterator[Finding]:
-    """Rooms that a body of 0.5 m cannot enter from the front door, and doors it cannot pass."""
+    """Rooms that a body of 0.5 m cannot enter from the front door."""
     ground = Ground(scene)
     start = next(
         (ground.nearest(at, 0.6) for id, rooms, at in ground.doors() if len(rooms) == 1), None

@@ -114,6 +114,43 @@ def test_the_reason_is_a_sentence(ages: tuple[int, ...], height: float, reason: 
 
 
 @pytest.mark.parametrize(
+    ("ages", "above", "floor", "report", "reason"),
+    [
+        # What is low enough anyway is taken from the floor.
+        ((3,), 0.3, 0.75, True, "A child of 3 reaches 1.10 m high, it lies at 0.75 m, and"),
+        (
+            (3,),
+            1.0,
+            1.45,
+            True,
+            "A child of 3 reaches 1.10 m high, from what it climbs on 0.45 m higher, it lies at",
+        ),
+        (
+            (3,),
+            1.2,
+            1.65,
+            False,
+            "It lies at 1.65 m, 1.20 m above what stands beside it, above the 1.10 m that a child",
+        ),
+        # A baby does not climb.
+        ((0,), 0.3, 0.75, False, "It lies at 0.75 m, above the 0.40 m that a baby reaches."),
+        ((0, 3), 0.3, 0.75, True, "A child of 3 reaches 1.10 m high"),
+    ],
+)
+def test_children_climb_and_babies_do_not(
+    ages: tuple[int, ...], above: float, floor: float, report: bool, reason: str
+) -> None:
+    reach = (
+        ReachRow(max_age=0, reach_m=0.4, climbs=False),
+        ReachRow(max_age=3, reach_m=1.1),
+    )
+    lies = {"reach_height_m": above, "height_m": floor, "climbed_id": 7}
+    found = decide(SHARP, lies, living(*ages), reach)
+    assert found.report is report
+    assert found.reason.startswith(reason)
+
+
+@pytest.mark.parametrize(
     ("choice", "reason"),
     [
         ("now", "It concerns everyone who lives here, and the household wants to be told at once."),

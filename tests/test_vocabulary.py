@@ -8,6 +8,7 @@ from typing import get_args
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.terms import HeightTerm, Term
 from sdgen.freespace import THROUGH_DOOR_M
+from sdgen.households import reach_at
 from sdgen.scene import Opening, Zone
 from sdgen.vocabulary import (
     CHILD_REACH_M,
@@ -28,20 +29,17 @@ def within(term: Term) -> Iterator[Term]:
         yield from within(inner)
 
 
-def test_three_hazards_ask_for_the_reach_that_tags_and_zones_have() -> None:
-    reach = {
-        hazard.id: term.max_m
+def test_each_hazard_asks_for_the_reach_of_the_oldest_child_it_concerns() -> None:
+    """And tags and zones for that of those who are poisoned."""
+    limits = {
+        hazard.id: (term.max_m, reach_at(hazard.concerns.max_age or 0, CATALOG.reach))
         for hazard in CATALOG.hazards
         for term in within(hazard.predicate)
         if isinstance(term, HeightTerm) and term.evidence == "reach_height_m"
     }
-    same = {"sharp_object", "poison_cleaning", "poison_medication"}
-    assert {name for name, limit in reach.items() if limit == CHILD_REACH_M} == same
-
-
-def test_the_reach_is_that_of_a_six_year_old() -> None:
-    (row,) = [row for row in CATALOG.reach if row.max_age == 6]
-    assert abs(row.reach_m - CHILD_REACH_M) < 0.02
+    assert all(asked == reached for asked, reached in limits.values()), limits
+    same = {"poison_cleaning", "poison_medication"}
+    assert {name for name, (limit, _) in limits.items() if limit == CHILD_REACH_M} == same
 
 
 def test_words_are_those_of_the_records() -> None:

@@ -97,10 +97,13 @@ def _matters(catalog: Catalog) -> set[str]:
 
 def reach_at(age: int, reach: Sequence[ReachRow]) -> float:
     """How high a child of this age grasps things, metres; infinite beyond the table."""
-    for row in sorted(reach, key=lambda row: row.max_age):
-        if age <= row.max_age:
-            return row.reach_m
-    return float("inf")
+    row = _row_of(age, reach)
+    return float("inf") if row is None else row.reach_m
+
+
+def _row_of(age: int, reach: Sequence[ReachRow]) -> ReachRow | None:
+    rows = (row for row in sorted(reach, key=lambda row: row.max_age) if age <= row.max_age)
+    return next(rows, None)
 
 
 def decide(
@@ -177,14 +180,29 @@ def _concerned(
     height = evidence.get("reach_height_m")
     if not isinstance(height, int | float):
         raise ValueError(f"{hazard.id}: evidence has no reach_height_m")
-    lies = f"lies at {height:.2f} m" if height >= ON_FLOOR_M else "lies on the floor"
-    able = [age for age in ages if reach_at(age, reach) >= height]
+    # Where something stands beside it to climb on, its height above the floor is there, too.
+    above_floor = evidence.get("height_m", height)
+    if not isinstance(above_floor, int | float):
+        raise ValueError(f"{hazard.id}: height_m of the evidence is no number")
+    on_floor = above_floor < ON_FLOOR_M
+    lies = "lies on the floor" if on_floor else f"lies at {above_floor:.2f} m"
+
+    def needed(age: int) -> float:
+        row = _row_of(age, reach)
+        return height if row is None or row.climbs else above_floor
+
+    able = [age for age in ages if reach_at(age, reach) >= needed(age)]
+    age = able[0] if able else ages[-1]
+    at = reach_at(age, reach)
+    climbed = above_floor - needed(age) >= ON_FLOOR_M
     if not able:
-        best = reach_at(ages[-1], reach)
-        return False, f"It {lies}, above the {best:.2f} m that {_child(ages[-1])} reaches"
-    at = reach_at(able[0], reach)
+        what = f"{lies}, {height:.2f} m above what stands beside it" if climbed else lies
+        return False, f"It {what}, above the {at:.2f} m that {_child(age)} reaches"
     high = f"{at:.2f} m high" if at < float("inf") else "as high as a grown-up"
-    return True, f"{_child(able[0]).capitalize()} reaches {high}, it {lies}"
+    # Said only where it matters: most things are low enough to take from the floor.
+    if climbed and at < above_floor:
+        high += f", from what it climbs on {above_floor - height:.2f} m higher"
+    return True, f"{_child(age).capitalize()} reaches {high}, it {lies}"
 
 
 def _child(age: int) -> str:

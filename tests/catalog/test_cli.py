@@ -46,7 +46,7 @@ def test_enumerate() -> None:
 
 def test_show(capsys: pytest.CaptureFixture[str]) -> None:
     text = call("show", "sharp_object").output
-    for word in ("households with a child up to 8", "handsaw ON floor", "at most 1.3 m"):
+    for word in ("households with a child up to 8", "handsaw ON floor", "at most 1.44 m"):
         assert word in text
     shown = json.loads(call("show", "stove_on", "--json").output)
     assert shown["predicate"]["kind"] == "all"

@@ -10,6 +10,7 @@ from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.predicate import Related, ZoneShare
 from sdgen.catalog.records import Abode, Catalog, Hazard, PlaceRecipe, Recipe
+from sdgen.hazards.certify import categories_of
 from sdgen.library import Asset, Library
 from sdgen.library.records import Support
 from sdgen.resources import data_path
@@ -22,7 +23,14 @@ from .worlds import Thing, World
 
 CATALOG = load_catalog()
 #: The bottoms of what hangs on walls.
-HUNG_M = {"wall_cabinet": 1.45, "bathroom_cabinet": 1.35, "wall_shelf": 1.45}
+HUNG_M = {"wall_cabinet": 1.45, "bathroom_cabinet": 1.35, "wall_shelf": 1.5}
+#: What children must not reach.
+KEPT_FROM = {
+    name
+    for hazard in CATALOG.hazards
+    if hazard.concerns.by_reach
+    for name in categories_of(hazard.predicate) or ()
+}
 #: Unique anomalies of the paper's data set: ours has more.
 PAPER_UNIQUE = 967
 #: id -> the paper's class, group, label (the public contract).
@@ -115,7 +123,8 @@ def _lives_in(abode: Abode, target: str, hollow: str) -> bool:
 
 
 def _at_home(category: str, abode: Abode, target: str) -> World:
-    """A thing where it lives: behind its leaf if every hollow of the target has one."""
+    """A thing where it lives: behind its leaf if every hollow it may be in has one. What children
+    must not reach only goes where one is."""
     states: tuple[str, ...] | None = None
     height = HUNG_M.get(target, _top_m(target))
     if abode.relation == "INSIDE":
@@ -124,8 +133,9 @@ def _at_home(category: str, abode: Abode, target: str) -> World:
             c
             for model in library().by_category(target)
             for c in model.containers
-            if _lives_in(abode, target, c.name)
+            if _lives_in(abode, target, c.name) and (c.closed_by or category not in KEPT_FROM)
         ]
+        assert hollows, f"no {target} can be shut on a {category}"
         states = ("CLOSED",) if all(c.closed_by for c in hollows) else ()
     related = {abode.relation: (Related(2, target, True, True, {}, states),)}
     rests = (abode.state,) if abode.state else ()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.predicate import Bearing, Related, ZoneShare
+from sdgen.catalog.predicate import Bearing, ReachHeight, Related, ZoneShare
 from sdgen.errors import InputError
 
 
@@ -25,6 +25,7 @@ class Thing:
     zones: tuple[ZoneShare, ...] = ()
     gaps: dict[tuple[str, ...], tuple[tuple[float, int], ...]] = field(default_factory=dict)
     bearings: dict[tuple[str, ...], tuple[Bearing, ...]] = field(default_factory=dict)
+    climbed_m: float = 0.0
 
 
 @dataclass
@@ -49,6 +50,12 @@ class World:
     def height(self, object_id: int) -> float:
         self.dear += 1
         return self.things[object_id].height_m
+
+    def reach(self, object_id: int) -> ReachHeight:
+        self.dear += 1
+        thing = self.things[object_id]
+        above = thing.height_m - thing.climbed_m
+        return ReachHeight(thing.height_m, above, above, above, 99 if thing.climbed_m else None)
 
     def related(self, object_id: int, relation: str) -> tuple[Related, ...]:
         self.dear += 1

@@ -30,6 +30,7 @@ ROWS = (
     ("NEAR_HEAT", "gap from its footprint to the heat zone, m", "less than", t.NEAR_HEAT_M),
     ("NEAR_WATER", "gap from its footprint to the water zone, m", "less than", t.NEAR_WATER_M),
     ("zones", "overlap of its heights with the zone's, m", "at least", t.ZONE_LEVEL_M),
+    ("reach", "gap from above to what is climbed on, m", "at most", t.CLIMB_NEAR_M),
     ("room", "m by which the next room's outline is farther", "at least", t.ROOM_M),
     ("room", "m from the nearest outline, or it is outdoors", "at most", t.OUTDOORS_M),
 )
@@ -38,7 +39,8 @@ SENTENCES = (
     f"`height` is undecided within {height.MARGIN_M:g} m, `distance` within "
     f"{distance.MARGIN_M:g} m, `zone` (at least {ZONE_SHARE:g} of the footprint) within "
     f"{ZONE_SHARE_MARGIN:g} of it",
-    f"`IN_REACH_OF_CHILD`: loose, at most {CHILD_REACH_M:g} m up and not `INSIDE` something that",
+    f"`IN_REACH_OF_CHILD`: loose, at most {CHILD_REACH_M:g} m above where a child gets to stand "
+    "and not `INSIDE` something that",
     f"`NEAR_EDGE`: its centre less than {t.NEAR_EDGE_M:g} m from the edge",
     f"`IN_DOORWAY`, `IN_WALKWAY`: at least {ZONE_SHARE:g} of its footprint",
 )

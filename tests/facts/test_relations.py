@@ -5,11 +5,11 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sdgen.catalog.terms import ZoneTerm
-from sdgen.facts import Edge, room_at
+from sdgen.catalog.terms import HeightTerm, ZoneTerm
+from sdgen.facts import Edge, Facts, room_at
 from sdgen.scene import Zone
 
-from .scenes import DOOR, FLOOR, HALL, ROOM, asset, facts, thing
+from .scenes import DOOR, FLOOR, HALL, INFOS, ROOM, asset, facts, scene, thing
 
 HEAT = Zone(
     name="heat:a",
@@ -155,6 +155,44 @@ def test_what_lies_across_the_border_of_two_zones_is_in_them_together():
     assert [round(s.fraction, 3) for s in most] == [1.0]  # what two zones share counts once
     assert not ZoneTerm(any_of=("doorway",)).evaluate(1, f).sure
     assert ZoneTerm(any_of=("doorway", "walkway")).evaluate(1, f)[:2] == (True, True)
+
+
+CLIMBS = {"table": 0.45}
+
+
+def reached(*things):
+    return Facts(scene(*things), INFOS, climbs=CLIMBS).reach(1)
+
+
+def test_a_child_reaches_from_what_it_climbs_on():
+    """The table ends at 2.5; the apple lies beside it, higher than one stands on it."""
+    table = thing(2, "table", 2, 2)
+    near, far = thing(1, "apple", 2.74, 2, 1.5), thing(1, "apple", 3.2, 2, 1.5)
+    found = reached(near, table)
+    assert (found.height_m, found.climbed_id) == (pytest.approx(1.5), 2)
+    assert found.above_m == found.least_m == found.most_m == pytest.approx(1.05)
+    assert reached(far, table)[1:] == (pytest.approx(1.5),) * 3 + (None,)
+    # What lies lower than the seat is taken from the floor.
+    assert reached(thing(1, "apple", 2.74, 2, 0.3), table).above_m == pytest.approx(0.3)
+
+
+def test_whether_something_is_near_enough_to_climb_on_may_be_undecided():
+    table = thing(2, "table", 2, 2)
+    within, beyond = (reached(thing(1, "apple", 2.54 + gap, 2, 1.5), table) for gap in (0.47, 0.53))
+    for found, above in ((within, 1.05), (beyond, 1.5)):
+        assert found.above_m == pytest.approx(above)
+        assert (found.least_m, found.most_m) == (pytest.approx(1.05), pytest.approx(1.5))
+    high = HeightTerm(max_m=1.29, evidence="reach_height_m")
+    f = Facts(scene(thing(1, "apple", 3.01, 2, 1.5), table), INFOS, climbs=CLIMBS)
+    assert high.evaluate(1, f)[:2] == (True, False)
+    assert HeightTerm(max_m=2.0, evidence="reach_height_m").evaluate(1, f).sure
+    assert HeightTerm(max_m=1.29).evaluate(1, f)[:2] == (False, True)  # above the floor
+
+
+def test_nobody_climbs_through_a_wall():
+    table = thing(2, "table", 3.4, 2)
+    assert reached(thing(1, "apple", 3.95, 2, 1.5), table).climbed_id == 2
+    assert reached(thing(1, "apple", 4.2, 2, 1.5), table).climbed_id is None
 
 
 def test_near_heat_and_under():

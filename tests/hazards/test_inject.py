@@ -86,6 +86,7 @@ def test_a_hazard_without_a_place_is_named(home):
         home.context.zones,
         CATALOG.model_copy(update={"hazards": (bare,)}),
         home.context.models,
+        home.context.reach,
     )
     made = inject(["spill"], home.layout.copy(), context, False, lane(3, 0, "inject"))
     assert made == Rejection(Cause("hazards", "no_place", "spill"))
@@ -108,6 +109,7 @@ def test_a_state_that_all_have_already_is_named(home, rooms, cause):
         home.context.zones,
         CATALOG.model_copy(update={"hazards": (hazard.model_copy(update={"anomalies": (shut,)}),)}),
         home.context.models,
+        home.context.reach,
     )
     made = inject(["fridge_open"], home.layout.copy(), context, False, lane(3, 0, "inject"))
     assert made == Rejection(cause)

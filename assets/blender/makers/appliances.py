@@ -11,7 +11,7 @@ from toolkit.shapes import box, lathe
 
 from .designs import extend
 from .fridges import round_fridge, small_fridge, wide_fridge
-from .joinery import Assembly, bar_handle, front, hinge, open_closed, steel, surface
+from .joinery import SHOWS, Assembly, bar_handle, front, hinge, open_closed, steel, surface
 from .microwaves import (
     GLOW,
     NAMES,
@@ -119,7 +119,10 @@ def fridge(
     size = (case_front - back - 0.02, 2 * inner_y, roof - drawer_top)
     containers = [Container("inside", center, size, "body", "door")]
     hinge_y = half if right_hung else -half
-    joints, states = {"door": hinge(case_front + thick, hinge_y)}, open_closed("door", "door")
+    joints, states = (
+        {"door": hinge(case_front + thick, hinge_y)},
+        open_closed("door", "door", opened=SHOWS),
+    )
     settings = {
         "door": {"joint": "door"},
         "interior": {"rgba": LINER},
@@ -147,7 +150,7 @@ def fridge(
             Container("freezer", center, (size[0], size[1], high_z - low_z), "body", "freezer_door")
         )
         joints["freezer_door"] = hinge(case_front + thick, hinge_y)
-        states += open_closed("freezer_door", "freezer_door")
+        states += open_closed("freezer_door", "freezer_door", opened=SHOWS)
         settings["freezer_door"] = {"joint": "freezer_door"}
         doors.append(("freezer_door", frozen, False))
     side = -1 if right_hung else 1

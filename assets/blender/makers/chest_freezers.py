@@ -8,7 +8,7 @@ from toolkit.model import Container, Joint, Model
 from toolkit.shapes import tube
 
 from .fridges import LINER
-from .joinery import AJAR, Assembly, surface
+from .joinery import SHOWS, Assembly, surface
 
 Offset = tuple[float, float, float]
 
@@ -100,7 +100,7 @@ def chest_freezer(width: float = 0.9, colour: str = "#f3f4f3", offset: Offset = 
         joints={"lid": Joint("revolute", (x0, 0, height), (0, -1, 0), 0.0, 1.35)},
         states=[
             {"state": "CLOSED", "joint": "lid", "max": 0.03, "parts": ["lid"]},
-            {"state": "OPEN", "joint": "lid", "min": AJAR, "parts": ["interior", "lid"]},
+            {"state": "OPEN", "joint": "lid", "min": SHOWS, "parts": ["interior", "lid"]},
         ],
         supports=supports,
         containers=[Container("inside", center, size, "body", "lid")],

@@ -10,7 +10,7 @@ from toolkit.sampling import noise_offset, pick
 from .appliances import LINER, compartment
 from .chest_freezers import chest_freezer
 from .designs import extend
-from .joinery import Assembly, bar_handle, hinge, open_closed, steel, surface
+from .joinery import SHOWS, Assembly, bar_handle, hinge, open_closed, steel, surface
 
 Offset = tuple[float, float, float]
 
@@ -109,7 +109,7 @@ def freezer(
         states=[
             {"state": "CLOSED", "joint": "door", "max": 0.03, "parts": ["door"]},
             # The door alone seen from behind does not tell: the evidence is the inside.
-            open_closed("door", "interior")[1],
+            open_closed("door", "interior", opened=SHOWS)[1],
         ],
         supports=supports,
         containers=[Container("inside", center, size, "body", "door")],

@@ -8,7 +8,7 @@ from toolkit.materials import glowing, label, metal, plain
 from toolkit.model import Container, Joint, Model
 from toolkit.shapes import box, extrude, lathe, loft, rounded_rectangle
 
-from .joinery import Assembly, bar_handle, drawer_box, hinge, open_closed, steel, surface
+from .joinery import SHOWS, Assembly, bar_handle, drawer_box, hinge, open_closed, steel, surface
 
 Offset = tuple[float, float, float]
 LINER, LAMP = (1.3, 1.3, 1.33, 1.0), (1.7, 1.7, 1.7, 1.0)
@@ -81,7 +81,7 @@ def _finished(asm: Assembly, title: str, mass: float, joints: dict, supports, co
     states = []
     for name in joints:  # the door alone seen from behind does not tell: evidence is the inside
         slides = joints[name].type == "prismatic"
-        shut, opened = open_closed(name, name, *((0.01, 0.12) if slides else ()))
+        shut, opened = open_closed(name, name, *((0.01, 0.12) if slides else (0.03, SHOWS)))
         states += [shut, opened | {"parts": [name if slides else "interior"]}]
     return Model(
         title=title,

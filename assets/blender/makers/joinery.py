@@ -277,6 +277,8 @@ def hinge(x: float, y: float, z: float = 0.0, upper: float = 1.9) -> Joint:
 
 #: A leaf or lid turned so far is open: one 0.6 m wide stands 9 cm off, a front door 15 cm.
 AJAR = 0.15
+#: From here on one also sees what is inside, where that tells: a fridge's door is 18 cm off.
+SHOWS = 0.3
 
 
 def open_closed(joint: str, part: str, closed: float = 0.03, opened: float = AJAR) -> list[dict]:

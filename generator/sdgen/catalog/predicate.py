@@ -64,6 +64,18 @@ class Bearing:
     together: Kleene = YES
 
 
+class ReachHeight(NamedTuple):
+    """How high an object's lowest point is, metres: above the floor, and above where a child gets
+    to stand near it (``climbed_id``: on what, None: the floor). ``least_m`` and ``most_m`` are
+    what that may be where it is undecided whether something is near enough."""
+
+    height_m: float
+    above_m: float
+    least_m: float
+    most_m: float
+    climbed_id: int | None = None
+
+
 class FactSource(Protocol):
     """Everything a predicate may ask about a scene. It has no household in it."""
 
@@ -86,6 +98,10 @@ class FactSource(Protocol):
 
     def height(self, object_id: int) -> float:
         """Height of the object's lowest point above the floor, metres."""
+        ...
+
+    def reach(self, object_id: int) -> ReachHeight:
+        """How high the object is for a child, who climbs."""
         ...
 
     def related(self, object_id: int, relation: str) -> tuple[Related, ...]:

@@ -170,6 +170,8 @@ class Holds(Record):
 class Category(Record):
     """An object category. ``switched_on``: the share of its furniture that stands switched on.
 
+    ``climb_m``: children climb on it and stand so high above its bottom; None: they do not.
+
     ``alike``: it comes in several, so that one piece of furniture may hold two of one model.
     ``reserved``: hollows that only take what lives in a hollow of that name. ``belongs_to``: the
     pets, conditions and age groups with which it comes, ``always`` or as often as anything;
@@ -187,6 +189,7 @@ class Category(Record):
     lives: tuple[Abode, ...] = ()
     kind: CategoryKind = "small"
     switched_on: float = 0.0
+    climb_m: float | None = None
     at_most: AtMost = AtMost()
     alike: bool = False
     reserved: tuple[str, ...] = ()
@@ -321,10 +324,12 @@ class AgeGroup(Record):
 
 
 class ReachRow(Record):
-    """Up to this age a child grasps things this high (metres, standing, arm up)."""
+    """Up to this age a child grasps things this high (metres, standing, arm up), and ``climbs`` on
+    what it can."""
 
     max_age: Annotated[int, between(0, 17)]
     reach_m: Annotated[float, between(0.1, 2.5)]
+    climbs: bool = True
 
 
 class FurnitureItem(Record):
@@ -424,10 +429,16 @@ class Catalog(Record):
         text = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
         return hashlib.sha256(text.encode("ascii")).hexdigest()
 
+    @cached_property
+    def climbs(self) -> dict[str, float]:
+        """By category what children climb on, and how high they then stand, metres."""
+        return {c.name: c.climb_m for c in self.categories if c.climb_m is not None}
+
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Catalog:
         """A copy with some fields changed, and so with a digest of its own."""
         copied = super().model_copy(update=update, deep=deep)
-        copied.__dict__.pop("sha256", None)
+        for cached in ("sha256", "climbs"):
+            copied.__dict__.pop(cached, None)
         return copied
 
     def hazard(self, hazard_id: str) -> Hazard:

@@ -123,6 +123,8 @@ class CategoryYaml(Record):
     properties: Annotated[tuple[str, ...], names_of("property", 0, PROPERTIES)] = ()
     lives: tuple[AbodeYaml, ...] = ()
     switched_on: Annotated[float, between(0.0, 1.0)] = 0.0
+    # Nobody steps up higher than a kitchen counter.
+    climb_m: Annotated[float, between(0.05, 1.2)] | None = None
     at_most: Annotated[AtMost, Expect("{room: number, home: number}")] = AtMost()
     alike: bool = False
     reserved: Annotated[tuple[str, ...], names_of("hollow", least=0)] = ()

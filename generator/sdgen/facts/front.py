@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sdgen.catalog.predicate import Bearing, Related
+from sdgen.catalog.predicate import Bearing, ReachHeight, Related
 from sdgen.facts import spatial
 from sdgen.facts.body import gaps, rows
 from sdgen.facts.measured import Measured
@@ -60,6 +60,11 @@ class Facts(Measured):
     def height(self, object_id: int) -> float:
         """Height of the object's lowest point above the floor, metres."""
         return float(self.bodies[object_id].low[2])
+
+    def reach(self, object_id: int) -> ReachHeight:
+        """How high the object is for a child, who climbs on what the catalogue says."""
+        body = self.bodies[object_id]
+        return self.climbs.heights(body.low, body.high, self._rooms, object_id)
 
     def related(self, object_id: int, relation: str) -> tuple[Related, ...]:
         """Targets the object stands, or nearly stands, in ``relation`` to."""

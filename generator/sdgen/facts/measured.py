@@ -11,6 +11,7 @@ from functools import cached_property
 from sdgen.catalog.predicate import Related, ZoneShare
 from sdgen.facts.body import Body, rows, with_footprints
 from sdgen.facts.containers import Containers
+from sdgen.facts.reach import Climbs
 from sdgen.facts.rooms import Rooms
 from sdgen.facts.supports import Supports
 from sdgen.facts.zones import ZoneIndex
@@ -24,7 +25,7 @@ class Measured:
     """A scene's bodies, and what each of them is in and on, measured once and kept.
 
     ``properties`` maps category to its catalogue properties (LOOKABLE, SITTABLE …), needed for
-    FACING only.
+    FACING only; ``climbs`` maps category to how high a child stands that climbed on it, metres.
     """
 
     def __init__(
@@ -33,6 +34,7 @@ class Measured:
         infos: Mapping[str, AssetInfo],
         properties: Mapping[str, Collection[str]] | None = None,
         known: Measured | None = None,
+        climbs: Mapping[str, float] | None = None,
     ) -> None:
         """``known`` is another scene of the same home: what stands there too, and as it does
         here, is not measured again."""
@@ -49,6 +51,7 @@ class Measured:
         self.zone_index: ZoneIndex = (
             self._known.zone_index if self._known else ZoneIndex(scene.zones)
         )
+        self.climbs = Climbs(self.bodies.values(), climbs or {})
         self._inside: dict[int, tuple[Related, ...]] = {}
         self._on: dict[int, tuple[Related, ...]] = {}
         self._shares: dict[int, tuple[ZoneShare, ...]] = {}

@@ -12,7 +12,7 @@ PREDICATES: dict[str, Term] = {
     "IN_DOORWAY": ZoneTerm(any_of=("doorway",)),
     "IN_REACH_OF_CHILD": AllTerm(
         terms=(
-            HeightTerm(max_m=CHILD_REACH_M),
+            HeightTerm(max_m=CHILD_REACH_M, evidence="reach_height_m"),
             NotTerm(term=RelationTerm(relation="INSIDE", target_state="CLOSED")),
         )
     ),

@@ -96,6 +96,9 @@ ROOM_M = around(0.0, 0.04)
 #: Room: farther than this from every room's outline, metres, is outdoors: the shell ends half a
 #: wall outside, windows and doors stick out of it by their frames.
 OUTDOORS_M = around(0.13, 0.02)
+#: Reach: gap, seen from above, to what a child climbs on, metres. A judgement: about the arm that a
+#: three-year-old stretches out when it leans over.
+CLIMB_NEAR_M = around(0.5, 0.05)
 #: Tag NEAR_EDGE: the centre's distance from the edge of the surface, metres. Tags say what is
 #: measured, within a margin too, and no predicate can ask for this one.
 NEAR_EDGE_M = 0.05

@@ -35,7 +35,8 @@ def facts_of(
 ) -> Facts:
     """Facts of a scene with the catalogue's category properties; ``known`` are those of another
     with the same home."""
-    return Facts(scene, infos, {c.name: c.properties for c in catalog.categories}, known)
+    properties = {c.name: c.properties for c in catalog.categories}
+    return Facts(scene, infos, properties, known, catalog.climbs)
 
 
 def survey(facts: Facts, catalog: Catalog) -> Survey:

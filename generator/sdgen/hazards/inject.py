@@ -66,7 +66,7 @@ def add_lookalikes(
             continue
         taken = {other.object_id for other in (*anomalies, *lookalikes)}
         order = order[:LOOKALIKE_CANDIDATES_TRIED]
-        injected = _inject_first(order, layout, context, taken, rng, keep_off=taken)
+        injected = _inject_first(order, layout, context, taken, rng, benign=True)
         if injected is not None:
             lookalikes.append(injected)
     return tuple(lookalikes)
@@ -78,11 +78,11 @@ def _inject_first(
     context: HomeContext,
     taken: Collection[int],
     rng: Rng,
-    keep_off: Collection[int] = (),
+    benign: bool = False,
 ) -> Injected | None:
     """The first candidate that fits; None, and nothing changed, when none does."""
     for candidate in order:
-        injected = inject_candidate(candidate, layout, context, taken, rng, keep_off)
+        injected = inject_candidate(candidate, layout, context, taken, rng, benign)
         if injected is not None:
             return injected
     return None

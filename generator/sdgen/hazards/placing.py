@@ -41,16 +41,17 @@ def inject_candidate(
     context: HomeContext,
     taken: Collection[int],
     rng: Rng,
-    keep_off: Collection[int] = (),
+    benign: bool = False,
 ) -> Injected | None:
     """Change ``layout`` so that it holds this candidate; None, and no change, if nothing fits.
 
-    ``taken`` are objects other anomalies or lookalikes already use; nothing is put on or into
-    those of ``keep_off`` (a pot on a burning stove is no benign near miss of one).
+    ``taken`` are objects other anomalies or lookalikes already use. What is ``benign`` is not put
+    on or into these (a pot on a burning stove is no near miss of one), nor within children's reach
+    where it would be a hazard.
     """
     if isinstance(candidate.recipe, SetRecipe):
         return _set(candidate, candidate.recipe, layout, context, taken, rng)
-    return _place(candidate, candidate.recipe, layout, context, keep_off, rng)
+    return _place(candidate, candidate.recipe, layout, context, taken, rng, benign)
 
 
 def _set(
@@ -107,8 +108,9 @@ def _place(
     recipe: PlaceRecipe,
     layout: Layout,
     context: HomeContext,
-    keep_off: Collection[int],
+    taken: Collection[int],
     rng: Rng,
+    benign: bool,
 ) -> Injected | None:
     models = [
         m
@@ -128,13 +130,15 @@ def _place(
         item
         for item in layout.items.values()
         if item.category == candidate.unique.target
-        and item.id not in keep_off
+        and not (benign and item.id in taken)
         and (not recipe.rooms or context.room_type(item.room_id) in recipe.rooms)
     ]
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:
         target = targets[k]
         may_hold = partial(context.may_hold, asset.category, target.category)
-        spot = _spot(recipe, thing, target.id, may_hold, layout, context, rng)
+        room_id = target.room_id if benign and recipe.relation == "ON" else None
+        fits = partial(_fits, recipe, thing, layout, context, room_id)
+        spot = _spot(recipe, thing, target.id, may_hold, fits, layout, rng)
         if spot is not None:
             return _put(candidate, recipe, thing, spot, target.room_id, target.id, layout)
     return None
@@ -155,19 +159,35 @@ def _spot(
     thing: ObjectInstance,
     target_id: int,
     hollows: Callable[[str], bool],
+    fits: Callable[[Vec3Yaw], bool],
     layout: Layout,
-    context: HomeContext,
     rng: Rng,
 ) -> Vec3Yaw | None:
-    """A free spot of the target at a height the recipe allows, where it can be seen."""
+    """A free spot of the target that fits."""
     asset, bulk = layout.library.assets[thing.asset], layout.bulk_of(thing)
     for _ in range(SPOTS_TRIED):
         spot = layout.spot_on_object(asset, target_id, recipe.relation, rng, hollows, bulk)
-        if spot is None:
-            return None
-        if _height_fits(recipe, spot[0][2]) and context.shows_at(bulk, spot):
+        if spot is None or fits(spot):
             return spot
     return None
+
+
+def _fits(
+    recipe: PlaceRecipe,
+    thing: ObjectInstance,
+    layout: Layout,
+    context: HomeContext,
+    room_id: int | None,
+    spot: Vec3Yaw,
+) -> bool:
+    """Whether a spot is as high as the recipe asks, can be seen and, in a room, is beyond reach if
+    it must be."""
+    asset = layout.library.assets[thing.asset]
+    return (
+        _height_fits(recipe, spot[0][2])
+        and (room_id is None or context.reach.beyond(asset, spot, room_id))
+        and context.shows_at(layout.bulk_of(thing), spot)
+    )
 
 
 def _height_fits(recipe: PlaceRecipe, z: float) -> bool:

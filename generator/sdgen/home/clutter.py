@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -15,7 +15,7 @@ from sdgen.geometry import Array
 from sdgen.home.context import KEEP_CLEAR, SPOTS_TRIED, HomeContext
 from sdgen.home.layout import Bulk, Intent, Layout
 from sdgen.home.small_on_small import spot_on_small
-from sdgen.library.records import Asset
+from sdgen.library.records import Asset, AssetInfo
 from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance, Room
 from sdgen.seeding import Rng
@@ -220,6 +220,8 @@ def _place(
         return None
     asset, abode = picked
     may_hold = partial(context.may_hold, asset.category, receptacle.category)
+    if context.reach.needed_m(asset) is not None:
+        may_hold = partial(_behind_a_leaf, layout.info(receptacle.id), may_hold)
     shut_in = abode.relation == "INSIDE" and "CLOSED" in receptacle.states
     must_show = not shut_in and context.keeps_to_views(asset.category, rng)
     for _ in range(SPOTS_TRIED):
@@ -233,11 +235,19 @@ def _place(
             return None
         if must_show and not context.shows_at(Bulk(asset.extents_m), spot):
             continue
+        if abode.relation == "ON" and not context.reach.beyond(asset, spot, room.id):
+            continue
         item = layout.new_item(asset, spot, room.id)
         layout.put(item, Intent(abode.relation, receptacle.id))
         stock.add(item, receptacle.id)
         return item
     return None
+
+
+def _behind_a_leaf(info: AssetInfo, may_hold: Callable[[str], bool], hollow: str) -> bool:
+    """Whether a hollow that may hold a thing has a leaf that shuts it from children."""
+    leaf = any(c.name == hollow and c.closed_by for c in info.containers)
+    return (leaf or not hollow) and may_hold(hollow)
 
 
 def _place_somewhere(

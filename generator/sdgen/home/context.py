@@ -14,6 +14,7 @@ from sdgen.catalog.records import Catalog
 from sdgen.freespace import union
 from sdgen.geometry import Array
 from sdgen.home.layout import Bulk, Vec3Yaw
+from sdgen.home.reach import Reach
 from sdgen.library.records import Asset
 from sdgen.scene import Home, Zone
 from sdgen.seeding import Rng
@@ -70,6 +71,7 @@ class HomeContext:
     zones: Sequence[Zone]
     catalog: Catalog
     models: Models
+    reach: Reach
     shows: Shows = field(default_factory=Everything)
 
     def shows_at(self, bulk: Bulk, spot: Vec3Yaw) -> bool:

@@ -18,6 +18,7 @@ from sdgen.home.context import HomeContext, Models
 from sdgen.home.furnish import fill_openings, furnish_as_drawn
 from sdgen.home.generate import generate_home
 from sdgen.home.layout import Layout
+from sdgen.home.reach import Reach
 from sdgen.home.shell import build_shell
 from sdgen.home.tenants import Homes, Tenants, beds_of, wide_beds
 from sdgen.library import Library
@@ -183,7 +184,7 @@ def furnished_home(
         return reject("home", "no_free_floor")
     zones = derive_zones(home, bodies, free, properties)
     return FurnishedHome(
-        context=HomeContext(home, zones, catalog, theirs),
+        context=HomeContext(home, zones, catalog, theirs, Reach(catalog, bodies)),
         layout=layout,
         free_space=rounded_rings(free),
         agent_start=_agent_start(start, room, rng),

@@ -1,23 +1,29 @@
-"""``height: {max_m: 1.3}``: how high the object's lowest point is above the floor."""
+"""``height: {max_m: 1.3}``: how high the object's lowest point is above the floor.
+
+Where a child's reach decides (``evidence: reach_height_m``), above where a child gets to stand: the
+floor, or something near that it climbs on.
+"""
 
 from __future__ import annotations
 
 from typing import Literal
 
-from sdgen.catalog.predicate import Evidence, FactSource, Verdict, rounded
+from sdgen.catalog.predicate import Evidence, FactSource, ReachHeight, Verdict, rounded
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.limits import limits_in_words, read_limits, within
 from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Term
+from sdgen.kleene import Kleene
 
 #: Settling moves things by millimetres; nobody would call three centimetres of height a mistake.
 MARGIN_M = 0.03
 
 
 class HeightTerm(Term):
-    """Height of the object's lowest point above the floor, metres, within limits.
+    """Height of the object's lowest point, metres, within limits.
 
-    ``evidence`` names the measured height in the evidence (``reach_height_m`` where a child's
-    reach decides).
+    ``evidence`` names the measured height in the evidence: ``height_m`` is above the floor,
+    ``reach_height_m`` above where a child gets to stand. Where that is not the floor,
+    ``height_m`` and ``climbed_id`` are there, too.
     """
 
     kind: Literal["height"] = "height"
@@ -42,24 +48,49 @@ class HeightTerm(Term):
         return term
 
     def evaluate(self, object_id: int, facts: FactSource) -> Verdict:
-        height = facts.height(object_id)
-        value, sure = within(height, self.min_m, self.max_m, self.margin_m)
-        return Verdict(value, sure, {self.evidence: rounded(height)} if value else {})
+        if self.evidence == "height_m":
+            height = facts.height(object_id)
+            value, sure = self._within(height)
+            return Verdict(value, sure, {"height_m": rounded(height)} if value else {})
+        reach = facts.reach(object_id)
+        value, sure = self._within(reach.above_m)
+        # Undecided where something stands so far off that it may or may not be climbed on.
+        sure = sure and all(self._within(m) == (value, True) for m in (reach.least_m, reach.most_m))
+        return Verdict(value, sure, _evidence(reach) if value else {})
+
+    def _within(self, height_m: float) -> Kleene:
+        return within(height_m, self.min_m, self.max_m, self.margin_m)
 
     def measure(self, object_id: int, facts: FactSource) -> Evidence:
-        return {self.evidence: rounded(facts.height(object_id))}
+        if self.evidence == "height_m":
+            return {"height_m": rounded(facts.height(object_id))}
+        return _evidence(facts.reach(object_id))
 
     def in_words(self) -> str:
-        return f"its lowest point is {limits_in_words(self.min_m, self.max_m)} up"
+        limits = limits_in_words(self.min_m, self.max_m)
+        if self.evidence == "height_m":
+            return f"its lowest point is {limits} up"
+        return f"its lowest point is {limits} above where a child gets to stand"
 
     def possible(self, case: Case) -> Can:
         floor = case.relation == "ON" and case.target == "floor"
         low = 0.0 if floor else case.min_height_m
         high = 0.0 if floor else case.max_height_m
+        # Above the floor; who climbs may be nearer to it, by as much as nobody knows.
+        climbs = self.evidence == "reach_height_m" and not floor
         under = high is not None and self.min_m is not None and high < self.min_m
-        over = low is not None and self.max_m is not None and low > self.max_m
+        over = low is not None and self.max_m is not None and low > self.max_m and not climbs
         if under or over:
             return NEVER
-        above = self.min_m is None or (low is not None and low >= self.min_m + self.margin_m)
+        above = self.min_m is None or (
+            low is not None and low >= self.min_m + self.margin_m and not climbs
+        )
         below = self.max_m is None or (high is not None and high <= self.max_m - self.margin_m)
         return ALWAYS if above and below else EITHER
+
+
+def _evidence(reach: ReachHeight) -> Evidence:
+    found: Evidence = {"reach_height_m": rounded(reach.above_m)}
+    if reach.climbed_id is not None:
+        found |= {"height_m": rounded(reach.height_m), "climbed_id": reach.climbed_id}
+    return found

@@ -1,0 +1,56 @@
+"""Everyday things that a child must not get lie where it does not, not even by climbing."""
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.facts import bodies_of
+from sdgen.geometry import quat_from_yaw
+from sdgen.home.reach import Reach
+from sdgen.scene import ObjectInstance, Pose
+
+from tests.shipped import shipped_library
+
+CATALOG = load_catalog()
+LIBRARY = shipped_library()
+
+
+def beside(category, x):
+    """What children reach beside a piece of furniture at ``x`` of room 2."""
+    asset = LIBRARY.by_category(category)[0]
+    pose = Pose(position_m=(x, 0.0, 0.0), quat_xyzw=quat_from_yaw(0.0))
+    item = ObjectInstance(id=5, category=category, asset=asset.id, pose=pose, room_id=2, fixed=True)
+    return Reach(CATALOG, bodies_of([item], LIBRARY.infos))
+
+
+def spot(x, z):
+    return (x, 0.0, z), 0.0
+
+
+def test_how_high_a_thing_must_lie_follows_from_the_hazards():
+    reach = beside("plant_pot", 0.0)
+    assert reach.needed_m(LIBRARY.by_category("knife")[0]) == pytest.approx(1.48)
+    assert reach.needed_m(LIBRARY.by_category("marbles")[0]) == pytest.approx(1.08)
+    assert reach.needed_m(LIBRARY.by_category("book")[0]) is None
+    for glass in LIBRARY.by_category("wine_glass"):
+        full = "with wine" in glass.title
+        assert reach.needed_m(glass) == (pytest.approx(1.33) if full else None)
+
+
+@pytest.mark.parametrize(
+    ("category", "x", "z", "beyond"),
+    [
+        ("chair", 3.0, 1.2, False),  # too low, wherever the chair stands
+        ("chair", 3.0, 1.6, True),
+        ("chair", 0.3, 1.6, False),
+        ("chair", 0.3, 2.0, True),
+        ("plant_pot", 0.3, 1.6, True),
+    ],
+)
+def test_a_shelf_beside_a_chair_is_within_reach(category, x, z, beyond):
+    knife = LIBRARY.by_category("knife")[0]
+    assert beside(category, x).beyond(knife, spot(0.0, z), 2) is beyond
+    assert beside(category, x).beyond(LIBRARY.by_category("book")[0], spot(0.0, z), 2)
+
+
+def test_a_chair_in_the_next_room_is_no_help():
+    knife = LIBRARY.by_category("knife")[0]
+    assert beside("chair", 0.3).beyond(knife, spot(0.0, 1.6), 3)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from sdgen.library import Library
-from sdgen.library.drawn import box_of, drawn
+from sdgen.library.drawn import drawn, shut
 from sdgen.library.meshes import MeshData
 from sdgen.library.outlines import joined, outlines_of
 from sdgen.library.states import object_from_part
@@ -59,16 +59,18 @@ def test_shards_lie_apart_and_not_where_the_whole_thing_stood(
         meshes = np.concatenate([mesh[part].vertices for part in info.variants["broken"]])
         ends = [meshes.min(axis=0), meshes.max(axis=0)]
         assert shards.box_m == pytest.approx(np.array(ends), abs=2e-4)
-        assert np.ptp(box_of(info, "default"), axis=0) == pytest.approx(info.extents_m, abs=3e-3)
-        assert shards.box_m[1, 0] > box_of(info, "default")[1, 0]
+        assert np.ptp(shut(info, "default").box_m, axis=0) == pytest.approx(
+            info.extents_m, abs=3e-3
+        )
+        assert shards.box_m[1, 0] > shut(info, "default").box_m[1, 0]
     assert max(len(drawn(library.info(a.id), "broken", {}).starts) for a in broken) >= 3
 
 
 def test_a_leaf_goes_where_its_joint_puts_it(library: Library) -> None:
     asset = next(a for a in library.by_category("fridge") if a.joints)
     info, joint = library.info(asset.id), asset.joints[0]
-    shut, wide = drawn(info, "default", {}), drawn(info, "default", {joint.name: joint.upper})
-    assert shut.still == len(shut.starts) == 1
+    closed, wide = drawn(info, "default", {}), drawn(info, "default", {joint.name: joint.upper})
+    assert closed.still == len(closed.starts) == 1
     moved = [p for p in info.variants["default"] if info.part(p).joint == joint.name]
     assert len(wide.starts) == wide.still + len(moved)
     leaf = wide.points_m[wide.starts[wide.still] :]
@@ -81,7 +83,7 @@ def test_a_leaf_goes_where_its_joint_puts_it(library: Library) -> None:
     points = np.concatenate(where)
     assert leaf.min(axis=0) == pytest.approx(points.min(axis=0), abs=0.01)
     assert leaf.max(axis=0) == pytest.approx(points.max(axis=0), abs=0.01)
-    assert wide.box_m[1, 0] > shut.box_m[1, 0] + 0.3
+    assert wide.box_m[1, 0] > closed.box_m[1, 0] + 0.3
 
 
 def test_a_record_without_outlines_takes_its_box(library: Library) -> None:

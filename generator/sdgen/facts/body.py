@@ -13,7 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from sdgen.facts.hollows import Hollow, hollows_of
 from sdgen.facts.surfaces import Surface, surfaces_of
 from sdgen.geometry import Array, apply
-from sdgen.library.drawn import box_of, drawn
+from sdgen.library.drawn import drawn, shut
 from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance
 
@@ -105,7 +105,7 @@ def _united(shapes: Sequence[BaseGeometry]) -> BaseGeometry:
 
 def center_of(world_from_object: Array, info: AssetInfo, variant: str) -> Array:
     """The middle of a variant's box in the world (3,)."""
-    return np.asarray(apply(world_from_object, box_of(info, variant).mean(axis=0))[0])
+    return world_from_object[:3, :3] @ shut(info, variant).middle_m + world_from_object[:3, 3]
 
 
 def gaps(low: Array, high: Array, lows: Array, highs: Array) -> Array:

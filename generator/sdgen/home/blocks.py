@@ -14,7 +14,7 @@ from shapely.geometry import Polygon
 from sdgen.geometry import Array, apply, box_corners
 from sdgen.library import Library
 from sdgen.library.above import Above, box_from_above, seen_from_above
-from sdgen.library.drawn import box_of
+from sdgen.library.drawn import shut
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
 from sdgen.scene import ObjectInstance
@@ -94,7 +94,7 @@ def _boxed(
 ) -> Iterator[Above]:
     """The object's box, and that of each part that stands open."""
     if item.category not in OPENINGS:
-        yield box_from_above(*box_of(info, item.variant).tolist())
+        yield box_from_above(*shut(info, item.variant).box_m.tolist())
     for name in drawn:
         joint = info.part(name).joint
         if joint is None or abs(item.joints.get(joint, 0.0)) < AJAR:

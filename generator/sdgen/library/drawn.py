@@ -35,6 +35,11 @@ class Drawn:
         """The lowest and the highest corner, (2, 3)."""
         return np.array([self.points_m.min(axis=0), self.points_m.max(axis=0)])
 
+    @cached_property
+    def middle_m(self) -> Array:
+        """The middle of its box, (3,)."""
+        return np.asarray(self.box_m.mean(axis=0))
+
 
 def drawn(info: AssetInfo, variant: str, joints: Mapping[str, float]) -> Drawn:
     """The outline of a variant at these values of its joints."""
@@ -53,9 +58,9 @@ def drawn(info: AssetInfo, variant: str, joints: Mapping[str, float]) -> Drawn:
     return _chained([*np.split(rest.points_m, rest.starts[1:]), *leaves], rest.still)
 
 
-def box_of(info: AssetInfo, variant: str) -> Array:
-    """Lowest and highest corner (2, 3) of a variant with its joints at 0."""
-    return _still(info, variant, ()).box_m
+def shut(info: AssetInfo, variant: str) -> Drawn:
+    """The outline of a variant with its joints at 0."""
+    return _still(info, variant, ())
 
 
 def _still(info: AssetInfo, variant: str, moved: tuple[str, ...]) -> Drawn:

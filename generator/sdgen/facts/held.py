@@ -16,8 +16,6 @@ from sdgen.vocabulary import OPENINGS
 #: A piece lies at the bottom when it begins within so much of it, metres: higher ones are held by
 #: what is too thin to be drawn as touching (an aerial, a leaf). Meshes are rounded to less.
 BOTTOM_M = 0.005
-#: Only of what stands upright (the cosine of its tilt: 8 degrees) is the bottom below.
-UPRIGHT = 0.99
 
 
 def unheld(measured: Measured) -> Iterator[int]:
@@ -40,7 +38,7 @@ def hanging_pieces(measured: Measured, body: Body) -> Iterator[int]:
     """Pieces of a body, that lie apart from the rest and at its bottom, with less than half of
     their outline on anything: shards beyond the edge of a table."""
     outline = body.outline
-    if len(outline.starts) < 2 or body.world_from_object[2, 2] < UPRIGHT:
+    if len(outline.starts) < 2:
         return
     bottom = outline.box_m[0, 2] + BOTTOM_M
     for piece in range(outline.still):

@@ -17,6 +17,8 @@ STANDS_OUT_M = 0.002
 #: What stands out further is a piece of its own: a handle, a strap. Drawing the next piece out to
 #: it would fill all that is between.
 OWN_PIECE_M = 0.015
+#: Feet are no longer than this, metres: rings under bowls, studs under trays. Legs have pieces.
+FOOT_M = 0.03
 #: Corners this near the highest one make a piece's top.
 FLAT_TOP_M = 0.001
 #: Directions (N, 3) a piece's reach is measured in; on a ball of radius r it is known to 0.01 r.
@@ -47,7 +49,7 @@ def reaching_meshes(
         corners, same = np.unique(meshes[part].vertices, axis=0, return_inverse=True)
         beyond = np.array([_beyond(corners, hulls[k].vertices_m) for k in mine])
         nearest, least = beyond.argmin(axis=0), beyond.min(axis=0)
-        near = (least > STANDS_OUT_M) & (least <= OWN_PIECE_M)
+        near = (least > STANDS_OUT_M) & (least <= (FOOT_M if stood_on else OWN_PIECE_M))
         if stood_on:
             near &= corners[:, 2] < lowest - STANDS_OUT_M
         for place, k in enumerate(mine):

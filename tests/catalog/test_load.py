@@ -188,6 +188,15 @@ REACH = "{height: {max_m: 1.1, evidence: reach_height_m}}"
 LOW = "{relation: ON, target: coffee_table}"
 
 
+def test_who_raises_a_hazard_is_somebody_a_household_can_have(tmp_path: Path) -> None:
+    told = "concerns: {who: everyone, raised_by: [{living_with: [parot], source: x}]}"
+    folder = write(tmp_path, hazards__wobbly_vase=HAZARD.replace("concerns: {who: everyone}", told))
+    assert any("unknown pet or condition 'parot'" in line for line in problems(folder))
+    birds = "templates: {us: {members: [{role: a, age: [20, 30]}], pets: [parot]}}"
+    write(tmp_path, households=birds)
+    assert any(hazard.id == "wobbly_vase" for hazard in load_catalog([folder]).hazards)
+
+
 @pytest.mark.parametrize(
     ("terms", "told"),
     [
@@ -277,6 +286,29 @@ def test_all_problems_come_at_once_in_order(tmp_path: Path) -> None:
         ),
         ("  superclass", "  properties: [GRABABLE]\n  superclass", "(did you mean 'GRABBABLE'?)"),
         ("  superclass", "  kind: big\n  superclass", "kind: 'big' is not one of small"),
+        (
+            "  superclass",
+            "  lives: [{relation: ON, target: desk, hollow: drawer}]\n  superclass",
+            "lives[0].hollow: hollow needs 'relation: INSIDE'",
+        ),
+        ("  superclass", "  at_most: {room: 0}\n  superclass", "at_most.room: 0 is not between 1"),
+        ("  superclass", "  at_most: 2\n  superclass", "at_most: expected {room: number, home:"),
+        (
+            "  superclass",
+            "  belongs_to: dgo\n  superclass",
+            "age group 'dgo' (did you mean 'dog'?)",
+        ),
+        ("  superclass", "  always: true\n  superclass", "always: always needs 'belongs_to' and"),
+        (
+            "  superclass",
+            "  kind: furniture\n  holds: {chance: 0.5, count: [1, 2]}\n  superclass",
+            "holds: only small things hold others by it",
+        ),
+        (
+            "  superclass",
+            "  holds: {chance: 2, count: [1, 2]}\n  superclass",
+            "holds.chance: 2 is not between 0 and 1",
+        ),
     ],
 )
 def test_a_bad_category_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:
@@ -305,6 +337,23 @@ def test_a_bad_category_is_told(tmp_path: Path, old: str, new: str, problem: str
             "households",
             "templates: {us: {members: [{role: a, age: [1, 2]}], notifications: {stove_on: off}}}",
             "notifications.stove_on: unknown choice 'off'",
+        ),
+        (
+            "households",
+            "templates: {us: {members: [{role: a, age: [1, 2]}], notifications: "
+            "{candle_on: [now, silent]}}}",
+            "templates.us.notifications.candle_on: nobody is silent about candle_on",
+        ),
+        (
+            "households",
+            "templates: {us: {members: [{role: a, age: [1, 2]}], needs: {rooms: [atic]}}}",
+            "needs.rooms[0]: unknown room type 'atic'",
+        ),
+        ("households", "groups: {old: {max_age: 200}}", "max_age: 200 is not between 0 and 120"),
+        (
+            "rooms",
+            "attic: {floor_clutter: [0, 1], clutter: {}, belongs_to: childd}",
+            "age group 'childd' (did you mean 'child'?)",
         ),
         (
             "households",

@@ -1,6 +1,6 @@
 """One scene, from its number to everything that is written of it but pixels.
 
-    spec      what is asked: drawn hazards, home, split, household (survives every retry)
+    spec      what is asked: drawn hazards, household, home, split (survives every retry)
     home      shell, openings, furniture, zones, free floor            up to HOME_ATTEMPTS
     overlook  its views: of places, before anything lies there
     attempt   hazards, lookalikes, clutter -> physics -> proof         up to PLACEMENT_ATTEMPTS each

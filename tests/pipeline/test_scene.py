@@ -44,6 +44,20 @@ def test_picture_options_change_cameras_only(catalog, library, scene_bundle):
 
 
 @pytest.mark.slow
+@pytest.mark.slow
+def test_other_numbers_of_views_are_of_the_same_places(catalog, library, scene_bundle):
+    """Fewer are some of the eight; more begin with all of them."""
+    usual = {camera.world_from_camera for camera in scene_bundle(2).cameras}
+    few, many = (
+        make_scene(2, catalog, library, BuildOptions(n=20, seed=7, views=views))
+        for views in (6, 12)
+    )
+    assert {camera.world_from_camera for camera in few.cameras} < usual
+    assert {camera.world_from_camera for camera in many.cameras} > usual
+    assert few.scene == many.scene == scene_bundle(2).scene
+    assert few.anomalies == many.anomalies == scene_bundle(2).anomalies
+
+
 def test_ids_and_order_say_nothing_and_fit_the_mask(scene_bundle):
     scene = scene_bundle(1).scene
     ids = [o.id for o in scene.objects]

@@ -1,11 +1,64 @@
-"""A made scene's cameras stand where a robot can."""
+"""A made scene's cameras stand where a robot can, look at places, and decide nothing but once."""
 
+import numpy as np
 import pytest
+from sdgen.cameras.cover import CANONICAL
+from sdgen.cameras.seen import Seen
 from sdgen.facts import room_at
 from sdgen.options import BuildOptions
+from sdgen.physics.client import Client
 from sdgen.pipeline import make_scene
+from sdgen.pipeline.overlook import out_of_view, overlooked
+from sdgen.pipeline.scene import furnish_for
+from sdgen.pipeline.spec import draw_spec
 from shapely.geometry import Point, Polygon
 from shapely.ops import unary_union
+
+OPTIONS = BuildOptions(n=9, seed=7)
+
+
+@pytest.fixture(scope="module")
+def furnished(catalog, library):
+    return furnish_for(draw_spec(2, catalog, OPTIONS), 0, catalog, library)
+
+
+def lane():
+    return np.random.default_rng(5)
+
+
+def poses(home, count):
+    return [view.world_from_camera.tolist() for view in home.views[:count]]
+
+
+def test_views_follow_from_the_furnished_home_and_their_own_lane(furnished):
+    """More of them begin with the same, and the home is left as it was."""
+    with Client() as client:
+        first, second = (overlooked(furnished, count, client, lane()) for count in (8, 11))
+        other = overlooked(furnished, 8, client, np.random.default_rng(6))
+    assert furnished.views == ()
+    assert first.layout is furnished.layout
+    assert len(first.views) == CANONICAL
+    assert len(second.views) == 11
+    assert poses(first, 8) == poses(second, 8) != poses(other, 8)
+    assert isinstance(first.context.shows, Seen)
+
+
+def test_a_hazard_that_no_view_can_show_is_not_tried_for(furnished):
+    class Nothing:
+        def thing(self, corners_m):
+            return False
+
+        def state(self, object_id, state):
+            return False
+
+    with Client() as client:
+        home = overlooked(furnished, 8, client, lane())
+    object.__setattr__(home.context, "shows", Nothing())
+    hidden = out_of_view(home, ("spill", "front_door_open"))
+    assert hidden.cause[:3] == ("views", "unseen", "front_door_open")
+    assert out_of_view(home, ("spill", "sharp_object")) is None
+    object.__setattr__(home.context, "shows", furnished.context.shows)
+    assert out_of_view(home, ("spill", "front_door_open")) is None
 
 
 @pytest.mark.slow

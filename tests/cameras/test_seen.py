@@ -21,7 +21,7 @@ def seen(library: Library) -> Seen:
     scene = box_room([thing(10, "table_01", (0.5, 0.8, 0))])
     view = View("near", np.array([0.5, -0.9, 1.2]), np.array([0.5, 0.8, 0.7]))
     with RayWorld(library, scene) as world:
-        return Seen([view], [(10, "OPEN")], world.cast)
+        return Seen([view], [(10, "OPEN")], [12], world.cast)
 
 
 @pytest.mark.parametrize(
@@ -55,3 +55,7 @@ def test_states_are_those_that_were_shown(seen: Seen) -> None:
     assert seen.state(10, "OPEN")
     assert not seen.state(10, "ON")
     assert not seen.state(11, "OPEN")
+
+
+def test_only_furniture_known_to_be_hidden_is_not_tried(seen: Seen) -> None:
+    assert [seen.anything_on(number) for number in (10, 11, 12)] == [True, True, False]

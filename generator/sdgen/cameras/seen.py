@@ -25,10 +25,16 @@ class Seen:
     :class:`~sdgen.home.context.Shows`."""
 
     def __init__(
-        self, views: Sequence[View], states: Collection[tuple[int, str]], cast: Cast
+        self,
+        views: Sequence[View],
+        states: Collection[tuple[int, str]],
+        hidden: Collection[int],
+        cast: Cast,
     ) -> None:
-        """``states`` are the ids and states of what the views show set to a state."""
+        """``states`` are the ids and states of what the views show set to a state, ``hidden`` the
+        ids of furniture and rooms that they show nothing on."""
         self._states = frozenset(states)
+        self._hidden = frozenset(hidden)
         across, down = WIDTH // _CELL, HEIGHT // _CELL
         u, v = np.meshgrid((np.arange(across) + 0.5) * _CELL, (np.arange(down) + 0.5) * _CELL)
         pixels = np.stack([u.ravel() - 0.5, v.ravel() - 0.5], axis=1)
@@ -41,6 +47,10 @@ class Seen:
             # Planar depth is a ray's share of its length.
             depth = (np.minimum(reached, 1.0) * _REACH_M).reshape(down, across)
             self._depth[k] = depth + np.clip(_slope(depth), *_SLACK_M)
+
+    def anything_on(self, target_id: int) -> bool:
+        """False when no view would show a thing on a piece of furniture, or on a room's floor."""
+        return target_id not in self._hidden
 
     def state(self, object_id: int, state: str) -> bool:
         """True when some view shows that an object is in this state."""

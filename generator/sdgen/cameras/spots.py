@@ -30,6 +30,7 @@ from sdgen.seeding import Rng
 from sdgen.vocabulary import FLAT_M, OVERHEAD_M
 
 Bools = npt.NDArray[np.bool_]
+Ints = npt.NDArray[np.int64]
 
 #: A small thing's middle is about this high above what it stands on.
 ABOVE_M = 0.04
@@ -68,10 +69,12 @@ class SetTo:
 
 @dataclass(frozen=True)
 class Spots:
-    """Points (N, 3) where small things would lie, what would be set to a state, and how likely
-    each point is and then each of these, (N + states,), 1 in all."""
+    """Points (N, 3) where small things would lie, on which furniture or on the floor of which room
+    (ids, (N,)), what would be set to a state, and how likely each point is and then each of these,
+    (N + states,), 1 in all."""
 
     points_m: Array
+    target: Ints
     states: tuple[SetTo, ...]
     weight: Array
 
@@ -84,6 +87,11 @@ class _Surface:
     room: Room
     relation: str
     points_m: Array
+
+    @property
+    def target(self) -> int:
+        """Id of the furniture, or of the room."""
+        return self.room.id if self.owner is None else self.owner.id
 
 
 def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
@@ -108,7 +116,12 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     possible = {key: found for key, found in states.items() if found is not None}
     likely = placed > 0
     weights = np.array([*placed[likely], *(were_set[key] for key in possible)])
-    return Spots(surfaces.points_m[likely], tuple(possible.values()), weights / weights.sum())
+    return Spots(
+        surfaces.points_m[likely],
+        surfaces.target[likely],
+        tuple(possible.values()),
+        weights / weights.sum(),
+    )
 
 
 class _Surfaces:
@@ -120,6 +133,10 @@ class _Surfaces:
         self.points_m = np.concatenate(
             [np.zeros((0, 3)), *(surface.points_m for surface in surfaces)]
         )
+        self.target = np.repeat(
+            np.array([surface.target for surface in surfaces], dtype=np.int64),
+            [len(surface.points_m) for surface in surfaces],
+        )
         self._end = np.cumsum([len(surface.points_m) for surface in surfaces]).tolist()
 
     def share(self, wanted: Wanted) -> Array:
@@ -127,7 +144,6 @@ class _Surfaces:
         or 0 where there is none."""
         out = np.zeros(len(self.points_m))
         fitting = np.zeros(len(self.points_m), dtype=np.bool_)
-        owner = np.zeros(len(self.points_m), dtype=np.int64)
         for surface, end in zip(self._surfaces, self._end, strict=True):
             category = "floor" if surface.owner is None else surface.owner.category
             if category != wanted.target or surface.relation != wanted.relation:
@@ -136,9 +152,8 @@ class _Surfaces:
                 continue
             rows = slice(end - len(surface.points_m), end)
             fitting[rows] = self._fits(surface, wanted)
-            owner[rows] = surface.room.id if surface.owner is None else surface.owner.id
         if fitting.any():
-            _, of, count = np.unique(owner[fitting], return_inverse=True, return_counts=True)
+            _, of, count = np.unique(self.target[fitting], return_inverse=True, return_counts=True)
             out[fitting] = 1.0 / count[of] / len(count)
         return out
 

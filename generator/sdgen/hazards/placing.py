@@ -131,6 +131,7 @@ def _place(
         for item in layout.items.values()
         if item.category == candidate.unique.target
         and not (benign and item.id in taken)
+        and context.shows.anything_on(item.id)
         and (not recipe.rooms or context.room_type(item.room_id) in recipe.rooms)
     ]
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:
@@ -205,7 +206,11 @@ def _place_on_floor(
     rng: Rng,
 ) -> Injected | None:
     asset, bulk = layout.library.assets[thing.asset], layout.bulk_of(thing)
-    rooms = [r for r in context.home.rooms if not recipe.rooms or r.type in recipe.rooms]
+    rooms = [
+        room
+        for room in context.home.rooms
+        if (not recipe.rooms or room.type in recipe.rooms) and context.shows.anything_on(room.id)
+    ]
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
         outline = Polygon(room.polygon_m)

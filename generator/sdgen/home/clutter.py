@@ -224,6 +224,8 @@ def _place(
         may_hold = partial(_behind_a_leaf, layout.info(receptacle.id), may_hold)
     shut_in = abode.relation == "INSIDE" and "CLOSED" in receptacle.states
     must_show = not shut_in and context.keeps_to_views(asset.category, rng)
+    if must_show and not context.shows.anything_on(receptacle.id):
+        return None
     for _ in range(SPOTS_TRIED):
         if receptacle.fixed:
             spot = layout.spot_on_object(asset, receptacle.id, abode.relation, rng, may_hold)
@@ -286,6 +288,8 @@ def _place_on_floor(
     outline = Polygon(room.polygon_m)
     area, keep_clear = context.floor(room.id, KEEP_CLEAR), context.zone_shape(KEEP_CLEAR)
     must_show = context.keeps_to_views(asset.category, rng)
+    if must_show and not context.shows.anything_on(room.id):
+        return
     for _ in range(SPOTS_TRIED):
         spot = layout.spot_on_floor(asset, area, outline, rng, avoid=keep_clear)
         if spot is None:

@@ -47,6 +47,11 @@ class Shows(Protocol):
         """True for a piece of furniture brought into a state."""
         ...
 
+    def anything_on(self, target_id: int, /) -> bool:
+        """False where no thing would be seen on a piece of furniture, or on a room's floor: it need
+        not be tried."""
+        ...
+
 
 class Everything:
     """A home that nobody has chosen views for: all will do."""
@@ -56,6 +61,10 @@ class Everything:
         return True
 
     def state(self, _object_id: int, _state: str, /) -> bool:
+        """True."""
+        return True
+
+    def anything_on(self, _target_id: int, /) -> bool:
         """True."""
         return True
 

@@ -55,10 +55,12 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
         shows = np.concatenate([things_shown(views, spots.points_m, world.cast), states], axis=1)
         chosen = choose(views, shows, spots.weight, max(count, CANONICAL), rng)
         canonical = chosen[:CANONICAL]
+        on_them = shows[canonical, : len(spots.target)].any(axis=0)
         shown = zip(spots.states, states[canonical].T, strict=True)
         seen = Seen(
             [views[k] for k in canonical],
             [(one.item.id, one.state) for one, views_show in shown if views_show.any()],
+            set(spots.target.tolist()) - set(spots.target[on_them].tolist()),
             world.cast,
         )
     return replace(

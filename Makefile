@@ -47,6 +47,7 @@ test-library: dev-env
 
 docs: dev-env
 	$(BIN)/python scripts/command_reference.py > docs/commands.md
+	$(BIN)/python scripts/hazard_pages.py
 
 assets:
 	@command -v $(BLENDER) >/dev/null || { echo "error: 'make assets' needs Blender 3.4 or newer (apt-get install blender), or BLENDER=/path/to/blender" >&2; exit 1; }

@@ -12,11 +12,15 @@ from pathlib import Path
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.cli.main import COMMANDS
+from sdgen.facts.thresholds import CLIMB_NEAR_M
+from sdgen.vocabulary import FLAT_M
+from sdgen.walkways import OPEN_FLOOR_M, WALKWAY_HALF_M
 
 from tests.by_path import ROOT, module_at
 from tests.shared import Shared
+from tests.shipped import shipped_library
 
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 #: Pages whose console and python blocks are run, in order, in one empty folder. The first and the
 #: last share a build: not neighbours, or one worker would wait for the other.
 STORIES = [ROOT / "README.md", ROOT / "docs" / "python.md", ROOT / "docs" / "quickstart.md"]
@@ -116,6 +120,38 @@ def test_every_hazard_is_documented() -> None:
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     for hazard in load_catalog().hazards:
         assert f"`{hazard.id}`" in readme, hazard.id
+
+
+def test_every_hazard_has_a_page_that_says_what_its_yaml_says() -> None:
+    pages, catalog = module_at("scripts/hazard_pages.py"), load_catalog()
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    ids = {hazard.id for hazard in catalog.hazards}
+    assert {page.stem for page in (ROOT / "docs" / "hazards").glob("*.md")} == ids
+    for hazard in catalog.hazards:
+        text = (ROOT / "docs" / "hazards" / f"{hazard.id}.md").read_text(encoding="utf-8")
+        assert f"(hazards/{hazard.id}.md)" in index
+        assert pages.with_facts(text, hazard) == text, "run 'make docs'"
+        assert len(text.split("## What is one, and what is not")[1].split("\n- ")) > 1
+
+
+def test_measures_on_the_pages_of_hazards_are_those_of_the_code() -> None:
+    def says(hazard: str, *measures: str) -> bool:
+        text = (ROOT / "docs" / "hazards" / f"{hazard}.md").read_text(encoding="utf-8")
+        return all(words in " ".join(text.split()) for words in measures)
+
+    wide, off = f"{2 * WALKWAY_HALF_M:g} m wide", f"more than {OPEN_FLOOR_M:g} m from walls"
+    assert says("tripping_hazard", wide, off, f"flatter than {FLAT_M:g} m")
+    for hazard in ("choking_hazard", "sharp_object", "poison_cleaning", "poison_medication"):
+        assert says(hazard, f"same room within {CLIMB_NEAR_M.limit:g} m")
+    library = shipped_library()
+    for hazard, category in (("front_door_open", "front_door"), ("fridge_open", "fridge")):
+        limits = {
+            f"{rule.min:g} {'rad' if asset.joint(rule.joint).type == 'revolute' else 'm'}"
+            for asset in library.by_category(category)
+            for rule in asset.states
+            if rule.state == "OPEN" and rule.joint is not None
+        }
+        assert says(hazard, *limits)
 
 
 def test_small_python_blocks_run() -> None:

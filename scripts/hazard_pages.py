@@ -1,0 +1,79 @@
+"""Write the facts of each hazard's page from the catalogue: ``make docs``.
+
+What is between the two markers of ``docs/hazards/<id>.md`` follows from the YAML; the rest of a
+page is written by hand.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import Catalog, Hazard
+from sdgen.catalog.terms import HeightTerm, Term, ZoneTerm
+from sdgen.catalog.terms.distance import DistanceTerm
+
+PAGES = Path(__file__).resolve().parent.parent / "docs" / "hazards"
+START, END = "<!-- from the catalogue: make docs -->", "<!-- end -->"
+
+
+def within(term: Term) -> Iterator[Term]:
+    """A term and all terms in it."""
+    yield term
+    for inner in term.within():
+        yield from within(inner)
+
+
+def thresholds(hazard: Hazard) -> Iterator[str]:
+    """The hazard's own limits and margins, in words."""
+    for term in within(hazard.predicate):
+        if isinstance(term, HeightTerm | DistanceTerm):
+            yield f"{term.in_words()}; undecided within {term.margin_m:g} m of it"
+        elif isinstance(term, ZoneTerm):
+            yield f"{term.in_words()}; undecided within {term.margin:.0%} of it"
+
+
+def concerned(hazard: Hazard) -> str:
+    """Whom it concerns."""
+    concern = hazard.concerns
+    if concern.max_age is None:
+        return "everyone"
+    reach = ", where such a child reaches it" if concern.by_reach else ""
+    return f"children up to {concern.max_age}{reach}"
+
+
+def facts(hazard: Hazard) -> str:
+    """The table between the markers."""
+    limits = "<br>".join(thresholds(hazard)) or "none of its own: those of states and relations"
+    rows = (
+        ("class of the paper", hazard.paper_class),
+        ("group, label", f"{hazard.group}, {hazard.label}"),
+        ("concerns", concerned(hazard)),
+        ("urgency", hazard.urgency),
+        ("definition", hazard.predicate.in_words()),
+        ("thresholds", limits),
+        ("source", hazard.source),
+    )
+    table = "\n".join(f"| {key} | {value} |" for key, value in rows)
+    return f"{START}\n| | |\n|---|---|\n{table}\n{END}"
+
+
+def with_facts(text: str, hazard: Hazard) -> str:
+    """A page with its table as the catalogue has it. ValueError where a marker is missing."""
+    before, rest = text.split(START, 1)
+    _, after = rest.split(END, 1)
+    return f"{before}{facts(hazard)}{after}"
+
+
+def main() -> int:
+    catalog: Catalog = load_catalog()
+    for hazard in catalog.hazards:
+        page = PAGES / f"{hazard.id}.md"
+        page.write_text(with_facts(page.read_text(encoding="utf-8"), hazard), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache, partial
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.geometry import Array
 from sdgen.home.clutter import add_clutter
+from sdgen.home.context import Everything
 from sdgen.home.tenants import Homes, Tenants, beds_of, sleepers, words_of
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome
@@ -93,6 +96,25 @@ def test_pets_have_a_bowl_and_toys_are_where_children_are() -> None:
         if "infant" not in spec.tenants.words:
             assert not things["crib"]
     assert min(seen[k] for k in ("pets", "toys", "none")) >= 3
+
+
+class _Nothing(Everything):
+    """Views that show nothing at all."""
+
+    def thing(self, _corners_m: Array, /) -> bool:
+        return False
+
+    def anything_on(self, _target_id: int, /) -> bool:
+        return False
+
+
+def test_a_pet_has_its_bowl_where_no_view_shows_it_too() -> None:
+    homes = [home for spec, home in _homes() if spec.household.pets]
+    assert len(homes) >= 3
+    for home in homes:
+        layout = home.layout.copy()
+        add_clutter(layout, replace(home.context, shows=_Nothing()), lane(7, 1, "things"))
+        assert any(item.category == "pet_bowl" for item in layout.items.values())
 
 
 def test_what_a_drawn_hazard_cannot_do_without_is_there_whoever_lives_there() -> None:

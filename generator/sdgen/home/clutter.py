@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -12,7 +12,7 @@ from shapely.geometry import Polygon
 
 from sdgen.catalog.records import Abode, Category
 from sdgen.geometry import Array
-from sdgen.home.context import KEEP_CLEAR, SPOTS_TRIED, HomeContext
+from sdgen.home.context import KEEP_CLEAR, SPOTS_TRIED, Everything, HomeContext
 from sdgen.home.layout import Bulk, Intent, Layout
 from sdgen.home.small_on_small import spot_on_small
 from sdgen.library.records import Asset, AssetInfo
@@ -255,26 +255,23 @@ def _behind_a_leaf(info: AssetInfo, may_hold: Callable[[str], bool], hollow: str
 def _place_somewhere(
     layout: Layout, category: Category, stock: _Stock, context: HomeContext, rng: Rng
 ) -> None:
-    """Put one of a category where it lives: the first of its abodes that has room for it."""
-    before = stock.count(category.name)
-    rooms = context.home.rooms
-    shuffled = [rooms[k] for k in rng.permutation(len(rooms)).tolist()]
-    for abode in category.lives:
-        models = living_so(category, abode, context.models(category.name))
-        if not models:
-            continue
-        only = _Choices(((category, abode, models),), np.ones(1))
-        for room in shuffled:
-            if abode.rooms and room.type not in abode.rooms:
+    """Put one of a category where it lives: the first of its abodes that has room for it, out of
+    sight if it must be."""
+    for where in (context, replace(context, shows=Everything())):
+        for abode in category.lives:
+            models = living_so(category, abode, context.models(category.name))
+            if not models:
                 continue
-            if "floor" in abode.targets:
-                _place_on_floor(layout, room, only, stock, context, rng)
-            for item in list(layout.items.values()):
-                here = item.fixed and item.room_id == room.id and item.category in abode.targets
-                if here and stock.count(category.name) == before:
-                    _place(layout, item, room, only, stock, context, rng)
-            if stock.count(category.name) > before:
-                return
+            only = _Choices(((category, abode, models),), np.ones(1))
+            rooms = [r for r in context.home.rooms if not abode.rooms or r.type in abode.rooms]
+            for room in [rooms[k] for k in rng.permutation(len(rooms)).tolist()]:
+                if "floor" in abode.targets:
+                    _place_on_floor(layout, room, only, stock, where, rng)
+                for item in list(layout.items.values()):
+                    if stock.count(category.name):
+                        return
+                    if item.fixed and item.room_id == room.id and item.category in abode.targets:
+                        _place(layout, item, room, only, stock, where, rng)
 
 
 def _place_on_floor(

@@ -140,11 +140,11 @@ def zones(scene: Scene) -> Iterator[Finding]:
     shapes: dict[str, list[shapely.Geometry]] = {"doorway": [], "walkway": []}
     doorways: dict[int, list[shapely.Geometry]] = {}
     for zone in scene.scene["zones"]:
+        shape = shapely.Polygon(zone["polygon_m"]).buffer(0)
         if zone["kind"] in shapes:
-            shape = shapely.Polygon(zone["polygon_m"]).buffer(0)
             shapes[zone["kind"]].append(shape)
-            if zone["kind"] == "doorway":
-                doorways.setdefault(zone["source_id"], []).append(shape)
+        if zone["kind"] in {"doorway", "swing"}:  # a door blocked from opening is blocked
+            doorways.setdefault(zone["source_id"], []).append(shape)
     union = {kind: shapely.union_all(found) for kind, found in shapes.items()}
     for thing in scene.small:
         low = thing.bottom < 0.45  # doorways and walkways end at the knee

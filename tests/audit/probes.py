@@ -18,7 +18,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.stats import rankdata
 from sklearn.ensemble import HistGradientBoostingClassifier
 from sklearn.model_selection import GroupKFold
 from threadpoolctl import threadpool_limits
@@ -30,6 +29,8 @@ Bools = npt.NDArray[np.bool_]
 Strings = npt.NDArray[np.str_]
 
 FOLDS, BOOTSTRAPS = 5, 100
+#: Fewer than this say nothing.
+LEAST = 20
 #: What the numbers are asked to be as sure as.
 WANTED_ERROR = 0.02
 
@@ -66,8 +67,14 @@ def binned(features: Floats) -> Floats:
     return steps
 
 
-def scores(features: Floats, positive: Bools, stratum: Strings, home: Strings) -> Floats:
-    """How much each row looks like a positive one to trees trained on other homes (ranks)."""
+def scores(
+    features: Floats, positive: Bools, stratum: Strings, home: Strings
+) -> tuple[Floats, Strings]:
+    """How much each row looks like a positive one to trees trained on other homes.
+
+    A model's level differs from fold to fold, so strata are told apart by fold, too: the second
+    array names both.
+    """
     weight = np.ones(len(positive))
     for name in np.unique(stratum):
         here = stratum == name
@@ -78,7 +85,10 @@ def scores(features: Floats, positive: Bools, stratum: Strings, home: Strings) -
         else:
             weight[here] = 0.0
     told = np.zeros(len(positive))
-    for train, test in GroupKFold(min(FOLDS, len(np.unique(home)))).split(features, None, home):
+    pairs = stratum.astype("U80")
+    folds = GroupKFold(min(FOLDS, len(np.unique(home)))).split(features, None, home)
+    for number, (train, test) in enumerate(folds):
+        pairs[test] = np.char.add(stratum[test], f" {number}")
         if len(np.unique(positive[train][weight[train] > 0])) < 2:
             continue
         trees = HistGradientBoostingClassifier(
@@ -87,10 +97,8 @@ def scores(features: Floats, positive: Bools, stratum: Strings, home: Strings) -
         used = train[weight[train] > 0]
         with threadpool_limits(1):  # small data: threads would only wait for each other
             trees.fit(features[used], positive[used], weight[used])
-            likely = trees.predict_proba(features[test])[:, 1]
-        # A model's level differs from fold to fold, so each fold is ranked by itself.
-        told[test] = rankdata(likely) / len(test)
-    return told
+            told[test] = trees.predict_proba(features[test])[:, 1]
+    return told, pairs
 
 
 def stratified_auc(told: Floats, positive: Bools, stratum: Strings, times: Floats) -> float:
@@ -125,26 +133,26 @@ def measure(
     telling = [n for n in np.unique(stratum) if len(np.unique(positive[stratum == n])) == 2]
     keep = np.isin(stratum, telling)
     features, positive, stratum, home = features[keep], positive[keep], stratum[keep], home[keep]
-    if positive.sum() < 8 or len(np.unique(home)) < 3:
+    if positive.sum() < LEAST or len(np.unique(home)) < 3:
         return None
     features = binned(features)
-    told = scores(features, positive, stratum, home)
-    auc = stratified_auc(told, positive, stratum, np.ones(len(told)))
+    told, pairs = scores(features, positive, stratum, home)
+    auc = stratified_auc(told, positive, pairs, np.ones(len(told)))
     rng = np.random.default_rng(0)
     homes, index = np.unique(home, return_inverse=True)
     drawn = []
     for _ in range(BOOTSTRAPS):
         times = np.bincount(rng.integers(len(homes), size=len(homes)), minlength=len(homes))
-        drawn.append(stratified_auc(told, positive, stratum, times[index].astype(float)))
+        drawn.append(stratified_auc(told, positive, pairs, times[index].astype(float)))
     cue = positive + rng.normal(size=len(positive))
-    planted = scores(np.column_stack([features, binned(cue[:, None])]), positive, stratum, home)
+    planted, _ = scores(np.column_stack([features, binned(cue[:, None])]), positive, stratum, home)
     return Result(
         name,
         auc,
         float(np.nanstd(drawn)),
         int(positive.sum()),
         int((~positive).sum()),
-        stratified_auc(planted, positive, stratum, np.ones(len(told))),
+        stratified_auc(planted, positive, pairs, np.ones(len(told))),
     )
 
 

@@ -18,8 +18,6 @@ OPEN_M = 0.4
 FOOT_M = 0.05
 #: What is farther than this from every way is on none, metres: half a body and a hand's breadth.
 OFF_M = 0.35
-#: Hazards that make their thing one whether or not it is in the way.
-LYING = {"tripping_hazard", "spill", "broken_item"}
 #: What hangs higher than this leaves room to stand before it, metres.
 SHOULDER_M = 1.2
 MATS = {"rug", "bath_mat"}
@@ -44,7 +42,7 @@ def in_the_way(scene: Scene) -> Iterator[Finding]:
     ground = Ground(scene)
     for thing in scene.small:
         labels = scene.hazards_of.get(thing.id, set())
-        if labels & LYING or thing.id not in scene.on or not on_floor(scene, thing):
+        if labels or thing.id not in scene.on or not on_floor(scene, thing):
             continue
         if not can_be_tripped_over(thing):
             continue

@@ -31,6 +31,8 @@ Strings = npt.NDArray[np.str_]
 FOLDS, BOOTSTRAPS = 5, 100
 #: Fewer than this say nothing.
 LEAST = 20
+#: Trees learn nothing of whole homes from fewer than these.
+HOMES_NEEDED = 100
 #: What the numbers are asked to be as sure as.
 WANTED_ERROR = 0.02
 
@@ -229,6 +231,8 @@ def all_probes(scenes: list[Scene]) -> list[Result]:
         {"lookalike", "clutter"},
         "category",
     )[:2]
+    if len(scenes) < HOMES_NEEDED:
+        return results
     tables, hazards, home = scene_tables(scenes)
     for name, features in tables.items():
         for what, positive in (("three hazards or more", hazards >= 3), ("none", hazards == 0)):

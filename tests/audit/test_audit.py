@@ -15,13 +15,13 @@ import pytest
 from tests.audit.checks import ENFORCED, run
 from tests.audit.dataset import DataSet
 
-SCENES = int(os.environ.get("SDGEN_AUDIT_SCENES", "12"))
+SCENES = int(os.environ.get("SDGEN_AUDIT_SCENES", "10"))
 
 
 @pytest.mark.slow
 def test_a_fresh_build_holds_nothing_that_the_audit_finds(tmp_path: Path) -> None:
     folder = tmp_path / "homes"
-    options = ["--n", str(SCENES), "--seed", "1010", "--views", "4", "--size", "320x240"]
+    options = ["--n", str(SCENES), "--seed", "1010", "--views", "8", "--size", "320x240"]
     command = [sys.executable, "-m", "sdgen", "build", *options, "--workers", "1"]
     subprocess.run([*command, "--out", str(folder)], check=True, capture_output=True)
     found = run(DataSet(folder))

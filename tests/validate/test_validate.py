@@ -190,9 +190,9 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("household.json", _put("members.2.age", 15), "label", "anomalies[1].report"),
     (
         "household.json",
-        _put("notifications", {"stove_on": "silent"}),
+        _put("notifications", {"refrigerated_food_out": "silent"}),
         "label",
-        "anomalies[0].report: true stored, false derived",
+        "report: true stored, false derived",
     ),
     # views
     ("visibility.json", _put("views.0.objects.0.bbox.0", 3), "view", "views[0].objects.11.bbox"),

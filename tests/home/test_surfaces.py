@@ -22,11 +22,11 @@ ROUND = np.array([(0.2 * math.cos(a), 0.2 * math.sin(a)) for a in np.arange(12) 
 ELL = np.array([(0, 0), (0.4, 0), (0.4, 0.15), (0.15, 0.15), (0.15, 0.4), (0, 0.4)])
 
 
-def surface(corners, z=0.7):
+def surface(corners, z=0.7, walled=False):
     turned = corners @ TURN.T + (3.0, -1.0)
     polygon = tuple((float(x), float(y)) for x, y in corners)
     support = Support(name="top", part="body", z_m=z, polygon_m=polygon)
-    return PlacingSurface(support, np.column_stack([turned, np.full(len(turned), z)]))
+    return PlacingSurface(support, np.column_stack([turned, np.full(len(turned), z)]), walled)
 
 
 @pytest.mark.parametrize("corners", [SQUARE, ROUND, ELL], ids=["square", "round", "ell"])
@@ -51,6 +51,21 @@ def test_what_reaches_over_an_edge_is_carried_up_to_a_share():
         local = np.array([w * (0.5 - over), 0.1])
         x, y = TURN @ local + (3.0, -1.0)
         assert there.carries((w, d, 0.1), (float(x), float(y)), 0.3) is carried
+
+
+@pytest.mark.parametrize("corners", [SQUARE, ELL], ids=["square", "ell"])
+def test_in_a_hollow_all_of_a_thing_is_within(corners):
+    """What reaches over the edge there is in the wall of the fridge."""
+    there = surface(corners, walled=True)
+    rng = np.random.default_rng(1)
+    carried = 0
+    for _ in range(1200):
+        x, y = rng.uniform((2.5, -1.5), (3.6, -0.4))
+        yaw = float(rng.uniform(-4, 4))
+        if there.carries(MUG.extents_m, (x, y), yaw):
+            carried += 1
+            assert there.shape.buffer(1e-6).covers(Polygon(corners_of(MUG, x, y, yaw)))
+    assert carried > 10
 
 
 @pytest.mark.parametrize("corners", [SQUARE, ROUND, ELL], ids=["square", "round", "ell"])

@@ -33,9 +33,11 @@ class PlacingSurface:
     which says what a thing is ON.
     """
 
-    def __init__(self, support: Support, points: Array) -> None:
-        """``points`` (N, 3) is the support's outline in the world."""
+    def __init__(self, support: Support, points: Array, walled: bool = False) -> None:
+        """``points`` (N, 3) is the support's outline in the world; ``walled`` says that what
+        reaches beyond it stands in a wall of its owner, so that all of a thing lies within."""
         self.support = support
+        self._most_lost = 1e-9 if walled else 1.0 - CARRIED_SHARE
         self.z_m = float(points[:, 2].mean())
         self.shape = shapely.polygons(points[:, :2])
         self._corner: Vec2 = tuple(points[:, :2].min(axis=0).tolist())
@@ -62,17 +64,17 @@ class PlacingSurface:
         for a, b, c in self._sides:
             off = a * point[0] + b * point[1] - c
             lost_here = _share_beyond(abs(a * cos + b * sin) * w, abs(b * cos - a * sin) * d, off)
-            if lost_here > 1.0 - CARRIED_SHARE:
+            if lost_here > self._most_lost:
                 return False
             lost += lost_here
-        if self._sides and lost <= 1.0 - CARRIED_SHARE:
+        if self._sides and lost <= self._most_lost:
             return True
         # At a corner two sides may cut off the same piece.
         turned = [
             (x * cos - y * sin, x * sin + y * cos) for x, y in ((-w, -d), (w, -d), (w, d), (-w, d))
         ]
         outline = shapely.polygons([(point[0] + x, point[1] + y) for x, y in turned])
-        return bool(outline.intersection(self.shape).area >= CARRIED_SHARE * outline.area)
+        return bool(outline.difference(self.shape).area <= self._most_lost * outline.area)
 
 
 def placing_surfaces(item: ObjectInstance, info: AssetInfo) -> list[PlacingSurface]:
@@ -82,7 +84,9 @@ def placing_surfaces(item: ObjectInstance, info: AssetInfo) -> list[PlacingSurfa
     for support, moved in drawn_supports(info, item.variant, item.joints):
         corners = apply(world @ moved, [(x, y, support.z_m) for x, y in support.polygon_m])
         if TILTED_M.at_most(float(np.ptp(corners[:, 2]))) == YES:
-            out.append(PlacingSurface(support, corners))
+            # Bowls are round and give: furniture has straight walls beside its shelves.
+            walled = item.fixed and support.container is not None
+            out.append(PlacingSurface(support, corners, walled))
     return out
 
 

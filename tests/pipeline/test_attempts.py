@@ -15,7 +15,7 @@ from sdgen.home.layout import Intent
 from sdgen.options import BuildOptions
 from sdgen.pipeline import scene as scene_module
 from sdgen.pipeline.attempt import placed, staying_bodies
-from sdgen.pipeline.contents import Contents, Reduced, without
+from sdgen.pipeline.contents import Contents, Reduced, lost, without
 from sdgen.pipeline.finish import check_undone, with_history
 from sdgen.pipeline.scene import OVERLAP_HOMES, OVERLAP_TRIES, furnish_for, make_scene, overlap_of
 from sdgen.pipeline.spec import draw_spec, node_ids
@@ -86,6 +86,24 @@ def test_a_lookalike_by_state_is_switched_back_not_taken_away():
     assert reduced.contents.items[11].variant == "default"
     assert reduced.contents.lookalikes == {}
     assert sorted(reduced.contents.items) == sorted(there.items)
+
+
+def test_a_try_that_lost_what_a_household_always_has_is_rejected():
+    there = contents()
+    kitchen = toy.catalog()
+    always = kitchen.model_copy(
+        update={
+            "categories": tuple(
+                category.model_copy(update={"always": category.name == "milk_carton"})
+                for category in kitchen.categories
+            )
+        }
+    )
+    for going, check in ((40, "always_there"), (9, None)):
+        reduced = without(there, offence(there, going))
+        rejection = lost(there, reduced.contents, always)
+        assert (rejection and rejection.cause.check) == check
+    assert lost(there, without(there, offence(there, 40)).contents, kitchen) is None
 
 
 @pytest.mark.parametrize(("culprit", "hazard"), [(9, "spill"), (77, None)])

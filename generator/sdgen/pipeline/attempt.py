@@ -14,7 +14,7 @@ from sdgen.library import Library
 from sdgen.physics.client import Client
 from sdgen.physics.settle import Settled
 from sdgen.physics.world import World
-from sdgen.pipeline.contents import Contents, place_contents, without
+from sdgen.pipeline.contents import Contents, lost, place_contents, without
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.pipeline.rest import Rested, come_to_rest, will_not_stay
 from sdgen.pipeline.spec import SceneSpec, node_ids
@@ -68,6 +68,9 @@ def attempt(
         reduced = without(rested.contents, offenders)
         if isinstance(reduced, Rejection):
             return reduced
+        missed = lost(contents, reduced.contents, home.context.catalog)
+        if missed is not None:
+            return missed
         contents = reduced.contents
         taken_away.update(rejection.cause for rejection in reduced.taken_away)
     return reject("physics", "no_rest")

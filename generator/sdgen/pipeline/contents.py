@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from sdgen.catalog.records import Catalog
 from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import Injected
 from sdgen.home.clutter import add_clutter
@@ -89,6 +90,17 @@ def place_contents(
         anomalies={injected.object_id: injected for injected in anomalies},
         lookalikes={injected.object_id: injected for injected in lookalikes},
     )
+
+
+def lost(before: Contents, after: Contents, catalog: Catalog) -> Rejection | None:
+    """A rejection where what a household always has was taken away, to the last one: a cat's
+    bowl."""
+    left = {item.category for item in after.items.values()}
+    gone = {item.category for item in before.items.values()} - left
+    for category in catalog.categories:
+        if category.always and category.name in gone:
+            return reject("physics", "always_there", category=category.name)
+    return None
 
 
 @dataclass(frozen=True)

@@ -133,6 +133,7 @@ class Grid:
         inside[:, [0, -1]] = False
         self._free: list[bool] = inside.ravel().tolist()
         self._rows = len(ys)
+        self._across, self._along = np.divmod(np.arange(inside.size), len(ys))
         self._cells = np.flatnonzero(inside)
         self._points = np.column_stack([grid_x.ravel(), grid_y.ravel()])
 
@@ -151,12 +152,14 @@ class Grid:
         return int(self._cells[int(np.argmin(apart))])
 
     def _path(self, first: int, last: int) -> list[int] | None:
-        rows, free = self._rows, self._free
-        goal_i, goal_j = divmod(last, rows)
+        rows = self._rows
+        left = self._left(last)
         diagonal = math.sqrt(2.0)
         steps = [(1, 1.0), (-1, 1.0), (rows, 1.0), (-rows, 1.0)]
         steps += [(rows * a + b, diagonal) for a in (1, -1) for b in (1, -1)]
-        cost = {first: 0.0}
+        # What is not free counts as reached already, for less than any way.
+        cost = [math.inf if free else -1.0 for free in self._free]
+        cost[first] = 0.0
         before: dict[int, int] = {}
         done: set[int] = set()
         queue = [(0.0, first)]
@@ -170,35 +173,51 @@ class Grid:
             if cell in done:
                 continue
             done.add(cell)
+            here = cost[cell]
             for move, length in steps:
                 other = cell + move
-                reached = cost[cell] + length
-                if not free[other] or reached >= cost.get(other, math.inf):
-                    continue
-                cost[other], before[other] = reached, cell
-                i, j = divmod(other, rows)
-                across, along = abs(i - goal_i), abs(j - goal_j)
-                left = max(across, along) + (diagonal - 1.0) * min(across, along)
-                heapq.heappush(queue, (reached + left, other))
+                reached = here + length
+                if reached < cost[other]:
+                    cost[other], before[other] = reached, cell
+                    heapq.heappush(queue, (reached + left[other], other))
         return None
+
+    def _left(self, goal: int) -> list[float]:
+        """No way from each cell to a goal is shorter, in cells."""
+        across = np.abs(self._across - self._across[goal])
+        along = np.abs(self._along - self._along[goal])
+        shorter = (math.sqrt(2.0) - 1.0) * np.minimum(across, along)
+        left: list[float] = (np.maximum(across, along) + shorter).tolist()
+        return left
+
+
+class Pieces:
+    """A shape taken apart once, to draw points from it."""
+
+    def __init__(self, shape: BaseGeometry) -> None:
+        self._pieces = polygons(shape)
+        areas = np.array([piece.area for piece in self._pieces])
+        self._shares = areas / areas.sum()
+
+    def random_point(self, rng: np.random.Generator) -> Vec2 | None:
+        """A point drawn evenly from the shape; None when it has no area worth the name."""
+        if not self._pieces:
+            return None
+        piece = self._pieces[0]
+        if len(self._pieces) > 1:
+            piece = self._pieces[int(rng.choice(len(self._pieces), p=self._shares))]
+        x0, y0, x1, y1 = piece.bounds
+        points = rng.uniform((x0, y0), (x1, y1), (POINT_TRIES, 2))
+        inside = np.flatnonzero(shapely.contains_xy(piece, points[:, 0], points[:, 1]))
+        if len(inside):
+            return float(points[inside[0], 0]), float(points[inside[0], 1])
+        point = piece.representative_point()
+        return float(point.x), float(point.y)
 
 
 def random_point(shape: BaseGeometry, rng: np.random.Generator) -> Vec2 | None:
     """A point drawn evenly from a shape; None when it has no area worth the name."""
-    pieces = polygons(shape)
-    if not pieces:
-        return None
-    piece = pieces[0]
-    if len(pieces) > 1:
-        areas = np.array([p.area for p in pieces])
-        piece = pieces[int(rng.choice(len(pieces), p=areas / areas.sum()))]
-    x0, y0, x1, y1 = piece.bounds
-    points = rng.uniform((x0, y0), (x1, y1), (POINT_TRIES, 2))
-    inside = np.flatnonzero(shapely.contains_xy(piece, points[:, 0], points[:, 1]))
-    if len(inside):
-        return float(points[inside[0], 0]), float(points[inside[0], 1])
-    point = piece.representative_point()
-    return float(point.x), float(point.y)
+    return Pieces(shape).random_point(rng)
 
 
 def union(shapes: Sequence[BaseGeometry]) -> BaseGeometry:

@@ -13,7 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from sdgen.cameras.parts import part_points
 from sdgen.cameras.spots import SetTo, Spots
 from sdgen.cameras.view import HEIGHT_JITTER_M, View
-from sdgen.freespace import random_point, union
+from sdgen.freespace import Pieces, union
 from sdgen.geometry import Array, look_at, vec3
 from sdgen.home.layout import Layout
 from sdgen.library import Library
@@ -126,9 +126,10 @@ def _overviews(rooms: Sequence[Room], free: BaseGeometry, rng: Rng) -> Iterator[
         floor = shapely.intersection(free, outline, grid_size=_GRID_M)
         if floor.area < _LEAST_FLOOR_M2:
             continue
+        pieces = Pieces(floor)
         middle = np.array([*outline.centroid.coords[0], _AIM_Z_M])
         for _ in range(_OVERVIEWS):
-            found = [random_point(floor, rng) for _ in range(_RIM_OF)]
+            found = [pieces.random_point(rng) for _ in range(_RIM_OF)]
             points = np.array([point for point in found if point is not None])
             away = np.hypot(*(points - middle[:2]).T)
             height = EYE_HEIGHT_M + rng.uniform(0.0, 2 * HEIGHT_JITTER_M)

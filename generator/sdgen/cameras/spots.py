@@ -23,7 +23,6 @@ from sdgen.freespace import union
 from sdgen.geometry import Array
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout, room_to_change
-from sdgen.home.surfaces import placing_surfaces
 from sdgen.library.states import state_parts
 from sdgen.scene import ObjectInstance, Room
 from sdgen.seeding import Rng
@@ -248,7 +247,7 @@ def _everyday(context: HomeContext, layout: Layout) -> dict[Wanted, float]:
 def _supports(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surface]:
     rooms = {room.id: room for room in context.home.rooms}
     for item in layout.items.values():
-        for surface in placing_surfaces(item, layout.info(item.id)):
+        for surface in layout.surfaces_of(item.id):
             found = [surface.random_point(rng) for _ in range(_ON_SURFACE)]
             points = np.array([(*p, surface.z_m + ABOVE_M) for p in found if p is not None])
             relation = "ON" if surface.support.container is None else "INSIDE"
@@ -273,8 +272,8 @@ def _floors(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surface
 
 def _standing(layout: Layout) -> Iterator[BaseGeometry]:
     """What takes floor: not what lies flat on it, nor what hangs over it."""
-    for item in layout.items.values():
-        for block in layout.blocks_of(item):
+    for object_id in layout.items:
+        for block in layout.space_of(object_id):
             if block.box[2] < OVERHEAD_M and block.box[5] > FLAT_M:
                 yield block.shape
 

@@ -19,7 +19,7 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import at_rest
-from sdgen.freespace import opening_rectangle, random_point
+from sdgen.freespace import Pieces, opening_rectangle
 from sdgen.geometry import (
     Array,
     Vec2,
@@ -147,6 +147,10 @@ class Layout:
         out._surfaces = self._surfaces
         return out
 
+    def space_of(self, object_id: int) -> list[Block]:
+        """Space of a placed object as it stands."""
+        return self._blocks[object_id]
+
     def blocks_of(self, item: ObjectInstance) -> list[Block]:
         """Space of an object's body, and of each part that a joint holds open."""
         return blocks_of(item, self.library.info(item.asset), self.library)
@@ -180,7 +184,11 @@ class Layout:
         """
         bulk = bulk or Bulk(asset.extents_m)
         target = self.items[target_id]
-        surfaces = self._surfaces_of(target, relation)
+        surfaces = [
+            surface
+            for surface in self.surfaces_of(target_id)
+            if (surface.support.container is None) == (relation == "ON")
+        ]
         if not surfaces and relation == "INSIDE":
             return self._spot_in_hollow(bulk, target_id, rng, hollows)
         if relation == "INSIDE":
@@ -199,15 +207,13 @@ class Layout:
                 return spot
         return None
 
-    def _surfaces_of(self, target: ObjectInstance, relation: str) -> list[PlacingSurface]:
-        """The supports of a placed object that a relation means, found once as it stands."""
-        known = self._surfaces.get(target.id)
-        if known is None or known[0] is not target:
-            known = self._surfaces[target.id] = (
-                target,
-                placing_surfaces(target, self.info(target.id)),
-            )
-        return [s for s in known[1] if (s.support.container is None) == (relation == "ON")]
+    def surfaces_of(self, object_id: int) -> list[PlacingSurface]:
+        """The supports of a placed object that surely lie level, found once as it stands."""
+        item = self.items[object_id]
+        known = self._surfaces.get(object_id)
+        if known is None or known[0] is not item:
+            known = self._surfaces[object_id] = item, placing_surfaces(item, self.info(object_id))
+        return known[1]
 
     def _try_surface(
         self, bulk: Bulk, yaw: float, target: ObjectInstance, surface: PlacingSurface, rng: Rng
@@ -265,8 +271,9 @@ class Layout:
         shapely.prepare(outline)
         if avoid is not None:
             shapely.prepare(avoid)
+        pieces = Pieces(area)
         for _ in range(TRIES):
-            point = random_point(area, rng)
+            point = pieces.random_point(rng)
             yaw = random_yaw(rng)
             if point is None:
                 return None

@@ -17,7 +17,6 @@ from shapely.geometry.base import BaseGeometry
 from sdgen.freespace import random_point
 from sdgen.geometry import Array, Vec2, apply, yaw_of
 from sdgen.home.layout import DROP_M, Layout, Vec3Yaw, random_yaw, space_at
-from sdgen.home.surfaces import placing_surfaces
 from sdgen.library.drawn import drawn
 from sdgen.library.records import AssetInfo
 from sdgen.library.supports import MARGIN_M
@@ -49,8 +48,7 @@ def spot_on_small(
     target = layout.items[target_id]
     if relation == "INSIDE":
         return _in_hollow(layout, asset, target, rng)
-    surfaces = placing_surfaces(target, layout.info(target_id))
-    open_ones = [s for s in surfaces if s.support.container is None]
+    open_ones = [s for s in layout.surfaces_of(target_id) if s.support.container is None]
     if not open_ones or _stacked(layout, target_id) > STACKED_MOST:
         return None
     surface = open_ones[int(rng.integers(len(open_ones)))]

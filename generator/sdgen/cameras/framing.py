@@ -71,6 +71,8 @@ def enough(seen: Framed, unhidden: Bools, points_m: Array) -> Bools:
     share = (seen.inside & unhidden).mean(axis=1)
     pixels = np.zeros(len(share))
     rows = np.flatnonzero(share)
+    if len(rows) == 0:
+        return np.zeros(len(share), dtype=np.bool_)
     inner = np.stack([np.clip(seen.u[rows], 0, WIDTH), np.clip(seen.v[rows], 0, HEIGHT)], axis=-1)
     pixels[rows] = share[rows] * shapely.area(shapely.convex_hull(shapely.multipoints(inner)))
     needed = _TIMES * glance_pixels(_surface_m2(points_m))

@@ -17,8 +17,7 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import in_state
-from sdgen.catalog.cases import cases
-from sdgen.catalog.records import Recipe, SetRecipe
+from sdgen.catalog.records import PlaceRecipe, Recipe, SetRecipe
 from sdgen.freespace import union
 from sdgen.geometry import Array
 from sdgen.home.context import HomeContext
@@ -88,6 +87,11 @@ class _Surface:
     points_m: Array
 
     @property
+    def category(self) -> str:
+        """Category of the furniture; ``floor`` of a room."""
+        return "floor" if self.owner is None else self.owner.category
+
+    @property
     def target(self) -> int:
         """Id of the furniture, or of the room."""
         return self.room.id if self.owner is None else self.owner.id
@@ -127,7 +131,6 @@ class _Surfaces:
     """All surfaces with their points in one row."""
 
     def __init__(self, surfaces: Sequence[_Surface], context: HomeContext) -> None:
-        self._surfaces = surfaces
         self._context = context
         self.points_m = np.concatenate(
             [np.zeros((0, 3)), *(surface.points_m for surface in surfaces)]
@@ -136,21 +139,21 @@ class _Surfaces:
             np.array([surface.target for surface in surfaces], dtype=np.int64),
             [len(surface.points_m) for surface in surfaces],
         )
-        self._end = np.cumsum([len(surface.points_m) for surface in surfaces]).tolist()
+        #: The surfaces of each target and relation, and where their points are in the row.
+        self._of: defaultdict[tuple[str, str], list[tuple[_Surface, slice]]] = defaultdict(list)
+        end = 0
+        for surface in surfaces:
+            start, end = end, end + len(surface.points_m)
+            self._of[surface.category, surface.relation].append((surface, slice(start, end)))
 
     def share(self, wanted: Wanted) -> Array:
         """How likely each point is for one such thing, (N,): owners (or rooms) evenly; 1 in all,
         or 0 where there is none."""
         out = np.zeros(len(self.points_m))
         fitting = np.zeros(len(self.points_m), dtype=np.bool_)
-        for surface, end in zip(self._surfaces, self._end, strict=True):
-            category = "floor" if surface.owner is None else surface.owner.category
-            if category != wanted.target or surface.relation != wanted.relation:
-                continue
-            if wanted.rooms and surface.room.type not in wanted.rooms:
-                continue
-            rows = slice(end - len(surface.points_m), end)
-            fitting[rows] = self._fits(surface, wanted)
+        for surface, rows in self._of.get((wanted.target, wanted.relation), ()):
+            if not wanted.rooms or surface.room.type in wanted.rooms:
+                fitting[rows] = self._fits(surface, wanted)
         if fitting.any():
             _, of, count = np.unique(self.target[fitting], return_inverse=True, return_counts=True)
             out[fitting] = 1.0 / count[of] / len(count)
@@ -186,30 +189,36 @@ def _possible(
     placed: defaultdict[Wanted, float] = defaultdict(float)
     were_set: defaultdict[tuple[int, str], float] = defaultdict(float)
     for recipe in recipes:
-        for case in cases(recipe):
-            if isinstance(recipe, SetRecipe):
+        if isinstance(recipe, SetRecipe):
+            for category in recipe.categories:
                 found = [
                     item
-                    for item in present.get(case.category, ())
+                    for item in present.get(category, ())
                     if not recipe.rooms or context.room_type(item.room_id) in recipe.rooms
                 ]
                 for item in found:
                     were_set[item.id, recipe.state] += recipe.weight / len(found)
-            elif context.models(case.category):
-                targets = [t for t in recipe.targets if t == "floor" or t in present]
-                if case.target in targets:
-                    placed[
-                        Wanted(
-                            recipe.relation,
-                            case.target,
-                            recipe.rooms,
-                            recipe.min_height_m,
-                            recipe.max_height_m,
-                            recipe.zone,
-                            recipe.avoid_zones,
-                        )
-                    ] += recipe.weight / len(targets)
+        else:
+            targets = [t for t in recipe.targets if t == "floor" or t in present]
+            wanted = [_wanted(recipe, target) for target in targets]
+            for category in recipe.categories if targets else ():
+                if context.models(category):
+                    for one in wanted:
+                        placed[one] += recipe.weight / len(targets)
     return placed, were_set
+
+
+def _wanted(recipe: PlaceRecipe, target: str) -> Wanted:
+    """What a recipe asks for of a target."""
+    return Wanted(
+        recipe.relation,
+        target,
+        recipe.rooms,
+        recipe.min_height_m,
+        recipe.max_height_m,
+        recipe.zone,
+        recipe.avoid_zones,
+    )
 
 
 def _everyday(context: HomeContext, layout: Layout) -> dict[Wanted, float]:

@@ -28,7 +28,7 @@ class Reach:
 
     def __init__(self, catalog: Catalog, furniture: Iterable[Body]) -> None:
         self._rules = [
-            (hazard.predicate, max(limits))
+            (hazard.predicate, _asked(hazard.predicate), max(limits))
             for hazard in catalog.hazards
             if hazard.concerns.by_reach and (limits := list(_limits(hazard.predicate)))
         ]
@@ -41,8 +41,15 @@ class Reach:
         """How high above where a child gets to stand a model must lie, as it comes, to be no
         hazard by reach; None where it never is one."""
         if asset.id not in self._needed:
-            limits = [limit for rule, limit in self._rules if _concerned(rule, asset)]
-            self._needed[asset.id] = max(limits, default=None)
+            states = frozenset(rest_states(asset))
+            self._needed[asset.id] = max(
+                (
+                    limit
+                    for predicate, asked, limit in self._rules
+                    if _concerned(predicate, asset.category, asked - states)
+                ),
+                default=None,
+            )
         return self._needed[asset.id]
 
     def beyond(self, asset: AssetInfo, spot: Vec3Yaw, room_id: int) -> bool:
@@ -74,9 +81,13 @@ def _limits(predicate: Term) -> Iterator[float]:
             yield term.max_m + term.margin_m + SLACK_M
 
 
-def _concerned(predicate: Term, asset: AssetInfo) -> bool:
-    """Whether a predicate can hold of a model in the states it comes in."""
-    states = rest_states(asset)
-    asked = {s for term in _terms(predicate) if isinstance(term, StateTerm) for s in term.any_of}
-    case = Case(asset.category, not_state=tuple(sorted(asked.difference(states))))
-    return predicate.possible(case).be_true
+def _asked(predicate: Term) -> frozenset[str]:
+    """The states that a predicate asks for."""
+    return frozenset(
+        state for term in _terms(predicate) if isinstance(term, StateTerm) for state in term.any_of
+    )
+
+
+def _concerned(predicate: Term, category: str, not_state: frozenset[str]) -> bool:
+    """Whether a predicate can hold of a thing of a category that is in none of these states."""
+    return predicate.possible(Case(category, not_state=tuple(sorted(not_state)))).be_true

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.closing import Closing
-from sdgen.geometry import Array, apply, box_corners, quat_from_matrix, vec3
+from sdgen.geometry import Array, quat_from_matrix, vec3
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.still import Piece, Still
@@ -117,9 +117,13 @@ class RayWorld(Closing):
 def _parts(library: Library, scene: Scene) -> Iterator[_Part]:
     for item in sorted(scene.objects, key=lambda o: o.id):
         info, bounds_of = library.info(item.asset), library.bounds(item.asset)
-        world_from_object = item.pose.matrix()
-        for number, name in enumerate(info.variants[item.variant], start=1):
-            pose = world_from_object @ object_from_part(info, name, item.joints)
-            corners = apply(pose, box_corners(*bounds_of[name].tolist()))
-            bounds = np.array([corners.min(axis=0), corners.max(axis=0)])
+        world_from_object, names = item.pose.matrix(), info.variants[item.variant]
+        poses = [world_from_object @ object_from_part(info, name, item.joints) for name in names]
+        turns = np.array(poses).reshape(-1, 4, 4)
+        boxes = np.array([bounds_of[name] for name in names]).reshape(-1, 2, 3)
+        middles, halves = boxes.mean(axis=1), np.ptp(boxes, axis=1) / 2
+        at = (turns[:, :3, :3] @ middles[..., None])[..., 0] + turns[:, :3, 3]
+        reach = (np.abs(turns[:, :3, :3]) @ halves[..., None])[..., 0]
+        around = np.stack([at - reach, at + reach], axis=1)
+        for number, (name, pose, bounds) in enumerate(zip(names, poses, around, strict=True), 1):
             yield _Part((item.id, number), (item.asset, name), pose, bounds)

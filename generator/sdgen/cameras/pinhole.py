@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 
@@ -25,6 +26,7 @@ Matrix4 = tuple[
 ]
 
 
+@cache
 def intrinsics(width: int, height: int, fov_x_rad: float = FOV_X_RAD) -> K:
     """``K`` of a camera with square pixels whose axis meets the middle of the image.
 

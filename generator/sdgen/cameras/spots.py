@@ -18,7 +18,6 @@ from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, Recipe, SetRecipe
-from sdgen.freespace import union
 from sdgen.geometry import Array
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout, room_to_change
@@ -265,7 +264,7 @@ def _supports(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surfa
 
 
 def _floors(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surface]:
-    taken = union(list(_standing(layout)))
+    standing = list(_standing(layout))
     for room in context.home.rooms:
         floor = context.floor(room.id)
         x0, y0, x1, y1 = Polygon(room.polygon_m).bounds
@@ -273,8 +272,10 @@ def _floors(context: HomeContext, layout: Layout, rng: Rng) -> Iterator[_Surface
         points = np.column_stack([rng.uniform((x0, y0), (x1, y1), (drawn, 2)), np.zeros(drawn)])
         points[:, 2] = ABOVE_M
         free = shapely.contains_xy(floor, points[:, 0], points[:, 1])
-        free &= ~shapely.contains_xy(taken, points[:, 0], points[:, 1])
         points = points[free]
+        if standing and len(points):
+            on_them = shapely.STRtree(shapely.points(points[:, :2])).query(standing, "contains")
+            points = np.delete(points, on_them[1], axis=0)
         if len(points):
             yield _Surface(None, room, "ON", points)
 

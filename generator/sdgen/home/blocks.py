@@ -143,12 +143,14 @@ class Table:
             return
         boxes = _sides(blocks)
         whole = np.concatenate([boxes[:3].min(axis=1), boxes[3:].max(axis=1)])
-        for its in _meet(whole, self.boxes).nonzero()[0].tolist():
-            other = self.blocks[its]
-            for mine in _meet(self.boxes[:, its], boxes).nonzero()[0].tolist():
-                block = blocks[mine]
-                if other.owner != block.owner and block.shape.intersects(other.shape):
-                    yield other.owner
+        near = _meet(whole, self.boxes).nonzero()[0]
+        if len(near) == 0:
+            return
+        pairs = _meet(self.boxes[:, near, None], boxes[:, None])
+        for its, mine in np.argwhere(pairs).tolist():
+            other, block = self.blocks[near[its]], blocks[mine]
+            if other.owner != block.owner and block.shape.intersects(other.shape):
+                yield other.owner
 
 
 def _sides(blocks: Sequence[Block]) -> Array:
@@ -157,8 +159,8 @@ def _sides(blocks: Sequence[Block]) -> Array:
 
 
 def _meet(box: Array, others: Array) -> npt.NDArray[np.bool_]:
-    """Whether a box (6,) shares space with others (6, N)."""
-    x0, y0, low, x1, y1, high = box.tolist()
+    """Whether a box (6,) shares space with others (6, N), or (6, M, 1) with (6, 1, N)."""
+    x0, y0, low, x1, y1, high = box
     found: npt.NDArray[np.bool_] = (others[3] > x0) & (others[0] < x1)
     found &= (others[4] > y0) & (others[1] < y1)
     found &= (others[5] > low + TOUCH_M) & (others[2] < high - TOUCH_M)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from itertools import compress
+
+import numpy as np
 
 from sdgen.catalog.records import Catalog
 from sdgen.facts import Facts, unheld
@@ -31,6 +34,10 @@ from sdgen.scene import (
     cause_counts,
 )
 from sdgen.truth.graph import build_graph
+
+#: Collision pieces reach less far than this beyond what is drawn, metres, and contacts are looked
+#: for within less.
+_AROUND_M = 0.1
 
 
 def finish(
@@ -145,7 +152,7 @@ def check_standing(
     }
     if not moved:
         return None
-    with standing(library, benign.scene, client) as world:
+    with standing(library, _around(moved, benign), client) as world:
         for violation in (*penetrations(world, moved), *unsupported(world, moved)):
             there = [k for k in violation.objects if k in moved]
             culprit = min(there, key=lambda k: benign.bodies[k].item.fixed)
@@ -158,6 +165,25 @@ def check_standing(
                 limit=violation.limit,
             )
     return None
+
+
+def _around(moved: Collection[int], facts: Facts) -> Scene:
+    """What of a scene the bodies of these ids could touch: Bullet need not know the rest."""
+    scene, home = facts.scene, facts.scene.home
+    boxes = {key: np.array(facts.bounding_box(key)) for key in (*facts.structures, *facts.bodies)}
+    middles, sizes = np.stack(list(boxes.values()), axis=1)
+    near: set[int] = set()
+    for key in moved:
+        middle, size = boxes[key]
+        apart = np.abs(middles - middle) - (sizes + size) / 2
+        near.update(compress(boxes, (apart.max(axis=1) <= _AROUND_M).tolist()))
+    structures = tuple(one for one in home.structures if one.id in near)
+    return scene.model_copy(
+        update={
+            "home": home.model_copy(update={"structures": structures}),
+            "objects": tuple(item for item in scene.objects if item.id in near),
+        }
+    )
 
 
 def twin_of(

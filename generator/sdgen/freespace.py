@@ -36,6 +36,8 @@ LEAST_M2 = 1e-4
 LEAST_REACHED_M2 = 0.2
 #: A point is drawn from a shape's box so often; a shape that fills so little of it has a middle.
 POINT_TRIES = 40
+#: Nearly always one of so many is in it: the others are looked at only then.
+_FEW = 6
 
 
 def opening_rectangle(opening: Opening, depth_m: float) -> Polygon:
@@ -197,7 +199,8 @@ class Pieces:
     def __init__(self, shape: BaseGeometry) -> None:
         self._pieces = polygons(shape)
         areas = np.array([piece.area for piece in self._pieces])
-        self._shares = areas / areas.sum()
+        sums = (areas / areas.sum()).cumsum()
+        self._sums = sums / sums[-1:]
 
     def random_point(self, rng: np.random.Generator) -> Vec2 | None:
         """A point drawn evenly from the shape; None when it has no area worth the name."""
@@ -205,12 +208,15 @@ class Pieces:
             return None
         piece = self._pieces[0]
         if len(self._pieces) > 1:
-            piece = self._pieces[int(rng.choice(len(self._pieces), p=self._shares))]
+            # What rng.choice with weights does, without summing them again for every point.
+            piece = self._pieces[int(self._sums.searchsorted(rng.random(), side="right"))]
         x0, y0, x1, y1 = piece.bounds
-        points = rng.uniform((x0, y0), (x1, y1), (POINT_TRIES, 2))
-        inside = np.flatnonzero(shapely.contains_xy(piece, points[:, 0], points[:, 1]))
-        if len(inside):
-            return float(points[inside[0], 0]), float(points[inside[0], 1])
+        points = rng.random((POINT_TRIES, 2)) * (x1 - x0, y1 - y0) + (x0, y0)
+        for some in (points[:_FEW], points[_FEW:]):
+            inside = shapely.contains_xy(piece, some[:, 0], some[:, 1])
+            if inside.any():
+                x, y = some[inside.argmax()].tolist()
+                return x, y
         point = piece.representative_point()
         return float(point.x), float(point.y)
 

@@ -115,6 +115,13 @@ def inverse(transform: Array) -> Array:
     return out
 
 
+def lowest_highest(points_m: Array) -> tuple[Array, Array]:
+    """The lowest and the highest corner, (3,), of the box around points (N, 3)."""
+    # An axis in a row of its own: numpy is four times as fast along rows as across them.
+    rows = np.ascontiguousarray(points_m.T)
+    return np.asarray(rows.min(axis=1)), np.asarray(rows.max(axis=1))
+
+
 def apply(transform: Array, points: Sequence[Sequence[float]] | Array) -> Array:
     """Transform (N, 3) points by a 4x4."""
     p = np.asarray(points, dtype=np.float64).reshape(-1, 3)

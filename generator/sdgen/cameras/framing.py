@@ -70,10 +70,13 @@ def enough(seen: Framed, unhidden: Bools, points_m: Array) -> Bools:
     """
     share = (seen.inside & unhidden).mean(axis=1)
     pixels = np.zeros(len(share))
-    rows = np.flatnonzero(share)
+    u, v = np.clip(seen.u, 0, WIDTH), np.clip(seen.v, 0, HEIGHT)
+    # No outline is larger than its box: most views are told by that.
+    at_most = share * np.ptp(u, axis=1) * np.ptp(v, axis=1)
+    rows = np.flatnonzero((share >= _SHARE) | (at_most >= 0.99 * _LARGE_PIXELS))
     if len(rows) == 0:
         return np.zeros(len(share), dtype=np.bool_)
-    inner = np.stack([np.clip(seen.u[rows], 0, WIDTH), np.clip(seen.v[rows], 0, HEIGHT)], axis=-1)
+    inner = np.stack([u[rows], v[rows]], axis=-1)
     pixels[rows] = share[rows] * shapely.area(shapely.convex_hull(shapely.multipoints(inner)))
     needed = _TIMES * glance_pixels(_surface_m2(points_m))
     return np.asarray((share >= _SHARE) & (pixels >= needed) | (pixels >= _LARGE_PIXELS))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from sdgen.catalog.records import Recipe, SetRecipe, UniqueAnomaly
 from sdgen.catalog.terms.term import Case
 
@@ -28,8 +30,9 @@ def cases(recipe: Recipe) -> list[Case]:
     ]
 
 
+@cache
 def unique_anomaly(hazard: str, case: Case) -> UniqueAnomaly:
-    """The case as an anomaly (or a near miss) of a hazard."""
+    """The case as an anomaly (or a near miss) of a hazard; made once a process."""
     return UniqueAnomaly(
         hazard=hazard,
         category=case.category,

@@ -12,7 +12,7 @@ from shapely.geometry.base import BaseGeometry
 
 from sdgen.facts.hollows import Hollow, hollows_of
 from sdgen.facts.surfaces import Surface, surfaces_of
-from sdgen.geometry import Array, apply
+from sdgen.geometry import Array, apply, lowest_highest
 from sdgen.library.drawn import drawn, shut
 from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance
@@ -32,8 +32,7 @@ class Body:
         self.world_from_object = item.pose.matrix()
         self.outline = drawn(info, item.variant, item.joints)
         self.corners = apply(self.world_from_object, self.outline.points_m)
-        self.low = self.corners.min(axis=0)
-        self.high = self.corners.max(axis=0)
+        self.low, self.high = lowest_highest(self.corners)
         self.center = center_of(self.world_from_object, info, item.variant)
 
     @cached_property

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from sdgen.catalog.cases import cases, unique_anomaly
+from sdgen.catalog.cases import unique_anomaly
 from sdgen.catalog.records import Recipe, SetRecipe, UniqueAnomaly
+from sdgen.catalog.terms.term import Case
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
 from sdgen.seeding import Rng, weighted_keys
@@ -31,10 +32,20 @@ def candidates(
     return [
         Candidate(unique_anomaly(hazard, case), recipe)
         for recipe in recipes
-        for case in cases(recipe)
-        if (case.target or case.category) in present
-        and (isinstance(recipe, SetRecipe) or context.models(case.category))
+        for case in _possible(recipe, present, context)
     ]
+
+
+def _possible(recipe: Recipe, present: Collection[str], context: HomeContext) -> Iterator[Case]:
+    """What :func:`~sdgen.catalog.cases.cases` says of a recipe, as far as the home has it."""
+    for category in recipe.categories:
+        if isinstance(recipe, SetRecipe):
+            if category in present:
+                yield Case(category, recipe.state)
+        elif context.models(category):
+            for target in recipe.targets:
+                if target in present:
+                    yield Case(category, recipe.state, (), recipe.relation, target)
 
 
 def weighted_order(among: Sequence[Candidate], rng: Rng) -> list[Candidate]:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.closing import Closing
-from sdgen.geometry import Array, quat_from_matrix, vec3
+from sdgen.geometry import Array, lowest_highest, quat_from_matrix, vec3
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.still import Piece, Still
@@ -106,7 +106,7 @@ class RayWorld(Closing):
         targets = np.ascontiguousarray(targets_m, dtype=np.float64)
         if len(origins):
             ends = np.concatenate([origins, targets])
-            self._load(ends.min(axis=0), ends.max(axis=0))
+            self._load(*lowest_highest(ends))
         hits = self._still.cast(origins, targets)
         pair = self._table[hits.piece]
         length = np.linalg.norm(targets - origins, axis=1)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sdgen.geometry import Array, apply, rotation_matrix, vec3
+from sdgen.geometry import Array, apply, lowest_highest, rotation_matrix, vec3
 from sdgen.library import Library
 from sdgen.physics.bodies import add_object, add_piece, collision_of
 from sdgen.physics.client import Client
@@ -114,7 +114,7 @@ class World:
     def _bounds(self, item: ObjectInstance) -> Array:
         world_from_object = item.pose.matrix()
         points = apply(world_from_object, collision_of(self._library, item).points)
-        return np.array([points.min(axis=0), points.max(axis=0)])
+        return np.array(lowest_highest(points))
 
     def _drop(self, going: Collection[int]) -> None:
         bodies = {self._things[key].body for key in going}

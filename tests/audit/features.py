@@ -37,13 +37,18 @@ class Rows:
     def features(self) -> Floats:
         return np.array(self.values, float).reshape(len(self.values), len(self.names))
 
-    @property
-    def free(self) -> Floats:
-        """The features without what the definition of each row's class is made of."""
+    def free(self, kind: str) -> Floats:
+        """The features without what the definition of each row's class is made of.
+
+        What is compared within a ``kind`` (of ``about``) loses the same of all rows, or that they
+        lack it would tell them.
+        """
         features = self.features
-        hazards = self.column("hazard").astype(str)
+        hazards, kinds = self.column("hazard").astype(str), self.column(kind).astype(str)
         for hazard, names in DEFINING.items():
-            rows = np.ones(len(hazards), bool) if hazard == "*" else hazards == hazard
+            rows = np.ones(len(hazards), bool)
+            if hazard != "*":
+                rows = np.isin(kinds, kinds[hazards == hazard])
             for name in names & set(self.names):
                 features[rows, self.names.index(name)] = np.nan
         return features

@@ -172,7 +172,7 @@ def compared(rows: Rows, title: str, yes: str, no: set[str], kind: str) -> list[
         ("all", everything, wanted, rows.features),
         ("same kind", of_kind, wanted, rows.features),
         ("visible", of_kind, wanted & seen, rows.features),
-        ("free", bands, wanted & seen, rows.free),
+        ("free", bands, wanted & seen, rows.free(kind)),
     ]
     results = []
     for level, stratum, rows_used, features in levels:
@@ -192,6 +192,7 @@ def compared(rows: Rows, title: str, yes: str, no: set[str], kind: str) -> list[
 def by_class(rows: Rows, title: str) -> list[Result]:
     """Anomalies against lookalikes of each class, where the definition leaves it free."""
     label, hazard = rows.column("kind"), rows.column("hazard").astype(str)
+    free = rows.free("hazard")
     results = []
     for name in sorted(set(hazard) - {""}):
         pick = np.flatnonzero(
@@ -201,7 +202,7 @@ def by_class(rows: Rows, title: str) -> list[Result]:
         )
         result = measure(
             f"  {title}: {name}",
-            rows.free[pick],
+            free[pick],
             (label == "anomaly")[pick],
             rows.column("band").astype(str)[pick],
             rows.column("home").astype(str)[pick],

@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 from tests.audit.dataset import ROOT, DataSet, Floats, Scene
-from tests.audit.features import PICTURE, PLACEMENT, picture_rows, placement_rows, scene_tables
+from tests.audit.features import (
+    PICTURE,
+    PLACEMENT,
+    Rows,
+    picture_rows,
+    placement_rows,
+    scene_tables,
+)
 from tests.audit.probes import Bools, Strings, measure, stratified_auc
 
 N, HOMES = 1500, 60
@@ -74,3 +81,16 @@ def test_pictures_and_placement_are_read(scenes: list[Scene]) -> None:
     assert ((middle >= 0) & (middle < 2)).all()
     tables, hazards, _ = scene_tables(scenes)
     assert all(len(table) == len(hazards) == len(scenes) for table in tables.values())
+
+
+def test_what_is_left_free_tells_no_row_by_what_it_lacks() -> None:
+    """Of a category that may be a tripping hazard, what lies there as clutter loses as much."""
+    shared = {"category": "shoe", "band": "floor"}
+    kinds = [("anomaly", "tripping_hazard"), ("lookalike", "spill"), ("clutter", "")]
+    about = [{"kind": kind, "hazard": hazard, **shared} for kind, hazard in kinds]
+    places = Rows(PLACEMENT, [[1.0] * len(PLACEMENT) for _ in about], list(about))
+    wall = PLACEMENT.index("from the wall")
+    assert np.isnan(places.free("category")[:, wall]).all()
+    assert np.isnan(places.free("hazard")[:, wall]).tolist() == [True, False, False]
+    assert np.isnan(places.free("hazard")[:, PLACEMENT.index("height")]).all()
+    assert not np.isnan(places.features).any()

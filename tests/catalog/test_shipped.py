@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
+from collections.abc import Iterable
 from functools import cache
 
 import pytest
@@ -318,3 +320,26 @@ def test_whatever_may_lie_where_people_walk_is_to_trip_over_or_flat() -> None:
             for name in set(recipe.categories) - loose:
                 broken = recipe.state == "BROKEN"  # shards are what one steps into
                 assert broken or heights[name] <= 0.05, (hazard.id, name)
+
+
+def _spread(recipes: Iterable[Recipe]) -> dict[str, float]:
+    """How often recipes put something on each support, as shares; those for high shelves alone
+    are left out."""
+    found: Counter[str] = Counter()
+    for recipe in recipes:
+        if isinstance(recipe, PlaceRecipe) and recipe.relation == "ON" and not recipe.min_height_m:
+            for target in recipe.targets:
+                share = recipe.weight * len(recipe.categories) / len(recipe.targets)
+                found[target] += share
+    return {target: share / found.total() for target, share in found.items()}
+
+
+#: Hazards that things are placed for; puddles, which are no loose things, have none that is near.
+PLACED = [h for h in CATALOG.hazards if _spread(h.anomalies) and h.id != "spill"]
+
+
+@pytest.mark.parametrize("hazard", PLACED, ids=lambda h: h.id)
+def test_near_misses_lie_where_anomalies_do_as_often(hazard: Hazard) -> None:
+    anomalies, near = _spread(hazard.anomalies), _spread(hazard.lookalikes)
+    apart = sum(abs(anomalies.get(k, 0) - near.get(k, 0)) for k in {*anomalies, *near}) / 2
+    assert apart < 0.15, f"{apart:.0%} of them lie elsewhere"

@@ -6,12 +6,14 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache, partial
+from typing import Any
 
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.geometry import Array
 from sdgen.home.clutter import add_clutter
 from sdgen.home.context import Everything
+from sdgen.home.layout import Layout
 from sdgen.home.tenants import Homes, Tenants, beds_of, sleepers, words_of
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome
@@ -115,6 +117,24 @@ def test_a_pet_has_its_bowl_where_no_view_shows_it_too() -> None:
         layout = home.layout.copy()
         add_clutter(layout, replace(home.context, shows=_Nothing()), lane(7, 1, "things"))
         assert any(item.category == "pet_bowl" for item in layout.items.values())
+
+
+def test_a_pet_has_its_bowl_where_one_search_of_the_home_finds_no_room(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    home = next(home for spec, home in _homes() if spec.household.pets)
+    bare = CATALOG.model_copy(update={"room_types": ()})
+    found, calls = Layout.spot_on_floor, iter(range(1000))
+    # Two abodes in every room, seen or not.
+    one_search = 2 * 2 * len(home.context.home.rooms)
+
+    def full_at_first(*args: Any, **options: Any) -> Any:
+        return None if next(calls) < one_search else found(*args, **options)
+
+    monkeypatch.setattr(Layout, "spot_on_floor", full_at_first)
+    layout = home.layout.copy()
+    add_clutter(layout, replace(home.context, catalog=bare), lane(7, 1, "things"))
+    assert any(item.category == "pet_bowl" for item in layout.items.values())
 
 
 def test_what_a_drawn_hazard_cannot_do_without_is_there_whoever_lives_there() -> None:

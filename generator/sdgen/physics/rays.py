@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,7 +55,7 @@ class RayWorld(Closing):
         #: Node id and part of each piece in the order in which they were added.
         self._owners: list[tuple[int, int]] = []
         self._add_shell(scene)
-        self._parts = list(_parts(library, scene))
+        self._parts = _parts(library, scene)
         self._bounds = np.array([part.bounds for part in self._parts]).reshape(-1, 2, 3)
         self._waiting = np.ones(len(self._parts), dtype=np.bool_)
         self._table = self._owner_table()
@@ -114,16 +113,20 @@ class RayWorld(Closing):
         return Hits(object_id=pair[:, 0], part=pair[:, 1], distance_m=distance)
 
 
-def _parts(library: Library, scene: Scene) -> Iterator[_Part]:
+def _parts(library: Library, scene: Scene) -> list[_Part]:
+    """Every drawn part of a scene, by object; their boxes are found in one go."""
+    owners, shapes, poses, boxes = [], [], [], []
     for item in sorted(scene.objects, key=lambda o: o.id):
         info, bounds_of = library.info(item.asset), library.bounds(item.asset)
-        world_from_object, names = item.pose.matrix(), info.variants[item.variant]
-        poses = [world_from_object @ object_from_part(info, name, item.joints) for name in names]
-        turns = np.array(poses).reshape(-1, 4, 4)
-        boxes = np.array([bounds_of[name] for name in names]).reshape(-1, 2, 3)
-        middles, halves = boxes.mean(axis=1), np.ptp(boxes, axis=1) / 2
-        at = (turns[:, :3, :3] @ middles[..., None])[..., 0] + turns[:, :3, 3]
-        reach = (np.abs(turns[:, :3, :3]) @ halves[..., None])[..., 0]
-        around = np.stack([at - reach, at + reach], axis=1)
-        for number, (name, pose, bounds) in enumerate(zip(names, poses, around, strict=True), 1):
-            yield _Part((item.id, number), (item.asset, name), pose, bounds)
+        world_from_object = item.pose.matrix()
+        for number, name in enumerate(info.variants[item.variant], start=1):
+            owners.append((item.id, number))
+            shapes.append((item.asset, name))
+            poses.append(world_from_object @ object_from_part(info, name, item.joints))
+            boxes.append(bounds_of[name])
+    turns = np.array(poses).reshape(-1, 4, 4)
+    low, high = np.array(boxes).reshape(-1, 2, 3).transpose(1, 0, 2)
+    at = np.einsum("nij,nj->ni", turns[:, :3, :3], (low + high) / 2) + turns[:, :3, 3]
+    reach = np.einsum("nij,nj->ni", np.abs(turns[:, :3, :3]), (high - low) / 2)
+    bounds = np.stack([at - reach, at + reach], axis=1)
+    return [_Part(*one) for one in zip(owners, shapes, poses, bounds, strict=True)]

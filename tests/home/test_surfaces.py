@@ -97,3 +97,22 @@ def test_nothing_is_put_on_a_lid_held_open():
 
     assert tops(0.0) == ["top"]
     assert tops(1.0) == []
+
+
+@pytest.mark.parametrize(
+    ("asset", "reaches_over"), [("sofa_07", False), ("bed_01", False), ("coffee_table_01", True)]
+)
+def test_nothing_reaches_into_a_back_or_arms(asset, reaches_over):
+    """Beside a sofa's seat are its arms and back, beside a table's top is air."""
+    info = shipped_library().info(asset)
+    still = Pose(position_m=(0.0, 0.0, 0.0), quat_xyzw=(0.0, 0.0, 0.0, 1.0))
+    item = ObjectInstance(
+        id=1, category=info.category, asset=asset, pose=still, room_id=2, fixed=True
+    )
+    top = max(placing_surfaces(item, info), key=lambda surface: surface.z_m)
+    w, d, h = 0.2, 0.2, 0.1
+    x0, _, _, y1 = top.shape.bounds
+    middle = (x0 + top.shape.bounds[2]) / 2
+    over = y1 - d / 2 + 0.02 * d
+    assert top.carries((w, d, h), (middle, y1 - d / 2 - 0.001), 0.0)
+    assert top.carries((w, d, h), (middle, over), 0.0) is reaches_over

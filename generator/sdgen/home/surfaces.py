@@ -24,6 +24,9 @@ from sdgen.seeding import Rng
 #: So much of a thing's footprint lies on the surface: what reaches further over the edge looks
 #: about to fall.
 CARRIED_SHARE = 0.97
+#: Furniture that is higher than its surface by this, metres, has something beside the surface that
+#: a small thing could enter; by less, it has a rim.
+RISES_M = 0.03
 
 
 class PlacingSurface:
@@ -84,8 +87,9 @@ def placing_surfaces(item: ObjectInstance, info: AssetInfo) -> list[PlacingSurfa
     for support, moved in drawn_supports(info, item.variant, item.joints):
         corners = apply(world @ moved, [(x, y, support.z_m) for x, y in support.polygon_m])
         if TILTED_M.at_most(float(np.ptp(corners[:, 2]))) == YES:
-            # Bowls are round and give: furniture has straight walls beside its shelves.
-            walled = item.fixed and support.container is not None
+            # Bowls are round and give. Furniture that rises above a surface has walls, a back,
+            # arms or a tap beside it, which bulge over its edge.
+            walled = item.fixed and info.extents_m[2] > support.z_m + RISES_M
             out.append(PlacingSurface(support, corners, walled))
     return out
 

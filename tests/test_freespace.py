@@ -5,8 +5,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.freespace import (
+    POINT_TRIES,
     ROBOT_RADIUS_M,
     Grid,
+    Pieces,
     free_shape,
     random_point,
     rounded_rings,
@@ -79,6 +81,17 @@ def test_random_points_lie_inside_and_spread():
     points = np.array([random_point(shape, rng) for _ in range(200)])
     assert all(shape.contains(Point(p)) for p in points)
     assert 60 < (points[:, 0] < 2).sum() < 140
+
+
+def test_pieces_are_drawn_by_area_and_points_evenly_as_numpy_draws_them():
+    parts = [box(0, 0, 2, 1), box(3, 0, 4, 1)]
+    pieces = Pieces(unary_union(parts))
+    mine, its = lane(0, 0, "points"), lane(0, 0, "points")
+    for _ in range(50):
+        low_x, _, high_x, _ = parts[int(its.choice(2, p=[2 / 3, 1 / 3]))].bounds
+        points = its.uniform((low_x, 0), (high_x, 1), (POINT_TRIES, 2))
+        assert pieces.random_point(mine) == pytest.approx(tuple(points[0]))
+    assert Pieces(Polygon()).random_point(mine) is None
 
 
 def test_there_is_no_route_through_a_wall_of_things():

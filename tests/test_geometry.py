@@ -11,6 +11,7 @@ from sdgen.geometry import (
     inverse,
     joint_matrix,
     look_at,
+    lowest_highest,
     matrix,
     quat_from_axis_angle,
     quat_from_matrix,
@@ -72,3 +73,9 @@ def test_look_at_is_an_opencv_camera():
     assert np.allclose(pose[:3, 2], (1, 0, 0))  # z forward
     assert np.allclose(pose[:3, 1], (0, 0, -1))  # y down
     assert np.allclose(pose[:3, 0], (0, -1, 0))  # x right
+
+
+def test_the_box_around_points_holds_their_extremes():
+    low, high = lowest_highest(np.array([[0.0, 5.0, -1.0], [2.0, -3.0, 4.0], [1.0, 0.0, 0.0]]))
+    assert low.tolist() == [0.0, -3.0, -1.0]
+    assert high.tolist() == [2.0, 5.0, 4.0]

@@ -7,7 +7,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.facts import Facts
 from sdgen.hazards.twin import undone
 from sdgen.physics.client import Client
-from sdgen.pipeline.finish import check_standing, check_undone
+from sdgen.pipeline.finish import around, check_standing, check_undone
 from sdgen.rejection import Cause, Rejection
 
 from tests import toy
@@ -55,6 +55,25 @@ def test_what_travelled_and_cannot_stand_rejects_the_try(by_m, check, client):
     rejection = standing_of(put(shut(), 20, by_m), client)
     assert rejection.cause == Cause("twin", check, None, "milk_carton")
     assert 20 in rejection.objects
+
+
+def test_what_travelled_into_a_wall_rejects_the_try(client):
+    scene = shut()
+    wall = next(s for s in scene.home.structures if s.category == "wall")
+    at = scene.object(20).pose.position_m
+    by_m = [a - b for a, b in zip(wall.pieces[0].center_m, at, strict=True)]
+    rejection = standing_of(put(scene, 20, by_m), client)
+    assert rejection.cause == Cause("twin", "penetrates", None, "milk_carton")
+    assert set(rejection.objects) == {20, wall.id}
+
+
+def test_bullet_is_told_what_moved_things_could_touch_alone():
+    scene = shut()
+    facts = Facts(scene, shipped_library().infos)
+    there = around({20}, facts)
+    assert {10, 20} <= {item.id for item in there.objects} <= {10, 20, 21, 22}
+    assert not there.home.structures
+    assert around(set(facts.bodies), facts).objects == scene.objects
 
 
 def test_a_twin_that_takes_a_support_away_rejects_the_try():

@@ -152,7 +152,7 @@ def check_standing(
     }
     if not moved:
         return None
-    with standing(library, _around(moved, benign), client) as world:
+    with standing(library, around(moved, benign), client) as world:
         for violation in (*penetrations(world, moved), *unsupported(world, moved)):
             there = [k for k in violation.objects if k in moved]
             culprit = min(there, key=lambda k: benign.bodies[k].item.fixed)
@@ -167,7 +167,7 @@ def check_standing(
     return None
 
 
-def _around(moved: Collection[int], facts: Facts) -> Scene:
+def around(moved: Collection[int], facts: Facts) -> Scene:
     """What of a scene the bodies of these ids could touch: Bullet need not know the rest."""
     scene, home = facts.scene, facts.scene.home
     boxes = {key: np.array(facts.bounding_box(key)) for key in (*facts.structures, *facts.bodies)}

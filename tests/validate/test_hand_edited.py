@@ -165,7 +165,7 @@ Change = Callable[[Scene, Infos], tuple[int, Changes]]
         (through_a_wall, " into wall "),
         (shards_over_the_edge, "a piece of it rests on nothing"),
         (up_the_wall, "is fixed in the air: on nothing, "),
-        (off_the_wall, "is fixed in the air: on nothing, 0.10"),
+        (off_the_wall, "is fixed in the air: on nothing, "),
     ],
 )
 def test_an_edit_is_named_though_the_graph_was_made_to_agree(

@@ -110,28 +110,29 @@ def _home() -> FurnishedHome:
     return home
 
 
-# Of place 5, stacks of up to seven books crept, 9 of 24 that were held.
-@pytest.mark.parametrize("place", [0, 5])
-def test_they_come_to_rest_where_they_were_put_and_the_facts_say_so(place: int) -> None:
+def test_they_come_to_rest_where_they_were_put_and_the_facts_say_so() -> None:
     home = _home()
-    layout = home.layout.copy(iter(range(60000 + 1000 * place, 90000)))
-    add_clutter(layout, home.context, lane(5, place, "place"))
-    held = {
-        key: intent
-        for key, intent in layout.intents.items()
-        if intent.target_id in layout.items and not layout.items[intent.target_id].fixed
-    }
-    assert len(held) >= 8
-    with Client() as client:
-        contents = Contents(dict(layout.items), dict(layout.intents), {}, {})
-        world = World(shipped_library(), client)
-        rested = come_to_rest(0, home, contents, False, shipped_library(), world)
-    stand = [key for key in held if key not in rested.offenders]
-    # A book on one that lies open slides off now and then, and is taken away.
-    assert len(stand) >= 0.8 * len(held)
-    edges = set(rested.facts.edges())
-    for key in stand:
-        assert (key, held[key].target_id, held[key].relation) in edges
+    held_in_all = stand_in_all = 0
+    for place in range(6):
+        layout = home.layout.copy(iter(range(60000, 62000)))
+        add_clutter(layout, home.context, lane(5, place, "place"))
+        held = {
+            key: intent
+            for key, intent in layout.intents.items()
+            if intent.target_id in layout.items and not layout.items[intent.target_id].fixed
+        }
+        with Client() as client:
+            contents = Contents(dict(layout.items), dict(layout.intents), {}, {})
+            world = World(shipped_library(), client)
+            rested = come_to_rest(0, home, contents, False, shipped_library(), world)
+        stand = [key for key in held if key not in rested.offenders]
+        edges = set(rested.facts.edges())
+        for key in stand:
+            assert (key, held[key].target_id, held[key].relation) in edges
+        held_in_all, stand_in_all = held_in_all + len(held), stand_in_all + len(stand)
+    assert held_in_all >= 50
+    # One in twenty slides or creeps, and is taken away; of stacks of any height one in six did.
+    assert stand_in_all >= 0.9 * held_in_all
 
 
 def test_nothing_is_put_on_what_is_kept_off() -> None:

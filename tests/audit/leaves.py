@@ -8,8 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tests.audit.dataset import Finding, Part, Scene, Thing
-from tests.audit.meshes import depths
-from tests.audit.physics import depth_in_box, overlap
+from tests.audit.physics import deepest, depth_in_box, overlap
 
 Floats = npt.NDArray[np.float64]
 
@@ -51,11 +50,9 @@ def obstacle(scene: Scene, thing: Thing, parts: list[Part]) -> tuple[float, str]
             for solid in other.solids:  # leaves of others can be shut
                 if solid.joint is not None or not overlap(solid.box, part.box, TOUCH_M):
                     continue
-                near = ((points > solid.box[0]) & (points < solid.box[1])).all(1)
-                if near.any():
-                    depth = float(depths(solid.local(points[near]), solid.mesh, TOUCH_M).max())
-                    if depth > worst:
-                        worst, name = depth, f"{other.category} {other.id}"
+                depth = deepest(points, solid, TOUCH_M)
+                if depth > worst:
+                    worst, name = depth, f"{other.category} {other.id}"
     return worst, name
 
 

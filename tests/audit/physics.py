@@ -150,12 +150,17 @@ def penetration(a: Thing, b: Thing, least: float = PENETRATION_M) -> tuple[float
                 if name in CLOTH:  # cloth is no solid, and piles of it have no underside
                     continue
                 points = np.concatenate([inner.vertices, inner.world(inner.mesh.samples[0])])
-                near = ((points > outer.box[0]) & (points < outer.box[1])).all(1)
-                if near.any():
-                    depth = float(depths(outer.local(points[near]), outer.mesh, least).max())
-                    if depth > worst:
-                        worst, where = depth, f"{part.name} and {other.name}"
+                depth = deepest(points, outer, least)
+                if depth > worst:
+                    worst, where = depth, f"{part.name} and {other.name}"
     return worst, where
+
+
+def deepest(points: npt.NDArray[np.float64], part: Part, least: float) -> float:
+    """How deep the deepest of some points (N, 3) of the world lies in a part's mesh, metres; 0 for
+    less than ``least``."""
+    near = ((points > part.box[0]) & (points < part.box[1])).all(1)
+    return float(depths(part.local(points[near]), part.mesh, least).max()) if near.any() else 0.0
 
 
 def entangled(scene: Scene) -> Iterator[Finding]:

@@ -107,14 +107,18 @@ def test_a_part_turns_about_its_hinge():
     assert np.allclose(apply(moved, [(0.3, -0.3, 1.0)]), [(0.9, 0.3, 1.0)])
 
 
-def test_every_state_can_be_reached_and_left():
-    item = ObjectInstance(
+def _a_fridge() -> ObjectInstance:
+    return ObjectInstance(
         id=1,
         category="fridge",
         asset="fridge_01",
         pose=Pose(position_m=(0, 0, 0), quat_xyzw=(0, 0, 0, 1)),
         room_id=2,
     )
+
+
+def test_every_state_can_be_reached_and_left():
+    item = _a_fridge()
     for state in FRIDGE.state_names:
         for scene in range(20):
             changed = in_state(item, FRIDGE, state, lane(0, scene, "state"))
@@ -126,13 +130,7 @@ def test_every_state_can_be_reached_and_left():
 
 
 def test_what_is_opened_stands_anywhere_from_ajar_to_wide():
-    item = ObjectInstance(
-        id=1,
-        category="fridge",
-        asset="fridge_01",
-        pose=Pose(position_m=(0, 0, 0), quat_xyzw=(0, 0, 0, 1)),
-        room_id=2,
-    )
+    item = _a_fridge()
     drawn = [in_state(item, FRIDGE, "OPEN", lane(0, k, "state")).joints for k in range(300)]
     for rule in (rule for rule in FRIDGE.states if rule.state == "OPEN"):
         values = [joints[rule.joint] for joints in drawn if joints.get(rule.joint)]

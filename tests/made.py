@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
+from sdgen.cameras.framing import framed
 from sdgen.cameras.parts import part_numbers, part_points
-from sdgen.cameras.sight import estimate_pixels, in_picture
+from sdgen.cameras.sight import estimate_pixels
 from sdgen.catalog.records import Catalog
 from sdgen.library import Library
 from sdgen.options import BuildOptions
@@ -51,7 +52,7 @@ def _pixels(bundle: SceneBundle, library: Library, client: Client) -> dict[int, 
     with RayWorld(library, bundle.scene, client.still) as world:
         for item in bundle.scene.objects:
             middle = np.array([item.pose.position_m])
-            near = [k for k, pose in enumerate(poses) if in_picture(pose, middle).any()]
+            near = np.flatnonzero(framed(poses, middle).inside.any(axis=1)).tolist()
             if item.fixed or not near:
                 continue
             points, parts = part_points(library, item, ()), part_numbers(library, item, ())

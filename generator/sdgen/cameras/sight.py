@@ -9,15 +9,13 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.cameras.pinhole import intrinsics
-from sdgen.geometry import Array, apply, inverse
+from sdgen.geometry import Array, apply
 from sdgen.vocabulary import REFERENCE_SIZE
 
 Ints = npt.NDArray[np.int64]
 
 #: The size that pixels are counted at.
 WIDTH, HEIGHT = REFERENCE_SIZE
-#: Length of an overview's rays: longer than any home.
-REACH_M = 25.0
 
 #: Rays along each side of a target's rectangle: 256 come within 15 % of the picture's pixels.
 GRID = 16
@@ -25,8 +23,6 @@ GRID = 16
 _NEAREST_M = 0.05
 #: Rays end this much behind the target's furthest point.
 _BEYOND_M = 0.5
-#: Rays across an overview: 300 in all, as many as find most things larger than a cup.
-_ACROSS = 20
 
 
 class Hits(Protocol):
@@ -60,15 +56,6 @@ def pixel_rays(world_from_camera: Array, pixels: Array, reach_m: float) -> tuple
     local[:, 2] = reach_m
     origins = np.repeat(world_from_camera[None, :3, 3], len(pixels), axis=0)
     return origins, apply(world_from_camera, local)
-
-
-def in_picture(world_from_camera: Array, points_m: Array) -> npt.NDArray[np.bool_]:
-    """Which world points (N, 3) fall into the picture, hidden or not."""
-    seen = apply(inverse(world_from_camera), points_m)
-    k = np.asarray(intrinsics(WIDTH, HEIGHT))
-    across = np.abs(seen[:, 0]) <= seen[:, 2] * (WIDTH / 2) / k[0, 0]
-    down = np.abs(seen[:, 1]) <= seen[:, 2] * (HEIGHT / 2) / k[1, 1]
-    return np.asarray((seen[:, 2] > 0) & across & down)
 
 
 def target_rays(
@@ -126,13 +113,3 @@ def estimate_pixels(
     counts = np.zeros(len(pixels))
     counts[pixels > 0] = wanted.reshape(-1, grid**2).sum(axis=1)
     return counts * pixels
-
-
-def overview_rays(world_from_camera: Array, across: int = _ACROSS) -> tuple[Array, Array]:
-    """A coarse grid of rays over the whole picture."""
-    down = across * HEIGHT // WIDTH
-    u = (np.arange(across) + 0.5) * WIDTH / across - 0.5
-    v = (np.arange(down) + 0.5) * HEIGHT / down - 0.5
-    grid_u, grid_v = np.meshgrid(u, v)
-    pixels = np.stack([grid_u.ravel(), grid_v.ravel()], axis=1)
-    return pixel_rays(world_from_camera, pixels, REACH_M)

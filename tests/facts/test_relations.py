@@ -160,8 +160,8 @@ def test_what_lies_across_the_border_of_two_zones_is_in_them_together():
 CLIMBS = {"table": 0.45}
 
 
-def reached(*things):
-    return Facts(scene(*things), INFOS, climbs=CLIMBS).reach(1)
+def reached(*things, climbs=CLIMBS):
+    return Facts(scene(*things), INFOS, climbs=climbs).reach(1)
 
 
 def test_a_child_reaches_from_what_it_climbs_on():
@@ -174,6 +174,15 @@ def test_a_child_reaches_from_what_it_climbs_on():
     assert reached(far, table)[1:] == (pytest.approx(1.5),) * 3 + (None,)
     # What lies lower than the seat is taken from the floor.
     assert reached(thing(1, "apple", 2.74, 2, 0.3), table).above_m == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize(("about_m", "stands_m"), [(0.6, 0.75), (0.9, 0.75), (0.45, 0.45)])
+def test_a_model_lifts_by_its_own_surface_where_it_has_one_about_there(about_m, stands_m):
+    """The table's top is at 0.75 m; 0.3 m lower it is a cistern over a toilet's lid."""
+    found = reached(
+        thing(1, "apple", 2.74, 2, 1.5), thing(2, "table", 2, 2), climbs={"table": about_m}
+    )
+    assert found.above_m == pytest.approx(1.5 - stands_m)
 
 
 def test_whether_something_is_near_enough_to_climb_on_may_be_undecided():

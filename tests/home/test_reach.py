@@ -13,9 +13,9 @@ CATALOG = load_catalog()
 LIBRARY = shipped_library()
 
 
-def beside(category, x):
+def beside(category, x, model=0):
     """What children reach beside a piece of furniture at ``x`` of room 2."""
-    asset = LIBRARY.by_category(category)[0]
+    asset = LIBRARY.by_category(category)[model]
     pose = Pose(position_m=(x, 0.0, 0.0), quat_xyzw=quat_from_yaw(0.0))
     item = ObjectInstance(id=5, category=category, asset=asset.id, pose=pose, room_id=2, fixed=True)
     return Reach(CATALOG, bodies_of([item], LIBRARY.infos))
@@ -54,3 +54,10 @@ def test_a_shelf_beside_a_chair_is_within_reach(category, x, z, beyond):
 def test_a_chair_in_the_next_room_is_no_help():
     knife = LIBRARY.by_category("knife")[0]
     assert beside("chair", 0.3).beyond(knife, spot(0.0, 1.6), 3)
+
+
+def test_a_higher_stool_lifts_higher():
+    """The second stool's seat is at 0.64 m, those of most at 0.45 m."""
+    knife = LIBRARY.by_category("knife")[0]
+    beyond = [beside("stool", 0.3, model).beyond(knife, spot(0.0, 2.0), 2) for model in (0, 1)]
+    assert beyond == [True, False]

@@ -170,7 +170,8 @@ class Holds(Record):
 class Category(Record):
     """An object category. ``switched_on``: the share of its furniture that stands switched on.
 
-    ``climb_m``: children climb on it and stand so high above its bottom; None: they do not.
+    ``climb_m``: children climb on it and stand about so high above its bottom (a model's own
+    surface near that height says how high); None: they do not.
 
     ``alike``: it comes in several, so that one piece of furniture may hold two of one model.
     ``reserved``: hollows that only take what lives in a hollow of that name. ``belongs_to``: the
@@ -431,7 +432,7 @@ class Catalog(Record):
 
     @cached_property
     def climbs(self) -> dict[str, float]:
-        """By category what children climb on, and how high they then stand, metres."""
+        """By category what children climb on, and about how high they then stand, metres."""
         return {c.name: c.climb_m for c in self.categories if c.climb_m is not None}
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Catalog:

@@ -29,6 +29,10 @@ GRID_M = 0.1
 #: How far free space reaches through a doorway beyond the middle of the wall, over the robot's
 #: radius: half a wall, and 2 cm so that the two rooms' areas surely meet.
 THROUGH_DOOR_M = HALF_WALL_M + 0.02
+#: Free space is written in millimetres.
+_MM = 1e-3
+#: Rings may leave out what is less than this beside them.
+_SIMPLER_M = 0.01
 #: What has less area, square metres, is a sliver that cutting left.
 LEAST_M2 = 1e-4
 #: Floor of a room that a robot's middle can get to, square metres, or the room is cut off: a spot
@@ -60,8 +64,11 @@ def polygons(shape: BaseGeometry) -> list[Polygon]:
     return sorted((p for p in found if p.area > LEAST_M2), key=lambda p: (-p.area, p.bounds))
 
 
-def without_holes(shape: BaseGeometry) -> list[Polygon]:
-    """Polygons without holes that cover ``shape``: each holed one is cut through its hole."""
+def without_holes(shape: BaseGeometry, grid_m: float | None = None) -> list[Polygon]:
+    """Polygons without holes that cover ``shape``: each holed one is cut through its hole.
+
+    With ``grid_m``, cuts are rounded to it, and valid still.
+    """
     out: list[Polygon] = []
     for polygon in polygons(shape):
         if not polygon.interiors:
@@ -70,7 +77,7 @@ def without_holes(shape: BaseGeometry) -> list[Polygon]:
         x0, y0, x1, y1 = polygon.bounds
         cut = Polygon(polygon.interiors[0]).centroid.x
         for half in (shapely_box(x0, y0, cut, y1), shapely_box(cut, y0, x1, y1)):
-            out += without_holes(polygon.intersection(half))
+            out += without_holes(shapely.intersection(polygon, half, grid_size=grid_m), grid_m)
     return out
 
 
@@ -110,11 +117,12 @@ def unreachable_rooms(
 
 
 def rounded_rings(shape: BaseGeometry) -> tuple[tuple[Vec2, ...], ...]:
-    """Hole-free rings in millimetres, in a fixed order."""
+    """Hole-free rings in millimetres, in a fixed order; none crosses or touches itself."""
+    # Points that are rounded one by one can make a thin neck cross itself.
+    whole = shapely.set_precision(shape.simplify(_SIMPLER_M), _MM)
     rings = []
-    for polygon in without_holes(shape):
-        simple = shapely.normalize(polygon.simplify(0.01))
-        points = list(simple.exterior.coords)[:-1]
+    for polygon in without_holes(whole, _MM):
+        points = list(shapely.normalize(polygon).exterior.coords)[:-1]
         rings.append(tuple((round(x, 3) + 0.0, round(y, 3) + 0.0) for x, y in points))
     return tuple(sorted(rings))
 

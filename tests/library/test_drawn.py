@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import trimesh
 from sdgen.library import Library
 from sdgen.library.drawn import drawn, shut
 from sdgen.library.meshes import MeshData
-from sdgen.library.outlines import joined, outlines_of
+from sdgen.library.outlines import joined, outline, outlines_of
 from sdgen.library.states import object_from_part
 
 from tests.shipped import shipped_library
@@ -20,8 +21,6 @@ def library() -> Library:
 
 def boxes(*middles: tuple[float, float, float]) -> MeshData:
     """Cubes of 2 cm as one mesh, each corner repeated for every face, as files have it."""
-    import trimesh
-
     cubes = [trimesh.creation.box((0.02, 0.02, 0.02)).apply_translation(at) for at in middles]
     triangles = np.concatenate([cube.triangles for cube in cubes]).reshape(-1, 3)
     count = len(triangles)
@@ -40,6 +39,20 @@ def test_the_outline_of_a_box_is_its_corners() -> None:
     (points,) = outlines_of(boxes((0.5, 0, 0.01)))
     assert len(points) == 8
     assert np.ptp(np.array(points), axis=0) == pytest.approx([0.02] * 3)
+
+
+@pytest.mark.parametrize("turned", np.linspace(0.0, 1.5, 7))
+def test_an_arm_is_in_the_box_however_the_thing_is_turned(turned: float) -> None:
+    """A doll 0.3 m high whose arm ends 6 cm beside its body."""
+    mesh = trimesh.creation.icosphere(subdivisions=3, radius=0.1).vertices * (1, 1, 1.5)
+    arm = np.array([(0.16, y, z) for y in (-0.01, 0.01) for z in (0.04, 0.06)])
+    arm[:, :2] = arm[:, :2] @ trimesh.transformations.rotation_matrix(-turned, (0, 0, 1))[:2, :2]
+    vertices = np.concatenate([mesh, arm])
+    points = np.array(outline(vertices))
+    yaw = np.linspace(0, 2 * np.pi, 180)
+    across = np.stack([np.cos(yaw), np.sin(yaw), 0 * yaw])
+    missed = (vertices @ across).max(axis=0) - (points @ across).max(axis=0)
+    assert missed.max() < 0.004
 
 
 def test_components_are_found_along_chains() -> None:

@@ -20,6 +20,9 @@ APART_M = 0.002
 #: Directions that outermost points are sought in. On a ball of radius r 64 miss at most 0.02 r,
 #: and 26 of them 0.06 r: enough for shards and crumbs of a few centimetres.
 DIRECTIONS, DIRECTIONS_OF_SEVERAL = 64, 26
+#: And so many level ones: most things stand upright, whichever way they are turned, and an arm or
+#: a handle is missed between those by 2 cm.
+LEVEL = 24
 
 _Labels = npt.NDArray[np.intp]
 
@@ -69,7 +72,8 @@ def joined(edges: npt.NDArray[np.int64], count: int) -> _Labels:
 
 
 def outline(vertices: Array, directions: int = DIRECTIONS) -> Points:
-    """Outermost of some points (N, 3) in evenly spread directions and along axes and diagonals.
+    """Outermost of some points (N, 3) in evenly spread and level directions, along axes and
+    diagonals.
 
     Metres, rounded to 0.1 mm, sorted.
     """
@@ -78,8 +82,10 @@ def outline(vertices: Array, directions: int = DIRECTIONS) -> Points:
     turn = np.pi * (1 + 5**0.5) * k
     flat = np.sqrt(1 - z * z)
     spread = np.stack([flat * np.cos(turn), flat * np.sin(turn), z], axis=1)
+    yaw = np.arange(LEVEL) * 2 * np.pi / LEVEL
+    level = np.stack([np.cos(yaw), np.sin(yaw), np.zeros(LEVEL)], axis=1)
     axes = np.concatenate([np.eye(3), -np.eye(3)])
     corners = np.array([(x, y, w) for x in (-1, 1) for y in (-1, 1) for w in (-1, 1)]) / 3**0.5
-    outermost = np.argmax(vertices @ np.concatenate([spread, axes, corners]).T, axis=0)
+    outermost = np.argmax(vertices @ np.concatenate([spread, level, axes, corners]).T, axis=0)
     points = {vec3(np.round(vertices[i], 4) + 0.0) for i in outermost.tolist()}
     return tuple(sorted(points))

@@ -64,6 +64,20 @@ def test_floor_and_ceiling_have_the_depth_of_their_planes(
         assert np.percentile(np.abs(height - level), 95) < 0.02
 
 
+@pytest.mark.skipif(not EGL, reason="EGL does not start here")
+def test_depth_is_a_matter_of_millimetres_at_the_end_of_a_room(library: Library) -> None:
+    """The plugin's buffer has 16 bits: from 0.05 m on they are 15 mm apart at 7 m."""
+    view = camera((-3.4, 0, 1.25), (4, 1, 1.25))
+    with open_renderer("egl") as egl:
+        frame = one(egl, library, box_room(size_m=(8.0, 4.0)), view)
+    rows, columns = np.nonzero(frame.instance == 4)
+    assert len(rows) > 1000
+    k, depth = np.asarray(view.K), frame.depth_mm[rows, columns] / 1000.0
+    x, y = (columns - k[0, 2]) / k[0, 0] * depth, (rows - k[1, 2]) / k[1, 1] * depth
+    wall = apply(np.asarray(view.world_from_camera), np.column_stack([x, y, depth]))[:, 0]
+    assert np.abs(wall - 4.0).max() < 0.0025
+
+
 def test_a_projected_point_is_found_in_mask_and_depth(renderer: Renderer, library: Library) -> None:
     scene = box_room([thing(1234, "cube_01", (0.4, -0.3, 0.0)), thing(77, "cube_02", (1, 1, 0))])
     view = camera((-1.2, -0.9, 1.4), (0.2, 0, 0.3))

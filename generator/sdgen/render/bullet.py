@@ -13,6 +13,7 @@ from sdgen.geometry import Array, apply, quat_from_matrix
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.bullet import pb
+from sdgen.render.nearest import drawn_boxes, nearest_depth_m
 from sdgen.render.opengl import depth_from_buffer, projection_matrix, scaled, view_matrix
 from sdgen.render.part_bodies import WITH_LINKS, Part, PartBodies
 from sdgen.render.protocol import Picture
@@ -67,6 +68,7 @@ class BulletGraphics:
         self._parts = self._no_parts()
         self._vertices = 0
         self._shift = np.eye(4)
+        self._boxes = np.empty((0, 2, 3))
 
     def close(self) -> None:
         """Disconnect; a second call does nothing."""
@@ -79,6 +81,7 @@ class BulletGraphics:
         """Put the scene, moved by :func:`drawing_shift`, into the emptied world."""
         self._clear()
         self._shift = drawing_shift(scene)
+        self._boxes = drawn_boxes(library, scene)
         parts: list[Part] = []
         ceiling_m = ceiling_level_m(scene.home.structures)
         for structure in sorted(scene.home.structures, key=lambda s: s.id):
@@ -90,11 +93,12 @@ class BulletGraphics:
     def draw(self, camera: Camera) -> Picture:
         """Colour, depth and whose every pixel is."""
         size = (camera.width, camera.height)
-        rgb, buffer, mask = self._image(camera, np.asarray(camera.K), size, mask=True)
+        near_m = nearest_depth_m(camera, self._boxes)
+        rgb, buffer, mask = self._image(camera, np.asarray(camera.K), size, near_m, mask=True)
         instance, part = self._parts.owners(mask)
         return Picture(
             rgb=rgb,
-            depth_m=depth_from_buffer(buffer, camera.near_m, camera.far_m),
+            depth_m=depth_from_buffer(buffer, near_m, camera.far_m),
             instance=instance,
             part=part,
         )
@@ -102,7 +106,9 @@ class BulletGraphics:
     def draw_colours(self, camera: Camera, factor: int) -> npt.NDArray[np.uint8]:
         """The camera's colours with ``factor`` times as many pixels along each side."""
         size = (camera.width * factor, camera.height * factor)
-        return self._image(camera, scaled(np.asarray(camera.K), factor), size, mask=False)[0]
+        near_m = nearest_depth_m(camera, self._boxes)
+        k = scaled(np.asarray(camera.K), factor)
+        return self._image(camera, k, size, near_m, mask=False)[0]
 
     def _no_parts(self) -> PartBodies:
         return PartBodies(self.client, self._device == pb.ER_BULLET_HARDWARE_OPENGL)
@@ -180,10 +186,10 @@ class BulletGraphics:
         return self._shapes[path, rgba]
 
     def _image(
-        self, camera: Camera, k: Array, size: tuple[int, int], mask: bool
+        self, camera: Camera, k: Array, size: tuple[int, int], near_m: float, mask: bool
     ) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.float32], npt.NDArray[np.int32]]:
         """Colour, depth buffer and Bullet's mask of a camera's view drawn at ``size`` (width,
-        height), in tiles no larger than the EGL window."""
+        height), in tiles no larger than the EGL window, of what is ``near_m`` away or more."""
         width, height = size
         rgb = np.empty((height, width, 3), dtype=np.uint8)
         depth = np.empty((height, width), dtype=np.float32)
@@ -192,7 +198,7 @@ class BulletGraphics:
         for y0 in range(0, height, _TILE[1]):
             for x0 in range(0, width, _TILE[0]):
                 w, h = min(_TILE[0], width - x0), min(_TILE[1], height - y0)
-                lens = projection_matrix(k, x0, y0, w, h, camera.near_m, camera.far_m)
+                lens = projection_matrix(k, x0, y0, w, h, near_m, camera.far_m)
                 image = pb.getCameraImage(
                     w,
                     h,

@@ -77,8 +77,33 @@ def test_a_piece_just_below_a_support_is_raised_to_it(plain: Asset) -> None:
     drawn = {"body": mesh(((-0.1, -0.1, 0), (0.1, 0.1, 0.026)))}
     (raised,) = reaching_meshes([BOARD], drawn, tray(plain, 0.026))
     assert sorted(set(raised.vertices_m[:, 2].tolist())) == [0.0, 0.026]
-    for z_m in (0.02, 0.015, 0.04):
+    for z_m in (0.02, 0.004, 0.07):
         assert reaching_meshes([BOARD], drawn, tray(plain, z_m)) == (BOARD,)
+
+
+def test_a_piece_all_over_a_support_is_lowered_to_it(plain: Asset) -> None:
+    drawn = {"body": mesh(((-0.1, -0.1, 0), (0.1, 0.1, 0.014)))}
+    (lowered,) = reaching_meshes([BOARD], drawn, tray(plain, 0.014))
+    assert sorted(set(lowered.vertices_m[:, 2].tolist())) == [0.0, 0.014]
+    rim = Hull("body", np.array(box_corners((-0.1, -0.1, 0.0), (-0.06, 0.1, 0.02))))
+    assert reaching_meshes([rim], drawn, tray(plain, 0.014)) == (rim,)
+
+
+def test_a_piece_that_carries_one_support_is_not_raised_to_the_next(plain: Asset) -> None:
+    """Compartments stand on the top of a desk: their floor is 14 mm higher."""
+    drawn = {"body": mesh(((-0.1, -0.1, 0), (0.1, 0.1, 0.034)))}
+    top = tray(plain, 0.02).supports[0]
+    floor = top.model_copy(update={"name": "floor", "z_m": 0.034})
+    asset = plain.model_copy(update={"supports": (floor, top)})
+    assert reaching_meshes([BOARD], drawn, asset) == (BOARD,)
+
+
+def test_a_cushion_on_a_piece_gets_a_piece_of_its_own(plain: Asset) -> None:
+    drawn = {"body": mesh(((-0.1, -0.1, 0), (0.1, 0.1, 0.05)))}
+    board, cushion = reaching_meshes([BOARD], drawn, tray(plain, 0.05))
+    assert np.array_equal(board.vertices_m, BOARD.vertices_m)
+    low, high = cushion.vertices_m.min(axis=0), cushion.vertices_m.max(axis=0)
+    assert (low, high) == (pytest.approx((-0.09, -0.09, 0.02)), pytest.approx((0.09, 0.09, 0.05)))
 
 
 def test_of_what_is_stood_on_the_feet_are_reached_for(plain: Asset) -> None:

@@ -15,12 +15,15 @@ import os
 import sys
 from pathlib import Path
 
+import cushions
 import numpy as np
 import trimesh
 import yaml
 from compact import compact
+from sdgen.library.meshes import read_glb
 from sdgen.library.poses import resting_poses
-from sdgen.library.shape import centre_of_mass
+from sdgen.library.records import Asset
+from sdgen.library.shape import centre_of_mass, corners_of
 
 ASSETS = Path(__file__).resolve().parent.parent
 RECORDS = ASSETS.parent / "build" / "assets"
@@ -218,6 +221,25 @@ def add_standing_states(entries: dict[str, dict]) -> None:
                     entry["states"] = [rule, *entry["states"]]
 
 
+def lay_on_cushions(entries: dict[str, dict]) -> None:
+    """Lay the supports of what is padded on what is drawn; done to those done before, nothing."""
+    known: dict[str, list[dict]] = {}
+    for entry in entries.values():
+        if entry["category"] not in cushions.SOFT:
+            continue
+        asset = Asset.model_validate(entry)
+        out = []
+        for support in entry["supports"]:
+            roomy = (support["headroom_m"] or np.inf) >= cushions.HEADROOM_M
+            key = entry["mesh"] + repr(support)
+            if support["container"] is None and roomy and key not in known:
+                meshes = read_glb(ASSETS / entry["mesh"], asset)
+                drawn = corners_of([meshes[part] for part in entry["variants"]["default"]])
+                known[key] = cushions.laid(drawn, support)
+            out += known.get(key, [support])
+        entry["supports"] = out
+
+
 def check(entry: dict) -> list[str]:
     problems = []
     total = sum(p["faces"] for p in entry["parts"] if p["name"] in entry["variants"]["default"])
@@ -307,6 +329,7 @@ def main() -> int:
             if "resting" not in entry:
                 entry["resting"] = resting(entry)
         add_standing_states(entries)
+        lay_on_cushions(entries)
         ordered = [entries[k] for k in sorted(entries)]
         temporary = target.with_suffix(".tmp")
         temporary.write_text(dump(ordered, [surfaces[k] for k in sorted(surfaces)]))

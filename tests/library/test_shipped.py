@@ -4,9 +4,12 @@ import pytest
 import yaml
 from sdgen.catalog.load import load_catalog
 from sdgen.library import Library
+from sdgen.library.shape import corners_of
 from sdgen.library.states import rest_states
+from sdgen.library.supports import carried_share, headroom_m
 from sdgen.resources import data_path
 from sdgen.validate.assets import check_assets
+from shapely.geometry import Polygon
 
 from tests.by_path import ROOT, module_at
 from tests.shipped import shipped_library
@@ -123,3 +126,18 @@ def test_a_leaf_that_is_ajar_is_open(library: Library) -> None:
             for rule in asset.states:
                 if rule.state == "OPEN" and asset.joint(rule.joint).type == "revolute":
                     assert 0.1 <= rule.min <= 0.3, asset.id
+
+
+@pytest.mark.parametrize("category", ["sofa", "armchair", "bed", "office_chair", "bar_stool"])
+def test_what_lies_on_a_seat_lies_on_what_is_drawn(library: Library, category: str) -> None:
+    """Nowhere a centimetre over the cushion, and no cushion of a back in its way."""
+    for asset in library.by_category(category):
+        drawn = corners_of([library.mesh(asset.id)[part] for part in asset.variants["default"]])
+        pieces = [hull.vertices_m for hull in library.hulls(asset.id)]
+        for support in asset.supports:
+            if support.container is None:
+                outline = Polygon(support.polygon_m)
+                assert carried_share(drawn, outline, support.z_m) == 1.0, asset.id
+                assert headroom_m(drawn, outline, support.z_m) is None, asset.id
+                tops = {round(float(points[:, 2].max()), 4) for points in pieces}
+                assert support.z_m in tops, asset.id

@@ -12,6 +12,7 @@ from sdgen.geometry import quat_from_yaw
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.furnish import put_piece, stand_in
 from sdgen.home.layout import IN_WALL_M, Layout, within_room
+from sdgen.home.tenants import Tenants
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
@@ -52,6 +53,21 @@ def test_base_homes_hold_no_furniture_that_cuts_or_blocks_a_doorway(home):
             flat = body.high[2] <= FLAT_M or body.low[2] >= OVERHEAD_M
             if item.category not in OPENINGS and not flat:
                 assert not any(body.footprint.intersects(d) for d in doorways), item.category
+
+
+@pytest.mark.parametrize("home", CATALOG.homes, ids=lambda home: home.id)
+@pytest.mark.parametrize("group", ["infant", "toddler"])
+def test_an_infant_has_a_cot_and_nobody_else(home, group):
+    models = SplitModels(LIBRARY, "train")
+    for number in range(3):
+        ids = iter((lane(3, number, "ids").permutation(65535) + 1).tolist())
+        tenants = Tenants(frozenset({group, "child"}), beds=2)
+        made = furnished_home(
+            home, CATALOG, LIBRARY, models, ids, lane(3, number, "furnish"), tenants
+        )
+        assert isinstance(made, FurnishedHome), made
+        cots = sum(item.category == "crib" for item in made.layout.items.values())
+        assert cots == (group == "infant")
 
 
 def test_a_home_with_a_piece_in_a_doorway_is_rejected():

@@ -96,11 +96,18 @@ def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
 
 
 def furnish_as_drawn(
-    spec: HomeSpec, home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng
+    spec: HomeSpec,
+    home: Home,
+    layout: Layout,
+    catalog: Catalog,
+    models: Models,
+    theirs: Models,
+    rng: Rng,
 ) -> Layout | Rejection:
-    """The layout with the furniture of every room where the base home has it."""
+    """The layout with the furniture of every room where the base home has it; of optional pieces
+    only what is ``theirs`` who live there."""
     for source, room in zip(spec.rooms, home.rooms, strict=True):
-        furnished = _furnish_room(source, room, layout, catalog, models, rng)
+        furnished = _furnish_room(source, room, layout, catalog, models, theirs, rng)
         if isinstance(furnished, Rejection):
             return furnished
         layout = furnished
@@ -108,14 +115,22 @@ def furnish_as_drawn(
 
 
 def _furnish_room(
-    source: RoomSpec, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
+    source: RoomSpec,
+    room: Room,
+    layout: Layout,
+    catalog: Catalog,
+    models: Models,
+    theirs: Models,
+    rng: Rng,
 ) -> Layout | Rejection:
     placed: dict[str, list[int]] = {}
     for piece in source.furniture:
         skip = rng.random() >= OPTIONAL_SHARE
-        if piece.optional and skip:
+        # What belongs to somebody stands wherever they live: an infant's cot.
+        if piece.optional and skip and not catalog.category(piece.category).belongs_to:
             continue
-        candidates = [m for m in models(piece.category) if _wide_enough(piece, m)]
+        among = theirs if piece.optional else models
+        candidates = [m for m in among(piece.category) if _wide_enough(piece, m)]
         order = rng.permutation(len(candidates)) if candidates else np.array([], dtype=int)
         done = False
         for k in order.tolist():

@@ -158,7 +158,7 @@ def furnished_home(
     if spec.kind == "procedural":
         layout = furnish_by_rules(home, layout, catalog, theirs, rng)
     else:
-        layout = furnish_as_drawn(spec, home, layout, catalog, models, rng)
+        layout = furnish_as_drawn(spec, home, layout, catalog, models, theirs, rng)
     if isinstance(layout, Rejection):
         return layout
     if tenants is not None and Homes(catalog).has_beds(spec, tenants.beds):

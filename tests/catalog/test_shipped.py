@@ -309,7 +309,8 @@ def test_shipped_files_are_plain_and_short() -> None:
 
 def test_whatever_may_lie_where_people_walk_is_to_trip_over_or_flat() -> None:
     """Recipes put nothing loose and high in a walkway that no label would name."""
-    loose = set(CATALOG.hazard("tripping_hazard").anomalies[0].categories)
+    tripping = CATALOG.hazard("tripping_hazard")
+    loose = {name for recipe in tripping.anomalies for name in recipe.categories}
     heights = {category.name: category.extents_max_m[2] for category in CATALOG.categories}
     for hazard in CATALOG.hazards:
         for recipe in (*hazard.anomalies, *hazard.lookalikes):
@@ -320,6 +321,20 @@ def test_whatever_may_lie_where_people_walk_is_to_trip_over_or_flat() -> None:
             for name in set(recipe.categories) - loose:
                 broken = recipe.state == "BROKEN"  # shards are what one steps into
                 assert broken or heights[name] <= 0.05, (hazard.id, name)
+
+
+def test_near_misses_lie_on_floors_that_people_keep_them_on() -> None:
+    """A whole cup on a bathroom's floor is no hazard by any definition, and looks like one."""
+    on_floors = {
+        category.name
+        for category in CATALOG.categories
+        if category.kind != "small" or any("floor" in abode.targets for abode in category.lives)
+    }
+    for hazard in CATALOG.hazards:
+        for recipe in hazard.lookalikes:
+            if isinstance(recipe, PlaceRecipe) and "floor" in recipe.targets:
+                assert recipe.rooms, (hazard.id, recipe.categories)
+                assert set(recipe.categories) <= on_floors, hazard.id
 
 
 def _spread(recipes: Iterable[Recipe]) -> dict[str, float]:

@@ -27,11 +27,13 @@ class Candidate:
 def candidates(
     hazard: str, recipes: Sequence[Recipe], layout: Layout, context: HomeContext
 ) -> list[Candidate]:
-    """All that these recipes allow with the models and the furniture at hand, in recipe order."""
+    """All that these recipes allow with the models, rooms and furniture at hand, in their order."""
     present = {item.category for item in layout.items.values()} | {"floor"}
+    rooms = {room.type for room in context.home.rooms}
     return [
         Candidate(unique_anomaly(hazard, case), recipe)
         for recipe in recipes
+        if not recipe.rooms or not rooms.isdisjoint(recipe.rooms)
         for case in _possible(recipe, present, context)
     ]
 

@@ -4,9 +4,9 @@ import pytest
 import shapely
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape
-from sdgen.walkways import OPEN_FLOOR_M, WALKWAY_HALF_M, used, walked
+from sdgen.walkways import OPEN_FLOOR_M, SEATED_M, WALKWAY_HALF_M, narrow, used, walked
 from sdgen.zones import doorway_point, floor_obstacles
-from shapely.geometry import Point, Polygon
+from shapely.geometry import Point, Polygon, box
 
 from tests import toy
 
@@ -78,3 +78,35 @@ def test_what_hangs_or_lies_flat_is_nothing_to_walk_up_to():
     flat = toy.thing(31, "knife_01", (2.0, 5.0, 0), room=101, fixed=True)
     traits = {"bookshelf": ("SURFACES",), "knife": ("SURFACES",)}
     assert used(bodies_of([hung, flat], toy.infos()), traits) == []
+
+
+def test_what_has_its_front_to_a_wall_is_got_at_from_beside():
+    """As a chair at its table is: the floor nearest to it is no open floor."""
+    away = toy.thing(11, "stove_01", (2.2, 0.3, 0), yaw=-1.570796, fixed=True)
+    behind = Point(2.2, 0.8)
+    assert floor_walked(KITCHEN, away).contains(behind)
+    assert not floor_walked(KITCHEN, away, traits={}).contains(behind)
+
+
+ROOM = box(0, 0, 6, 4)
+
+
+@pytest.mark.parametrize(("gap", "passed"), [(0.3, False), (0.4, True), (0.9, True), (1.1, False)])
+def test_a_gap_that_people_pass_one_by_one_is_no_place_to_put_things_aside(gap, passed):
+    beside_wall = narrow(ROOM, [box(2, gap, 4, gap + 1)], [])
+    assert beside_wall.contains(Point(3, gap / 2)) is passed
+    pieces = [box(1.5, 1.5, 2.5, 2.5), box(2.5 + gap, 1.5, 3.5 + gap, 2.5)]
+    assert narrow(ROOM, pieces, []).contains(Point(2.5 + gap / 2, 2)) is passed
+
+
+def test_beside_a_lone_piece_and_along_walls_there_is_room_to_put_things_aside():
+    found = narrow(ROOM, [box(2, 0, 4, 0.6)], [])
+    assert found.is_empty
+
+
+def test_where_people_sit_down_at_a_table_is_no_place_to_put_things_aside():
+    table = box(2, 1.5, 4, 2.5)
+    found = narrow(ROOM, [table], [table])
+    assert found.contains(Point(3, 2.5 + SEATED_M - 0.05))
+    assert not found.contains(Point(3, 2.5 + SEATED_M + 0.05))
+    assert not narrow(ROOM, [table], []).contains(Point(3, 2.6))

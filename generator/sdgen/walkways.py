@@ -4,7 +4,8 @@ the open floor.
 A way is the shortest that a person can take, 0.9 m wide: ADA 2010, section 403.5.1, asks for 36
 inches (0.915 m) of clear width on walking surfaces. Ways that furniture narrows are as wide as it
 leaves them. Open floor is what lies further from walls and furniture than things that are put
-aside do: people cross it as they please.
+aside do: people cross it as they please. A person may take another way than the shortest: gaps that
+one can pass, but not two, are on none of these ways and yet no place to put something aside.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from itertools import combinations
 
 import numpy as np
 import shapely
-from shapely.geometry import LineString, Point, Polygon
+from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
@@ -47,6 +48,13 @@ USED = frozenset(
 BEFORE_M = ROBOT_RADIUS_M + 0.15
 #: A side whose standing place is further from free floor than this is against a wall or a table.
 AT_MOST_OFF_M = 0.4
+#: Between what is less than this apart, people walk in single file, in the middle: two bodies of
+#: 0.5 m. Between what is less than the other apart nobody does: hips are about so broad (a
+#: judgement; large adults turn sideways).
+SINGLE_FILE_M, SQUEEZED_M = 1.0, 0.35
+#: Chairs stand at a table, are drawn back and got at over so much floor about it: their depth and
+#: a hand's breadth (by eye, of our models).
+SEATED_M = 0.6
 #: Strips narrower than twice this are where two shapes nearly meet: nobody walks along them.
 SLIVER_M = 0.05
 
@@ -93,16 +101,44 @@ def walked(
 def _before(
     body: Body, properties: Mapping[str, Collection[str]], inside: BaseGeometry
 ) -> Iterator[Vec2]:
-    """Where somebody stands who uses a piece: before its front; beside it, too, to lie down."""
+    """Where somebody stands who uses a piece: before its front; beside it, too, to lie down.
+
+    A chair at its table is got at from the side: what has no such place is used from the floor
+    that is nearest to its middle.
+    """
     half_x, half_y = body.info.extents_m[0] / 2 + BEFORE_M, body.info.extents_m[1] / 2 + BEFORE_M
     local = [(half_x, 0.0, 0.0)]
     if "LIEABLE" in properties.get(body.item.category, ()):
         local += [(0.0, half_y, 0.0), (0.0, -half_y, 0.0)]
-    for x, y, _ in apply(body.world_from_object, local).tolist():
-        point = Point(x, y)
-        if inside.distance(point) <= AT_MOST_OFF_M:
-            there = nearest_points(inside, point)[0]
-            yield (there.x, there.y)
+    middle, *spots = shapely.points(
+        apply(body.world_from_object, [(0.0, 0.0, 0.0), *local])[:, :2]
+    ).tolist()
+    near = [spot for spot in spots if inside.distance(spot) <= AT_MOST_OFF_M]
+    if not near and inside.distance(middle) <= max(half_x, half_y):
+        near = [middle]
+    for spot in near:
+        there = nearest_points(inside, spot)[0]
+        yield (there.x, there.y)
+
+
+def narrow(
+    outline: Polygon, standing: Sequence[BaseGeometry], sat_at: Sequence[BaseGeometry]
+) -> BaseGeometry:
+    """Floor of a room that people use whether or not a way leads there: the middles of gaps that
+    they pass in single file, between pieces of furniture (their outlines: ``standing``) or one and
+    a wall, and where they sit down at tables (``sat_at``).
+    """
+    corners = shapely.get_coordinates(outline)
+    walls = shapely.linestrings(np.stack([corners[:-1], corners[1:]], axis=1))
+    shapes = np.array([*walls, *standing], dtype=object)
+    first, second = shapely.STRtree(shapes).query(shapes, "dwithin", SINGLE_FILE_M)
+    once = first < second
+    first, second = first[once], second[once]
+    passed = shapely.distance(shapes[first], shapes[second]) >= SQUEEZED_M
+    near = shapely.buffer(shapes, SINGLE_FILE_M / 2, quad_segs=2)
+    middles = shapely.intersection(near[first[passed]], near[second[passed]])
+    seats = shapely.buffer(list(sat_at), SEATED_M, quad_segs=2)
+    return shapely.union_all([*middles, *seats]).intersection(outline)
 
 
 class _Ways:

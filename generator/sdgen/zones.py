@@ -35,7 +35,7 @@ from sdgen.vocabulary import (
     OVERHEAD_M,
     ZoneKind,
 )
-from sdgen.walkways import OPEN_FLOOR_M, used, walked
+from sdgen.walkways import OPEN_FLOOR_M, narrow, used, walked
 
 #: How far a doorway's zone reaches into each room: a stride, and most of a leaf's sweep.
 DOORWAY_DEPTH_M = 0.6
@@ -114,6 +114,20 @@ def _standing_in(shape: BaseGeometry, bodies: Iterable[Body]) -> tuple[int, ...]
             and shape.intersection(body.footprint).area > TOUCH_M2
         )
     )
+
+
+def narrow_floor(
+    home: Home, furniture: Sequence[Body], properties: Mapping[str, Collection[str]]
+) -> BaseGeometry:
+    """Floor of all rooms that is used, on a way or not: see :func:`~sdgen.walkways.narrow`."""
+    found = []
+    for room in home.rooms:
+        here = [body for body in furniture if body.item.room_id == room.id]
+        tables = [b for b in here if "SAT_AT" in properties.get(b.item.category, ())]
+        found.append(
+            narrow(Polygon(room.polygon_m), floor_obstacles(here), floor_obstacles(tables))
+        )
+    return union(found)
 
 
 def derive_zones(

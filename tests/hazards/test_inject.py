@@ -1,6 +1,7 @@
 """Candidates of a hazard are weighted fairly, and what does not fit changes nothing."""
 
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 from sdgen.catalog.load import load_catalog
@@ -16,6 +17,7 @@ from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection
 from sdgen.seeding import lane
+from shapely.geometry import box
 
 from tests.shipped import shipped_library
 
@@ -131,6 +133,28 @@ def test_hazards_lie_no_nearer_to_walls_than_clutter_does(home, monkeypatch):
     assert 0 < by_clutter < len(asked)
     for area, outline in asked:
         assert area.difference(outline.buffer(-FLOOR_OFF_WALLS_M)).area < 1e-9
+
+
+def test_what_is_to_be_in_nobodys_way_keeps_off_narrow_floor(home):
+    """Everyday things and near misses, but no hazard that is to lie in the way."""
+    floors = {home.context.floor_id(room.id) for room in home.context.home.rooms}
+    hazard = CATALOG.hazard("tripping_hazard")
+    aside = [r for r in hazard.lookalikes if r.kind == "place" and r.avoid_zones]
+    in_the_way = [r for r in hazard.anomalies if r.kind == "place" and r.zone]
+    everywhere = replace(home.context, narrow=box(-50, -50, 50, 50))
+
+    def on_floor(recipes, context):
+        made = candidates("tripping_hazard", recipes, home.layout, context)[:12]
+        layout = home.layout.copy(iter(range(60000, 61000)))
+        return [inject_candidate(c, layout, context, (), lane(3, 0, "x")) for c in made]
+
+    for context, some in ((home.context, True), (everywhere, False)):
+        layout = home.layout.copy(iter(range(60000, 61000)))
+        add_clutter(layout, context, lane(3, 0, "clutter"))
+        clutter = [i for i in layout.intents.values() if i.target_id in floors]
+        assert bool(clutter) is some
+        assert any(on_floor(aside, context)) is some
+        assert any(on_floor(in_the_way, context))
 
 
 def test_a_recipe_leaves_out_models_that_come_in_a_state(home):

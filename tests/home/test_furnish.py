@@ -4,6 +4,7 @@ import itertools
 import math
 
 import pytest
+from sdgen.actions import at_rest
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import FurnitureItem
 from sdgen.facts import Body
@@ -13,6 +14,7 @@ from sdgen.hazards.splits import SplitModels
 from sdgen.home.furnish import put_piece, stand_in
 from sdgen.home.layout import IN_WALL_M, Layout, within_room
 from sdgen.home.tenants import Tenants
+from sdgen.library.records import AssetInfo
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
@@ -209,6 +211,36 @@ def test_a_leaf_opens_clear_of_the_frame_of_a_window(fakes):
     layout.ways = layout.ways.with_frame(frame.model_copy(update={"category": "window"}), fakes)
     assert not stands(layout, thing(10, "cabinet_01", (0, 0, 0), fixed=True))
     assert stands(layout, thing(10, "cabinet_01", (0, 0, 0), turned(180), fixed=True))
+
+
+@pytest.mark.parametrize(
+    ("piece", "gap", "free"),
+    [("coffee_table", 0.45, False), ("coffee_table", 0.55, True), (None, 0.45, False)],
+)
+def test_who_opens_a_piece_has_room_to_stand_before_it(piece, gap, free):
+    """A chest whose lid swings up and back, before a table or a wall, whichever came first."""
+    chest = LIBRARY.by_category("toy_box")[0]
+    front = chest.extents_m[0] / 2
+    if piece is None:
+        assert stands(Layout(LIBRARY, itertools.count(1)), shipped(chest, 1.0)) is True
+        assert stands(Layout(LIBRARY, itertools.count(1)), shipped(chest, 2 - front - gap)) is free
+        return
+    table = LIBRARY.by_category(piece)[0]
+    pair = shipped(chest, -1.0), shipped(table, -1 + front + gap + table.extents_m[0] / 2, 2)
+    for first, second in (pair, pair[::-1]):
+        layout = Layout(LIBRARY, itertools.count(1))
+        assert stands(layout, first)
+        assert stands(layout, second) is free
+
+
+def shipped(asset: AssetInfo, x: float, number: int = 1) -> ObjectInstance:
+    pose = Pose(position_m=(x, 0.0, 0.0), quat_xyzw=quat_from_yaw(0.0))
+    return at_rest(
+        ObjectInstance(
+            id=number, category=asset.category, asset=asset.id, pose=pose, room_id=1, fixed=True
+        ),
+        asset,
+    )
 
 
 def test_what_opens_over_its_back_stands_off_the_wall_it_is_drawn_at():

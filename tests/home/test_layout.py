@@ -99,6 +99,17 @@ def test_floor_spots_keep_to_their_area(layout):
             assert print_.intersection(avoid).area <= 0.2 * print_.area + 1e-9
 
 
+def test_floor_spots_touch_nothing_of_what_they_must_keep_off(layout):
+    area, off = box(0, 0, 3, 3), box(0, 0, 1.5, 3)
+    crate = LIBRARY.by_category("cardboard_box")[0]
+    rng = lane(0, 3, "layout")
+    spots = [layout.spot_on_floor(crate, area, area, rng, off=off) for _ in range(20)]
+    found = [spot for spot in spots if spot is not None]
+    assert found
+    for (x, y, _), yaw in found:
+        assert not Polygon(corners_of(crate, x, y, yaw)).intersects(off)
+
+
 def test_a_dropped_thing_leaves_no_trace(layout):
     table = put(layout, "coffee_table")
     before = dict(layout.items)

@@ -215,7 +215,7 @@ def _place_on_floor(
         room = rooms[k]
         outline = Polygon(room.polygon_m)
         area = context.floor(room.id, recipe.avoid_zones)
-        keep_share, avoid = 0.0, None
+        keep_share, avoid, off = 0.0, None, context.off(recipe.avoid_zones)
         if recipe.zone:
             area = context.zone_shape(recipe.zone, room.id).intersection(area)
             keep_share = ZONE_KEEP_SHARE
@@ -223,7 +223,7 @@ def _place_on_floor(
             avoid = context.zone_shape(recipe.avoid_zones)
         for _ in range(SPOTS_TRIED):
             spot = layout.spot_on_floor(
-                asset, area, outline, rng, keep_share=keep_share, avoid=avoid, bulk=bulk
+                asset, area, outline, rng, keep_share=keep_share, avoid=avoid, bulk=bulk, off=off
             )
             if spot is None:
                 break

@@ -292,11 +292,12 @@ def _place_on_floor(
     asset, _ = picked
     outline = Polygon(room.polygon_m)
     area, keep_clear = context.floor(room.id, KEEP_CLEAR), context.zone_shape(KEEP_CLEAR)
+    off = context.off(KEEP_CLEAR)
     must_show = context.keeps_to_views(asset.category, rng)
     if must_show and not context.shows.anything_on(room.id):
         return
     for _ in range(SPOTS_TRIED):
-        spot = layout.spot_on_floor(asset, area, outline, rng, avoid=keep_clear)
+        spot = layout.spot_on_floor(asset, area, outline, rng, avoid=keep_clear, off=off)
         if spot is None:
             return
         if must_show and not context.shows_at(Bulk(asset.extents_m), spot):

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Protocol
 
 import shapely
+from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.records import Catalog
@@ -73,7 +74,8 @@ class Everything:
 class HomeContext:
     """A furnished home's shell and zones, and the catalogue and models it may be filled from.
 
-    ``shows`` tells where things can be seen.
+    ``shows`` tells where things can be seen, ``narrow`` is the floor of gaps that people may walk
+    through: what must keep off walkways keeps off these.
     """
 
     home: Home
@@ -82,6 +84,7 @@ class HomeContext:
     models: Models
     reach: Reach
     shows: Shows = field(default_factory=Everything)
+    narrow: BaseGeometry = field(default_factory=Polygon)
 
     def shows_at(self, bulk: Bulk, spot: Vec3Yaw) -> bool:
         """True when what fills this can be seen at a spot."""
@@ -108,8 +111,16 @@ class HomeContext:
         if key not in self._floors:
             room = next(room for room in self.home.rooms if room.id == room_id)
             inner = shapely.polygons(room.polygon_m).buffer(-FLOOR_OFF_WALLS_M)
-            self._floors[key] = inner.difference(self.zone_shape(clear_of)) if clear_of else inner
+            if clear_of:
+                inner = inner.difference(self.zone_shape(clear_of))
+            off = self.off(clear_of)
+            self._floors[key] = inner if off is None else inner.difference(off)
         return self._floors[key]
+
+    def off(self, clear_of: Sequence[str]) -> BaseGeometry | None:
+        """What nothing touches that is to be clear of zones of these kinds: the ``narrow`` floor,
+        if ways are among them."""
+        return self.narrow if "walkway" in clear_of else None
 
     @cached_property
     def _floors(self) -> dict[tuple[tuple[str, ...], int], BaseGeometry]:

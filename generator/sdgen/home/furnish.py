@@ -16,7 +16,7 @@ from sdgen.home.anchors import BACK_GAP_M
 from sdgen.home.blocks import Block
 from sdgen.home.context import Models
 from sdgen.home.layout import Intent, Layout, within_room
-from sdgen.home.ways import way_of
+from sdgen.home.ways import stand_of, way_of
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
@@ -221,16 +221,18 @@ def put_piece(
     room: Room,
     catalog: Catalog,
 ) -> bool:
-    """Add a piece if there is room for it, what opens of it can open, and it is in no other's way;
-    False, and no change, otherwise."""
+    """Add a piece if there is room for it, what opens of it can open with room to stand before it,
+    and it is in no other's way; False, and no change, otherwise."""
     blocks = layout.blocks_of(item)
     if not _has_room(blocks, asset, layout, intent):
         return False
     way = way_of(item, layout.library)
-    if not _opens(item, blocks, way, layout, room, catalog):
+    opens = "CAN_OPEN" in catalog.category(item.category).properties
+    stand = stand_of(item, asset) if opens else []
+    if not _opens(item, blocks, way, stand, layout, room, catalog):
         return False
     layout.put(item, intent, blocks)
-    layout.ways = layout.ways.with_ways(way)
+    layout.ways = layout.ways.with_ways(way).with_stands(stand)
     return True
 
 
@@ -238,11 +240,13 @@ def _opens(
     item: ObjectInstance,
     blocks: Sequence[Block],
     way: Sequence[Block],
+    stand: Sequence[Block],
     layout: Layout,
     room: Room,
     catalog: Catalog,
 ) -> bool:
-    """True when a piece stands in the way of no leaf, lid or drawer, nor anything in its own.
+    """True when a piece stands in the way of no leaf, lid or drawer, nor of who opens it, nor
+    anything in its own.
 
     A seat at a table or a desk is drawn back before its drawer is.
     """
@@ -254,9 +258,15 @@ def _opens(
 
     if not all(map(drawn_back, layout.ways.crossed(blocks))):
         return False
+    outline = Polygon(room.polygon_m)
+    if not all(outline.covers(block.shape) for block in stand):
+        return False
+    # The leaf of a door is pushed to before what is behind it is opened.
+    beside = (k for k in layout.entered(stand) if layout.items[k].category not in OPENINGS)
+    if not all(map(drawn_back, beside)):
+        return False
     if not way:
         return True
-    outline = Polygon(room.polygon_m)
     return layout.ways.clear(way, outline, room.height_m) and all(
         map(drawn_back, layout.entered(way))
     )

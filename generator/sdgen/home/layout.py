@@ -260,17 +260,19 @@ class Layout:
         keep_share: float = 0.0,
         avoid: BaseGeometry | None = None,
         bulk: Bulk | None = None,
+        off: BaseGeometry | None = None,
     ) -> Vec3Yaw | None:
         """A free spot on the floor with its centre in ``area``, all within the outline.
 
         At least ``keep_share`` of the footprint lies in ``area``, at most ``ZONE_AVOID_SHARE`` in
-        ``avoid``. ``bulk`` is what the thing fills, if it is not at rest.
+        ``avoid``, none in ``off``. ``bulk`` is what the thing fills, if it is not at rest.
         """
         bulk = bulk or Bulk(asset.extents_m)
         shapely.prepare(area)
         shapely.prepare(outline)
-        if avoid is not None:
-            shapely.prepare(avoid)
+        for shape in (avoid, off):
+            if shape is not None:
+                shapely.prepare(shape)
         pieces = Pieces(area)
         for _ in range(TRIES):
             point = pieces.random_point(rng)
@@ -287,6 +289,8 @@ class Layout:
                 and avoid.intersects(print_)
                 and print_.intersection(avoid).area > ZONE_AVOID_SHARE * print_.area
             ):
+                continue
+            if off is not None and off.intersects(print_):
                 continue
             if self.fits([space_at(bulk.size_m, (*point, 0.0), yaw, FLOOR_GAP_M)]):
                 return (*bulk.origin(point, yaw), 0.0), yaw

@@ -1,4 +1,5 @@
-"""What opens can open: nothing stands where the leaves, lids and drawers of furniture go."""
+"""What opens can open: nothing stands where the leaves, lids and drawers of furniture go, nor where
+somebody stands who opens them."""
 
 from __future__ import annotations
 
@@ -11,20 +12,33 @@ from shapely.geometry import Polygon
 from sdgen.home.blocks import Block, Table, blocks_at
 from sdgen.library import Library
 from sdgen.library.above import box_from_above
+from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance
+from sdgen.vocabulary import FLAT_M
+
+#: Who opens a piece stands so far before it: a body is 0.5 m across with the arms at its sides. It
+#: takes the middle of the front, this share of it, and reaches to the ends from there (by eye).
+STAND_M, STAND_SHARE = 0.5, 0.5
+#: What hangs higher than this leaves room to stand before something: a shoulder's height.
+SHOULDER_M = 1.2
 
 
 @dataclass(frozen=True)
 class Ways:
-    """The ways of all that opens in a home, and the frames of its doors and windows, which stand
-    out of the walls."""
+    """The ways of all that opens in a home, where people stand to open it, and the frames of its
+    doors and windows, which stand out of the walls."""
 
     ways: Table = field(default_factory=Table)
+    stands: Table = field(default_factory=Table)
     frames: Table = field(default_factory=Table)
 
     def with_ways(self, blocks: Iterable[Block]) -> Ways:
         """These and more ways."""
         return replace(self, ways=self.ways.more(blocks))
+
+    def with_stands(self, blocks: Iterable[Block]) -> Ways:
+        """These, and more places to stand."""
+        return replace(self, stands=self.stands.more(blocks))
 
     def with_frame(self, item: ObjectInstance, library: Library) -> Ways:
         """These, and the frame and the leaf's way of an opening."""
@@ -34,8 +48,9 @@ class Ways:
         return replace(self, frames=self.frames.more(frame)).with_ways(way_of(item, library))
 
     def crossed(self, blocks: Sequence[Block]) -> Iterable[int]:
-        """Ids of the objects whose ways these blocks of an object stand in."""
-        return self.ways.entered(blocks)
+        """Ids of the objects whose ways, or places to stand, these blocks of an object are in."""
+        yield from self.ways.entered(blocks)
+        yield from self.stands.entered(blocks)
 
     def clear(self, way: Sequence[Block], room: Polygon, height_m: float) -> bool:
         """True when a way lies in the room, clear of frames."""
@@ -50,3 +65,15 @@ def way_of(item: ObjectInstance, library: Library) -> list[Block]:
     """Where the leaves, lids and drawers of an object go as they open."""
     way = library.way(item.asset)
     return [] if way is None else list(blocks_at(item.id, way, item.pose.matrix()))
+
+
+def stand_of(item: ObjectInstance, info: AssetInfo) -> list[Block]:
+    """Where somebody stands who opens a piece of furniture: before the middle of its front.
+
+    Nowhere for what does not open, and for what hangs: one stands before what is below it.
+    """
+    if not info.joints or item.pose.position_m[2] > FLAT_M:
+        return []
+    front, half = info.extents_m[0] / 2, info.extents_m[1] / 2 * STAND_SHARE
+    box = box_from_above((front, -half, FLAT_M), (front + STAND_M, half, SHOULDER_M))
+    return list(blocks_at(item.id, box, item.pose.matrix()))

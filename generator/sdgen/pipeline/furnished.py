@@ -26,7 +26,13 @@ from sdgen.options import BuildOptions
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
 from sdgen.seeding import Rng, lane
-from sdgen.zones import derive_zones, doorway_blocked, floor_obstacles, swing_blocked
+from sdgen.zones import (
+    derive_zones,
+    doorway_blocked,
+    floor_obstacles,
+    narrow_floor,
+    swing_blocked,
+)
 
 #: Of the scenes of a mixed build whose household fits a base home, this many play in one: a choice.
 #: There are few of them, so that more would repeat them; fewer would say little about homes drawn
@@ -184,7 +190,14 @@ def furnished_home(
         return reject("home", "no_free_floor")
     zones = derive_zones(home, bodies, free, properties)
     return FurnishedHome(
-        context=HomeContext(home, zones, catalog, theirs, Reach(catalog, bodies)),
+        context=HomeContext(
+            home,
+            zones,
+            catalog,
+            theirs,
+            Reach(catalog, bodies),
+            narrow=narrow_floor(home, bodies, properties),
+        ),
         layout=layout,
         free_space=rounded_rings(free),
         agent_start=_agent_start(start, room, rng),

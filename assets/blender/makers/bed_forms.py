@@ -192,7 +192,7 @@ def bed_box(
         asm.add("body", wing, solid=True)
     top = make_up(
         asm, (x0 + 0.11, x1 - 0.06), width - 0.16, (0.31, 0.54), fabric(blanket, offset, 0.04),
-        hem=0.33, pillow=fabric("#c9b7a0", offset, 0.04), offset=offset,
+        hem=0.33, case=fabric("#c9b7a0", offset, 0.04), offset=offset,
     )  # fmt: skip
     return _done("upholstered bed with a tall head board", asm, 90.0, top)
 

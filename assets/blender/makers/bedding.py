@@ -64,6 +64,14 @@ def bedspread(
     return cube_project(loft(rings, mat))
 
 
+def pillow(at: tuple[float, float, float], length: float, wide: float, high: float, mat: Material):
+    """A pillow that lies on what ends at ``at``, pressed into it a little by its own weight."""
+    x, y, z = at
+    crown = 0.4 * high
+    size = (length, wide, high - crown + 0.004)
+    return cushion(size, (x, y, z - 0.004), mat, 0.09, crown, 0.045)
+
+
 def make_up(
     asm: Assembly,
     x: tuple[float, float],
@@ -74,7 +82,7 @@ def make_up(
     hem: float = 0.22,
     spread: float | None = None,
     start: float = 0.55,
-    pillow: Material | None = None,
+    case: Material | None = None,
     drop: bool = True,
     offset: Offset = (0, 0, 0),
 ) -> tuple[tuple[float, float], tuple[float, float], float]:
@@ -100,8 +108,7 @@ def make_up(
     for k in range(count):
         y = (k - (count - 1) / 2) * (width * 0.48)
         w = min(0.66, width * 0.78)
-        mesh = cushion((0.38, w, 0.065), (0, 0, 0), pillow or white, 0.09, 0.035, 0.045)
-        asm.add("body", mesh.turn(ry=-0.45).move(x0 + 0.2, y, top + 0.085))
+        asm.add("body", pillow((x0 + 0.24, y, top), 0.38, w, 0.105, case or white))
         asm.solid("body", (x0 + 0.04, y - w / 2, top), (x0 + 0.44, y + w / 2, top + 0.11))
     asm.solid("body", (c0, -half + 0.02, top), (x1 - 0.02, half - 0.02, top + 0.03))
     return (c0 + 0.16, -half + 0.08), (x1 - 0.08, half - 0.08), top + 0.033

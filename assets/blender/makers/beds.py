@@ -7,7 +7,7 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
 
 from .bed_forms import BEDS
-from .bedding import bedspread
+from .bedding import bedspread, pillow
 from .designs import extend
 from .joinery import Assembly, cushion, fabric, finish, leg, surface
 
@@ -108,9 +108,7 @@ def bed(
     for k in range(count):
         y = (k - (count - 1) / 2) * (width * 0.47)
         wide = min(0.68, width * 0.78)
-        pillow = cushion((0.42, wide, 0.07), (0, 0, 0), white, 0.09, 0.035, 0.045)
-        pillow.turn(ry=-0.45).move(x0 + 0.31, y, mattress_top + 0.09)
-        asm.add("body", pillow)
+        asm.add("body", pillow((x0 + 0.33, y, mattress_top), 0.42, wide, 0.115, white))
         asm.solid(
             "body",
             (x0 + 0.12, y - wide / 2, mattress_top),

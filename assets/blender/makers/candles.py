@@ -14,30 +14,34 @@ from toolkit.shapes import lathe, spline, tube
 SHINE = (1.7, 1.7, 1.7, 1.0)
 
 
-def flame_mesh(z: float, height: float = 0.034):
+def flame_mesh(z: float, height: float = 0.05):
+    """A flame as large as a quiet one gets: some pixels of a picture taken from across a room.
+
+    Its colours are those that, 1.7 times as bright (SHINE), are yellow with an orange rim: white
+    would be lost on a pale wall.
+    """
     m = glowing("ffffff")
     t = m.remap(m.axis(2), z, z + height)
     stops = [
-        (0, "5a78e0"),
-        (0.1, "c98a4a"),
-        (0.22, "ffc23a"),
-        (0.42, "fff6c8"),
-        (0.62, "ffe680"),
-        (0.82, "ffb02a"),
-        (1, "ff7a14"),
+        (0, "3a50b0"),
+        (0.08, "a04808"),
+        (0.2, "d88810"),
+        (0.42, "fff0a0"),
+        (0.6, "f4c828"),
+        (0.8, "c86808"),
+        (1, "a83c04"),
     ]
     m.colour(m.ramp(t, stops))
     profile = [
         (0, 0),
-        (0.003, 0.0015),
-        (0.0058, 0.006),
-        (0.0068, 0.011),
-        (0.0062, 0.016),
-        (0.0046, 0.022),
-        (0.0026, 0.028),
-        (0, 0.034),
+        (0.15, 0.05),
+        (0.21, 0.24),
+        (0.21, 0.36),
+        (0.17, 0.52),
+        (0.08, 0.78),
+        (0, 1),
     ]
-    mesh = lathe([(r, q * height / 0.034) for r, q in profile], 8, mat=m, discs=False)
+    mesh = lathe([(r * height, q * height) for r, q in profile], 8, mat=m, discs=False)
     return mesh.warp(lambda x, y, q: (x + 0.0015 * math.sin(q / height * 2.5), y, q + z))
 
 
@@ -55,6 +59,14 @@ def molten(colour, z: float, radius: float, n: int = 16):
         n,
         mat=m,
     )
+
+
+def sleeve(radius: float, top: float, long: float, n: int):
+    """The upper end of a slender candle, which lets the light of its flame through."""
+    m = glowing("ffffff")
+    m.colour(m.ramp(m.remap(m.axis(2), top - long, top), [(0, "e0a860"), (1, "ffd870")]))
+    r = radius + 0.0012
+    return lathe([(0.9 * radius, top - long), (r, top - 0.8 * long), (r, top), (0, top)], n, mat=m)
 
 
 def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6, seed=0) -> Model:
@@ -167,6 +179,7 @@ def candle(style="pillar", radius=0.034, height=0.1, colour="#f3e7cf", melt=0.6,
     fire = [flame_mesh(wick_at + 0.006)]
     glow = [molten(blend_warm(colour), wick_at + 0.0007, pool)]
     if style == "taper":
+        glow.append(sleeve(r, h + 0.0005, 0.03, 10))
         stand = [
             (0, 0),
             (0.042, 0),
@@ -230,8 +243,8 @@ def stick(r: float, h: float, z: float, wax, top, n: int = 12) -> list:
 def small_flame(z: float, height: float, n: int = 6):
     """A flame of fewer faces, for things with several."""
     mesh = flame_mesh(z, height)
-    levels = [(0, 0), (0.0052, 0.15), (0.0066, 0.34), (0.004, 0.7), (0, 1)]
-    profile = [(r, z + height * share) for r, share in levels]
+    levels = [(0, 0), (0.17, 0.12), (0.21, 0.34), (0.13, 0.66), (0, 1)]
+    profile = [(r * height, z + height * share) for r, share in levels]
     return lathe(profile, n, mats=mesh.mats, discs=False)
 
 
@@ -244,10 +257,10 @@ def candles(style="trio", colour="#f3e7cf", second="#d8c48a", look=0) -> Model:
     warm = blend_warm(colour)
     meshes, fire, glow, pieces = [], [], [], []
 
-    def burn(x: float, y: float, z: float, pool: float, high: float = 0.036) -> None:
+    def burn(x: float, y: float, z: float, pool: float, high: float = 0.046) -> None:
         fire.append(small_flame(z + 0.004, high).keep_pattern().move(x, y, 0))
         glow.append(
-            molten(warm, z - 0.0012, pool, 10 if pool > 0.01 else 6).keep_pattern().move(x, y, 0)
+            molten(warm, z - 0.0012, pool, 10 if pool > 0.01 else 5).keep_pattern().move(x, y, 0)
         )
 
     if style == "trio":
@@ -277,7 +290,7 @@ def candles(style="trio", colour="#f3e7cf", second="#d8c48a", look=0) -> Model:
             )
             meshes += [m.keep_pattern().move(x, y, 0) for m in (body, wick)]
             pieces.append(cylinder_piece(0.019, 0, 0.016, 12) + np.array([x, y, 0]))
-            burn(x, y, 0.0162, 0.0165, 0.026)
+            burn(x, y, 0.0162, 0.0165, 0.034)
         title = "tealight" if len(places) == 1 else "three tealights"
     elif style == "candelabra":
         brass = metal("d0a545", "8a6420")
@@ -295,7 +308,8 @@ def candles(style="trio", colour="#f3e7cf", second="#d8c48a", look=0) -> Model:
             for mesh in stick(0.0092, 0.11, z + 0.008, wax, top, 6):
                 meshes.append(mesh.keep_pattern().move(y=y))
             pieces.append(cylinder_piece(0.012, z - 0.02, z + 0.118, 8) + np.array([0, y, 0]))
-            burn(0, y, z + 0.118, 0.0065, 0.032)
+            burn(0, y, z + 0.118, 0.0065)
+            glow.append(sleeve(0.0092, z + 0.118, 0.022, 5).move(y=y))
         title = "candelabra with three candles"
     elif style == "bowl":
         outer = [(0.05, 0), (0.066, 0.01), (0.072, 0.035), (0.07, 0.05)]

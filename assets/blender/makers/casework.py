@@ -54,15 +54,18 @@ def cane(light: str = "d9bd8c", dark: str = "8a6a3c") -> Material:
     return m.colour(m.mix(hole, m.mottle(light, 0.08, 30), dark))
 
 
-def glass(height: float = 1.0, tint: str = "9fc0c8") -> Material:
-    """A pane, opaque: slanting reflections on a bluish ground."""
+def glass(height: float = 1.0, tint: str = "9fc0c8", gloss: float = 1.0) -> Material:
+    """A pane, opaque: slanting reflections on a bluish ground.
+
+    gloss: how far they stand out. Of a pane that lies, strong ones look like boards laid on it.
+    """
     m = Material(occlusion=0.4)
     slant = m.math("ADD", m.math("MULTIPLY", m.axis(1), 0.9), m.axis(2))
     slant = m.math("ADD", slant, m.math("MULTIPLY", m.axis(0), 0.9))
-    light = tuple(min(1.0, c) for c in shade(tint, 1.28))
-    stops = [(0, tint), (0.3, shade(tint, 1.1)), (0.32, light), (0.44, light)]
-    stops += [(0.46, shade(tint, 1.05)), (0.62, tint), (0.64, shade(tint, 1.2))]
-    stops += [(0.7, shade(tint, 1.2)), (0.72, tint), (1, shade(tint, 0.92))]
+    levels = [(0, 1), (0.3, 1.1), (0.32, 1.28), (0.44, 1.28), (0.46, 1.05), (0.62, 1), (0.64, 1.2)]
+    levels += [(0.7, 1.2), (0.72, 1), (1, 0.92)]
+    tones = [(at, shade(tint, 1 + (level - 1) * gloss)) for at, level in levels]
+    stops = [(at, tuple(min(1.0, c) for c in tone)) for at, tone in tones]
     return m.colour(m.ramp(m.math("FRACT", m.math("DIVIDE", slant, 0.9 * height)), stops))
 
 

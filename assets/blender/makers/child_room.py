@@ -12,7 +12,7 @@ from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import extrude
 
-from .bedding import bedspread
+from .bedding import bedspread, pillow
 from .child_bed_forms import CHILD_BEDS
 from .designs import extend
 from .joinery import Assembly, cushion, fabric, finish, leg, surface
@@ -133,15 +133,8 @@ def child_bed(
         (0.16, width - 0.1, 0.016), (start + 0.07, 0, bed_z + 0.022), white, 0.04, 0.005, 0.01
     )
     asm.add("body", turned)
-    pillow = cushion(
-        (0.32, width - 0.28, 0.05),
-        (0, 0, 0),
-        dotted("#fbf7ef", boards if boards[0] == "#" else "#d9534a", offset),
-        0.08,
-        0.025,
-        0.035,
-    )
-    asm.add("body", pillow.turn(ry=-0.45).move(x0 + 0.24, 0, bed_z + 0.07))
+    case = dotted("#fbf7ef", boards if boards[0] == "#" else "#d9534a", offset)
+    asm.add("body", pillow((x0 + 0.25, 0, bed_z), 0.32, width - 0.28, 0.085, case))
     asm.solid("body", (x0 + 0.08, -half + 0.13, bed_z), (x0 + 0.42, half - 0.13, bed_z + 0.09))
     asm.solid("body", (start, -half + 0.04, bed_z), (finish_x, half - 0.04, bed_z + 0.03))
     low_xy, high_xy = (start + 0.13, -half + 0.09), (finish_x - 0.06, half - 0.09)

@@ -422,7 +422,7 @@ MODELS = {
                     ("#f6f4ec", "#1c1c20"),
                 ]
             },
-            {"colours": [("#1c1c22", "#ffffff")] * 3 + [("#f6f4ec", "#1c1c20")] * 3},
+            {"colours": [("#6a2fa8", "#ffffff")] * 3 + [("#f28a1c", "#1c1c20")] * 3},
         ],
     ),
     "wooden_beads": Maker(

@@ -246,7 +246,7 @@ MODELS = {
             {"shape": "jam", "filling": "#b01822", "lid": "#c8202c", "words": "CHERRY"}
             | {"colour": "#a0182a"},
             {"shape": "tall", "lid": "steel"},
-            {"shape": "jam", "filling": "#e08a1c", "lid": "#f0ead8", "words": "APRICOT"}
+            {"shape": "jam", "filling": "#d8741a", "lid": "#2f6a3a", "words": "APRICOT"}
             | {"colour": "#b8620c"},
             {"shape": "hexagon", "filling": "#d8920f", "kind": "honey", "lid": "steel"}
             | {"words": "HONEY", "second": "pure", "colour": "#8a5208"},

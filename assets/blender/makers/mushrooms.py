@@ -28,7 +28,8 @@ from makers.produce_kit import (
     spread,
 )
 
-CAPS = {"white": ("e8e0d0", "f8f4ea"), "brown": ("8a6038", "a87c4c"), "dark": ("5a3c24", "7a5634")}
+# White button mushrooms would be eggs to whoever sees them from afar: these are buff.
+CAPS = {"white": ("c09a6c", "e2cba4"), "brown": ("8a6038", "a87c4c"), "dark": ("5a3c24", "7a5634")}
 
 
 def mushroom_face():
@@ -48,11 +49,12 @@ def mushrooms(form="three", kind="white", cap=0.03, seed=0) -> Model:
     rng = np.random.default_rng(seed)
     o, r = noise_offset(rng), cap
     flat = form in ("flat", "upturned")
-    tall = 0.55 if flat else 0.95
-    hs = r * (0.55 if flat else 0.85)  # height of the cap's rim
+    tall = 0.55 if flat else 0.8 if kind == "white" else 0.95
+    # height of the cap's rim; under pale caps, which could be eggs, more of the stem shows
+    hs = r * (0.55 if flat else 1.1 if kind == "white" else 0.85)
     spots = patches(r, hs + r * 0.25, seed)
     fine = form in ("one", "flat", "upturned", "half")
-    n = 14 if fine else 9
+    n = 14 if fine else 8 if form == "tray" else 9
 
     def one(look: str) -> list[Mesh]:
         k = {"fresh": 1.0, "overripe": 0.95, "rotten": 0.86}[look]
@@ -65,7 +67,7 @@ def mushrooms(form="three", kind="white", cap=0.03, seed=0) -> Model:
         profile = [(0, hs), *rim, *arc, (0, hs + r * tall * k)]
         hat = lathe(profile, n, mats=[coat, gills], mat_of_segment=[1, 1, 0, 0, 0, 0, 0, 0])
         hat.bake_uv = hat.bake_uv
-        stem_r = r * (0.3 if flat else 0.38)
+        stem_r = r * (0.3 if flat else 0.42 if kind == "white" else 0.38)
         pale = plain({"fresh": "f4eee0", "overripe": "c8b088", "rotten": "6a5438"}[look], 0.1, 150)
         stem = lathe(
             [
@@ -104,19 +106,21 @@ def mushrooms(form="three", kind="white", cap=0.03, seed=0) -> Model:
                 flat_, [(r * 0.4, r * 1.25, 0, 1.9)]
             )
         if form == "three":
-            tilted = ground([m.keep_pattern().turn(rx=1.75) for m in one(look)])
+            tilted = ground([m.keep_pattern().turn(rx=math.pi - 0.45) for m in one(look)])
             return spread(one(look), layout("pair", r * 1.04)) + spread(
                 tilted, [(r * 2.1, r * 0.2, 0, 2.2)]
             )
         if form == "tray":
             places = [
-                ((i - 0.5) * r * 1.9, (j - 1) * r * 1.9, r * 0.1 * ((i + j) % 2), 1.3 * i + j)
+                ((i - 0.5) * r * 1.9, (j - 1) * r * 1.9, 0.0, 1.3 * i + j)
                 for i in range(2)
                 for j in range(3)
             ]
+            over = ground([m.keep_pattern().turn(rx=math.pi - 0.3) for m in one(look)])
             blue = plain("3f78b8", 0.08, 120)
             shell = punnet(r * 4.2, r * 6.1, r * 1.05, blue)
-            return [*spread(one(look), places), shell]
+            # every other one shows its gills and its stem
+            return [*spread(one(look), places[::2]), *spread(over, places[1::2]), shell]
         places = [(x, y, z, yaw) for x, y, z, yaw in layout("five", r * 1.0)]
         return spread(one(look), places[:4]) + spread(
             ground([m.keep_pattern().turn(rx=0.5) for m in one(look)]), [(0, 0, r * 1.35, 0.3)]

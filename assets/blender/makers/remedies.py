@@ -346,11 +346,11 @@ MODELS = {
         blister_pack_random,
         3,
         [
-            {"pairs": [("#1f4fa8", "#f6f6f0", "DOLOREX 400")]},
+            {"pairs": [("#1f4fa8", "#3f86e0", "DOLOREX 400")]},
             {
                 "pairs": [
                     ("#b01828", "#e8483a", "FEBRAN 200"),
-                    ("#1f4fa8", "#f6f6f0", "DOLOREX 400"),
+                    ("#1f4fa8", "#3f86e0", "DOLOREX 400"),
                 ]
             },
             {"pairs": [("#1f7a3c", "#f2c52a", "ALLERGINA")], "empty": [0, 5, 6]},

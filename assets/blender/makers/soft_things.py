@@ -241,8 +241,9 @@ def cushion(
                     0.14 * math.exp(-((u - 0.1) ** 2 + (v + 0.05) ** 2) / 0.12) if side > 0 else 0.0
                 )
                 crease = 0.03 * math.sin(5 * u + bumps[0]) * math.sin(4 * v + bumps[1])
+                # its own weight presses it flat below, so that its seam does not hang in the air
                 z = 0.006 * side + side * puff / 2 * swell * (1 - dent + crease) * (
-                    1.15 if side > 0 else 0.85
+                    1.55 if side > 0 else 0.4
                 )
                 index[side, i, j] = len(vertices)
                 vertices.append((x, y, z))

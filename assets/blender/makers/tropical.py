@@ -169,16 +169,16 @@ def kernels_picture(tones, across: int, up: int):
 
 
 def cob_face():
-    image, d = faces.round_face("#e0a81c", "#f8d450")
-    faces.disc(d, 0.55, "#e8dcae")
+    image, d = faces.round_face("#d89a14", "#f8c828")
+    faces.disc(d, 0.62, "#fbf6e2")
     for i in range(14):
         a = math.tau * i / 14
         ends = [
             (faces.N / 2 * (1 + q * math.cos(a)), faces.N / 2 * (1 + q * math.sin(a)))
-            for q in (0.5, 0.95)
+            for q in (0.64, 0.95)
         ]
-        d.line(ends, fill="#c08a14", width=3)
-    faces.disc(d, 0.24, "#f8f2d8")
+        d.line(ends, fill="#b07a10", width=3)
+    faces.disc(d, 0.26, "#d8c48c")
     return image
 
 
@@ -258,7 +258,9 @@ def corn(form="husk", length=0.19, radius=0.024, seed=0) -> Model:
 
     def piece(look: str, low: float, high: float) -> list[Mesh]:
         face = cut_face(look, cob_face(), r, [(r * 0.3, r * 0.2, high, 0.6)], o)
-        mesh = halve(cob(look), (0, 0, high), (0, 0, 1), face, up=(-1, 0, 0))
+        mesh = cob(look)
+        if high < h:
+            mesh = halve(mesh, (0, 0, high), (0, 0, 1), face, up=(-1, 0, 0))
         mesh = halve(mesh, (0, 0, low), (0, 0, -1), face, up=(1, 0, 0))
         return ground([mesh.keep_pattern()])
 
@@ -276,10 +278,10 @@ def corn(form="husk", length=0.19, radius=0.024, seed=0) -> Model:
             ]
             return lay([cob(look), *leaves, *silk(look), stub(look)], 0.3)
         if form == "pieces":
-            up = piece(look, h * 0.08, h * 0.32)
-            down = ground([m.turn(rx=-math.pi / 2) for m in piece(look, h * 0.34, h * 0.58)])
-            return spread(up, [(-r * 0.9, -r * 1.1, 0, 0.3), (-r * 0.7, r * 1.3, 0, 1.5)]) + spread(
-                down, [(r * 1.5, -r * 0.2, 0, -0.7)]
+            up = piece(look, h * 0.12, h * 0.24)
+            tip = ground([m.turn(rx=math.pi / 2) for m in piece(look, h * 0.4, h)])
+            return spread(up, [(r * 1.9, -r * 0.4, 0, 0.3), (r * 1.1, r * 1.9, 0, 1.5)]) + spread(
+                tip, [(-r * 0.7, -r * 0.2, 0, 0.35)]
             )
         if form == "standing":  # in its husk as on the stalk
             leaves = [husk_leaf(look, a, h * 0.72, 0.3, 0.8) for a in (0.2, 1.8, 3.3, 4.8)]

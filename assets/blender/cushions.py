@@ -13,7 +13,7 @@ from shapely.geometry import Polygon, box
 
 #: What is padded; of other furniture the tops are level, or meant as they are (grates, slats).
 SOFT = (
-    *("armchair", "bar_stool", "bench", "chair", "office_chair", "ottoman", "sofa", "stool"),
+    *("armchair", "bar_stool", "bench", "chair", "office_chair", "ottoman", "sofa"),
     *("bed", "child_bed", "crib"),
 )
 #: What is drawn may be so much below a support and above it, metres: a gap of a centimetre is seen

@@ -151,8 +151,10 @@ def _coils(asm: Assembly) -> float:
             (0, HOB + 0.0105),
         ]
         asm.add(f"burner_{k}", lathe(disc, 16, mat=halo).move(x, y, 0).weigh(0.6))
-    asm.solid("body", (-0.24, -0.26, HOB), (0.24, 0.26, top))
-    return top
+    # Coils are round on top, and what stands half beside one is over the rim of its bowl.
+    carries = top - 0.0025
+    asm.solid("body", (-0.24, -0.26, HOB), (0.24, 0.26, carries))
+    return carries
 
 
 def _zone_picture(lit: bool, induction: bool = False, size: int = 128) -> Image.Image:

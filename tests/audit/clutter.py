@@ -111,3 +111,31 @@ def odd_places(scene: Scene) -> Iterator[Finding]:
         odd = thing.category in cleaning and scene.room_type(thing) in ODD_ROOMS
         if odd and thing.id not in scene.hazards_of:
             yield scene.found(thing, "nobody keeps it here", thing.bottom)
+
+
+#: Whole, it stands on no floor: whoever sees one there asks who dropped it.
+OFF_FLOORS = {
+    *("plate", "bowl", "mug", "drinking_glass", "wine_glass", "glass_jar", "jam_jar", "teapot"),
+    *("pitcher", "water_bottle", "soda_bottle", "soda_can", "juice_carton", "shampoo_bottle"),
+    *("soap_dispenser", "tissue_box", "laptop", "phone", "hammer", "pliers", "hairbrush", "spoon"),
+    *("fork", "headphones", "game_controller", "keyboard", "pen_cup"),
+}
+TOYS = {
+    *("toy_ball", "toy_car", "toy_train", "teddy_bear", "doll", "dinosaur", "stacking_rings"),
+    *("rocking_horse", "puzzle_box"),
+}
+#: Toys lie about where children play; nobody plays in the others.
+NO_PLAY = {"bathroom", "laundry", "kitchen"}
+
+
+def odd_floors(scene: Scene) -> Iterator[Finding]:
+    """What nobody puts on a floor, or not in this room, and that is no label."""
+    floors = scene.nodes.keys() - scene.things.keys()
+    floors |= {t.id for t in scene.furniture if t.category in {"rug", "bath_mat"}}
+    for thing in scene.small:
+        if thing.id in scene.hazards_of or not set(scene.on.get(thing.id, [])) & floors:
+            continue
+        if thing.category in OFF_FLOORS:
+            yield scene.found(thing, "lies on the floor")
+        elif thing.category in TOYS and scene.room_type(thing) in NO_PLAY:
+            yield scene.found(thing, "a toy on the floor where nobody plays")

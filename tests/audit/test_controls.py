@@ -314,6 +314,7 @@ PLANTS |= {
         d, "tomato_01", "freezer_01", "inside"
     ),
     "clutter: odd places": kept_oddly,
+    "clutter: odd on a floor": lambda d: d.on_floor("mug_02"),
 }
 
 
@@ -352,6 +353,7 @@ HARMLESS: dict[str, Plant] = {
     "clutter: not frozen, in a freezer": lambda d: inside_of(
         d, "ice_cream_tub_01", "freezer_01", "inside"
     ),
+    "clutter: odd on a floor": lambda d: table_thing(d, "mug_02"),
 }
 
 

@@ -54,6 +54,19 @@ def test_every_home_holds_sixty_things(home: str) -> None:
         assert len(_loose(_cluttered(home, seed))) >= LEAST_THINGS > 60
 
 
+def test_some_things_stand_on_or_in_small_ones() -> None:
+    """Fruit in a bowl, a cup on its coaster, a book on a book: a home has a few."""
+    held = [
+        sum(
+            not layout.items[layout.intents[item.id].target_id].fixed
+            for item in _loose(layout)
+            if layout.intents[item.id].target_id in layout.items
+        )
+        for layout in _homes()
+    ]
+    assert 2 <= sum(held) / len(held) <= 8
+
+
 def test_no_room_and_no_home_has_more_of_a_category_than_the_catalogue_allows() -> None:
     for layout in _homes():
         in_home = Counter(item.category for item in _loose(layout))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import shapely
-from sdgen.library.above import LEFT_OUT_M, seen_from_above, with_left_out
+from sdgen.library.above import STANDS_OUT_M, seen_from_above, with_left_out
 from sdgen.library.meshes import MeshData
 
 from tests.shipped import shipped_library
@@ -47,17 +47,28 @@ def test_an_arm_that_no_piece_covers_takes_space_and_a_moulding_does_not():
         assert covers(space, (x, 0.0, 1.42))
         assert not covers(pieces, (x, 0.0, 1.42))
         assert not covers(space, (x, 0.0, 1.3)), "no more than the arm"
-    moulding, _ = box((-0.07, -0.07, 0.0), (0.07, 0.07, 0.1))
-    assert len(with_left_out(pieces, [post, moulding]).starts) == len(pieces.starts)
 
 
-@pytest.mark.parametrize("category", ["floor_lamp", "coat_rack", "crib"])
+def test_a_moulding_widens_the_piece_it_is_on():
+    post, corners = box((-0.05, -0.05, 0.0), (0.05, 0.05, 1.5))
+    moulding, _ = box((-0.07, -0.07, -0.01), (0.07, 0.07, 0.1))
+    pieces = seen_from_above([corners])
+    space = with_left_out(pieces, [post, moulding])
+    assert len(space.starts) == len(pieces.starts)
+    assert covers(space, (0.069, -0.069, -0.005))
+    assert not covers(space, (0.075, 0.0, 0.05))
+    assert np.array_equal(with_left_out(pieces, [post]).points_m, pieces.points_m)
+
+
+@pytest.mark.parametrize(
+    "category", ["floor_lamp", "coat_rack", "crib", "armchair", "sofa", "ottoman"]
+)
 def test_all_that_is_drawn_of_what_is_framed_takes_space(category):
     for asset in LIBRARY.by_category(category):
         space = LIBRARY.above(asset.id, asset.variants["default"])
         for part in asset.variants["default"]:
             low, high = LIBRARY.bounds(asset.id)[part]
-            assert space.low_m.min() <= low[2] + LEFT_OUT_M
-            assert space.high_m.max() >= high[2] - LEFT_OUT_M
-            assert (space.points_m.min(axis=0) <= low[:2] + LEFT_OUT_M).all(), asset.id
-            assert (space.points_m.max(axis=0) >= high[:2] - LEFT_OUT_M).all(), asset.id
+            assert space.low_m.min() <= low[2] + STANDS_OUT_M
+            assert space.high_m.max() >= high[2] - STANDS_OUT_M
+            assert (space.points_m.min(axis=0) <= low[:2] + STANDS_OUT_M).all(), asset.id
+            assert (space.points_m.max(axis=0) >= high[:2] - STANDS_OUT_M).all(), asset.id

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,9 +17,10 @@ from sdgen.library.meshes import MeshData
 #: nor a point ever lies in anybody's way.
 THIN_M2 = 1e-6
 SPOT_M = 0.005
-#: What is drawn further than this beside the collision pieces takes space of its own: cushions and
-#: mouldings stand out by less, and no more space is taken for them.
-LEFT_OUT_M = 0.03
+#: What is drawn further than this beside the collision pieces takes space of its own; what stands
+#: out by less, cushions and mouldings, is taken into the nearest piece, and less than the second
+#: is not seen where two touch, metres.
+LEFT_OUT_M, STANDS_OUT_M = 0.03, 0.002
 #: In boxes of at most this size, a compromise between their number and the air in them; edges are
 #: looked at in steps fine enough to find what fills one.
 CELL_M, EDGE_STEP_M = 0.2, 0.05
@@ -64,16 +65,32 @@ def seen_from_above(pieces: Sequence[Array]) -> Above:
 
 
 def with_left_out(pieces: Above, meshes: Sequence[MeshData]) -> Above:
-    """Pieces, and boxes around what they leave out of what is drawn: the arm of a lamp, bars."""
+    """Pieces, drawn out to what is drawn a little beyond them (arms that bulge, mouldings), and
+    boxes around what they leave out of it: the arm of a lamp, bars."""
     points = np.concatenate([_along_edges(mesh) for mesh in meshes])
-    left = np.ones(len(points), dtype=bool)
-    ends = [*pieces.starts[1:].tolist(), len(pieces.points_m)]
-    for k, (start, end) in enumerate(zip(pieces.starts.tolist(), ends, strict=True)):
-        shape = shapely.polygons(pieces.points_m[start:end]).buffer(LEFT_OUT_M)
-        z = points[:, 2]
-        level = left & (z > pieces.low_m[k] - LEFT_OUT_M) & (z < pieces.high_m[k] + LEFT_OUT_M)
-        near = np.flatnonzero(level)
-        left[near[shapely.contains_xy(shape, points[near, :2])]] = False
+    z, ends = points[:, 2], [*pieces.starts[1:].tolist(), len(pieces.points_m)]
+    rings = [pieces.points_m[a:b] for a, b in zip(pieces.starts.tolist(), ends, strict=True)]
+    # How far each point is from the nearest piece, and which that is; none is nearer than this.
+    beyond, nearest = np.full(len(points), LEFT_OUT_M), np.full(len(points), -1)
+    for k, ring in enumerate(rings):
+        low, high = pieces.low_m[k], pieces.high_m[k]
+        over = np.maximum(low - z, z - high)
+        reach = (*(ring.min(axis=0) - LEFT_OUT_M), *(ring.max(axis=0) + LEFT_OUT_M))
+        near = np.flatnonzero(
+            (over < beyond)
+            & (beyond > STANDS_OUT_M)
+            & (points[:, 0] > reach[0])
+            & (points[:, 1] > reach[1])
+            & (points[:, 0] < reach[2])
+            & (points[:, 1] < reach[3])
+        )
+        apart = shapely.distance(shapely.polygons(ring), shapely.points(points[near, :2]))
+        far = np.maximum(apart, over[near])
+        nearer = far < beyond[near]
+        beyond[near[nearer]], nearest[near[nearer]] = far[nearer], k
+    left, out = nearest < 0, (nearest >= 0) & (beyond > STANDS_OUT_M)
+    drawn_out = {k: points[out & (nearest == k)] for k in np.unique(nearest[out]).tolist()}
+    pieces = _drawn_out(pieces, rings, drawn_out)
     rest = points[left]
     _, cell = np.unique(np.floor(rest / CELL_M), axis=0, return_inverse=True)
     every = [pieces]
@@ -89,6 +106,20 @@ def with_left_out(pieces: Above, meshes: Sequence[MeshData]) -> Above:
         low_m=np.concatenate([piece.low_m for piece in every]),
         high_m=np.concatenate([piece.high_m for piece in every]),
     )
+
+
+def _drawn_out(pieces: Above, rings: Sequence[Array], added: Mapping[int, Array]) -> Above:
+    """The pieces (their outlines are given) with points (N, 3) added to some of them."""
+    if not added:
+        return pieces
+    low, high = pieces.low_m.copy(), pieces.high_m.copy()
+    out = list(rings)
+    for k, points in added.items():
+        both = np.concatenate([rings[k], points[:, :2]])
+        out[k] = shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(both)))
+        low[k], high[k] = min(low[k], points[:, 2].min()), max(high[k], points[:, 2].max())
+    starts = np.cumsum([0, *(len(ring) for ring in out[:-1])])
+    return Above(np.concatenate(out), starts, low, high)
 
 
 def _along_edges(mesh: MeshData) -> Array:

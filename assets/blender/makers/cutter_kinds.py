@@ -8,10 +8,9 @@ import numpy as np
 from toolkit.materials import metal, plain
 from toolkit.mesh import Mesh
 from toolkit.model import Model
-from toolkit.shapes import box, extrude, lathe, loft, rounded_rectangle, superellipse, tube
+from toolkit.shapes import box, extrude, lathe, loft, rounded_rectangle
 
 from makers.cleaner_forms import maker
-from makers.convex import few_corners
 from makers.sharp_tools import STEEL, STEEL_DARK, box_cutter, razor, screwdriver, sharp
 
 
@@ -67,68 +66,14 @@ def disposable_pair(colour: str) -> Model:
     return sharp("disposable razors", a[0] + b[0], a[1] + b[1], pieces, 0.02, 0.125)
 
 
-def electric_shaver(kind: str, colour: str, accent: str) -> Model:
-    """An electric shaver lying on its back: "foil" (a straight head) or "rotary" (three discs)."""
-    grip, trim = plain(colour, 0.04), metal("c9cdd1", "868c92")
-    foil, slit = metal("dfe3e6", "9aa0a6"), plain("#4a5056", 0.1, 900)
-    rings = []
-    for x, w, t in ((-0.075, 0.6, 0.7), (-0.07, 0.85, 0.9), (-0.03, 0.95, 1), (0.02, 0.9, 0.95)):
-        ring = superellipse(0.02 * t, 0.03 * w, 3.2, 14)
-        rings.append([(x, y, z) for z, y, _ in ring])
-    rings.append([(0.045, y, z) for z, y, _ in superellipse(0.016, 0.029, 3.2, 14)])
-    hold = [loft(rings, mat=grip)]
-    inlay = loft(
-        [
-            [(x, y, 0.0185 + h) for x, y in rounded_rectangle(0.07, 0.026, 0.012, 4) * f]
-            for f, h in ((1, -0.004), (1, 0.0015), (0.9, 0.003))
-        ],
-        mat=plain(accent, 0.04),
-    )
-    hold.append(inlay.move(-0.022))
-    knob = lathe([(0, 0), (0.0085, 0), (0.0075, 0.003), (0, 0.0035)], 12, mat=trim)
-    hold.append(knob.move(-0.008, 0, 0.0208))
-    blades: list[Mesh] = []
-    if kind == "foil":
-        hold.append(box(0.02, 0.056, 0.03, (0.054, 0, -0.014), plain(accent, 0.04), 0.004))
-        for z in (-0.009, 0.003):
-            path = [(0.066, -0.025, z + 0.003), (0.066, 0.025, z + 0.003)]
-            blades.append(tube(path, 0.0068, 8, mat=foil))
-        blades.append(box(0.006, 0.048, 0.004, (0.069, 0, -0.005), slit))
-    else:
-        spots = [(0.0, 0.0185), (-0.017, -0.0105), (0.017, -0.0105)]
-        base = lathe([(0, 0), (0.03, 0), (0.036, 0.009), (0.034, 0.016), (0, 0.016)], 18, mat=grip)
-        group = [base]
-        for y, z in spots:
-            group.append(
-                lathe(
-                    [(0, 0.012), (0.0158, 0.012), (0.0158, 0.019), (0.0125, 0.0215), (0, 0.0195)],
-                    14,
-                    mats=[foil, slit],
-                    mat_of_segment=[0, 0, 0, 1],
-                ).move(z, y)
-            )
-        for mesh in group:  # the head looks forward and a little up
-            mesh.turn(ry=0.9).move(0.045, 0, 0.008)
-        hold.append(base)
-        blades += group[1:]
-    low = min(m.v[:, 2].min() for m in (*hold, *blades))
-    for mesh in (*hold, *blades):
-        mesh.move(z=-low)
-    body = np.concatenate([m.v for m in hold])
-    length = float(np.ptp(np.concatenate([m.v for m in (*hold, *blades)])[:, 0]))
-    return sharp("electric shaver", hold, blades, [few_corners(body)], 0.16, length)
-
-
 def razor_form(shape: str, colour: str, accent: str) -> Model:
-    """A wet, cut-throat, safety, disposable or electric razor."""
+    """A wet, cut-throat, safety or disposable razor; an electric shaver cuts nobody."""
     if shape in ("wet", "cut-throat"):
         length = 0.12529974802053634 if shape == "wet" else 0.19
         return razor(shape, colour, accent, length)
     if shape == "safety":
         return safety_razor(colour)
-    if shape == "disposable":
-        return disposable_pair(colour)
-    return electric_shaver(shape, colour, accent)
+    return disposable_pair(colour)
 
 
 # ---- box cutters
@@ -357,8 +302,8 @@ MODELS = {
             ("cut-throat", "#5a1a1a", ""),
             ("safety", "#c9cdd1", ""),
             ("disposable", "#f08a1c", ""),
-            ("foil", "#1c1c20", "#3a4a5c"),
-            ("rotary", "#26303c", "#1f5fa8"),
+            ("cut-throat", "#e6d8b8", ""),
+            ("wet", "#f2c21e", "#26282c"),
             ("wet", "#e83a8a", "#f4f4f2"),
         ],
     ),

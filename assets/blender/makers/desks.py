@@ -233,7 +233,7 @@ def console_frame(
     case = Case("oak", offset=offset)
     half, x0, x1, r = width / 2, -depth / 2, depth / 2, 0.011
     rod = metal_or(metal)
-    board = glass(0.9) if top == "glass" else finish(top, 1, offset)
+    board = glass(0.9, gloss=0.35) if top == "glass" else finish(top, 1, offset)
     for y in (-half, half - 2 * r):
         if crossed:
             for a, b in ((x0, x1), (x1, x0)):

@@ -327,7 +327,7 @@ MODELS = {
         presets=[
             {"shape": "red", "wine": "#7a1024"},
             {"shape": "red", "wine": "#7a1024", "poured": True},
-            {"shape": "white", "wine": "#e8d678", "poured": True},
+            {"shape": "white", "wine": "#e4b93c", "poured": True},
             {"shape": "flute", "wine": "#ecd070"},
             {"shape": "martini", "wine": "#d8443c", "poured": True},
             {"shape": "coupe", "wine": "#f0cf6a"},

@@ -10,7 +10,7 @@ from sdgen.geometry import quat_from_yaw
 from sdgen.home.layout import Intent, Layout, at_spot, corners_of
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
-from shapely.geometry import Polygon, box
+from shapely.geometry import LineString, Polygon, box
 
 from tests.shipped import shipped_library
 
@@ -130,10 +130,27 @@ def test_what_is_looked_at_faces_the_way_its_support_does():
             spot = layout.spot_on_object(LIBRARY.by_category(category)[0], dresser, "ON", rng)
             if spot is not None:
                 seen.append(math.cos(spot[1] - front))
+                if category == "photo_frame":
+                    (x, y, _), yaw = spot
+                    left = math.cos(front) * y - math.sin(front) * x
+                    assert math.sin(yaw - front) * left <= 0.0, "turned to the dresser's middle"
     assert min(turned["photo_frame"]) > 0.5
     assert len(set(turned["photo_frame"])) > 10, "not all alike"
     assert min(turned["mug"]) < -0.5
     assert layout.copy().fronted == layout.fronted
+
+
+def test_what_is_looked_at_on_the_floor_faces_no_wall():
+    layout = Layout(LIBRARY, itertools.count(1), frozenset({"laptop"}))
+    room, rng = box(0, 0, 4, 3), lane(0, 6, "layout")
+    for category, faces_in in (("laptop", True), ("backpack", False)):
+        asset, before = LIBRARY.by_category(category)[0], []
+        for _ in range(60):
+            spot = layout.spot_on_floor(asset, room, room, rng)
+            (x, y, _), yaw = spot
+            ray = LineString([(x, y), (x + 9 * math.cos(yaw), y + 9 * math.sin(yaw))])
+            before.append(ray.intersection(room).length)
+        assert (min(before) > 0.6) == faces_in, category
 
 
 @pytest.mark.parametrize("on_floor", [False, True])

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
-from shapely.geometry import Polygon
+from shapely.geometry import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import at_rest
@@ -56,6 +56,9 @@ SQUARE_CHANCE, SQUARE_SPREAD_RAD = 0.6, 0.08
 #: What is looked at has its front the way that of its support faces, give or take so many radians
 #: (17 degrees): by eye, a photo or a clock turned a little to where people sit or lie.
 FRONT_SPREAD_RAD = 0.3
+#: What stands on the floor to be looked at has so much of it free before it, metres: somebody sits
+#: or kneels there.
+SEEN_FROM_M = 0.65
 #: Left above a thing on a shelf: a hand gets it in and out.
 HEADROOM_LEFT_M = 0.015
 #: What may reach into a wall: less than physics calls a penetration.
@@ -202,7 +205,8 @@ class Layout:
             if headroom is not None and bulk.size_m[2] > headroom - HEADROOM_LEFT_M:
                 continue
             yaw = self._heading(asset, target, rng)
-            spot = self._try_surface(bulk, yaw, target, surface, rng)
+            looked_at = asset.category in self.fronted
+            spot = self._try_surface(bulk, yaw, target, surface, rng, inward=looked_at)
             if spot is not None:
                 return spot
         return None
@@ -216,9 +220,17 @@ class Layout:
         return known[1]
 
     def _try_surface(
-        self, bulk: Bulk, yaw: float, target: ObjectInstance, surface: PlacingSurface, rng: Rng
+        self,
+        bulk: Bulk,
+        yaw: float,
+        target: ObjectInstance,
+        surface: PlacingSurface,
+        rng: Rng,
+        inward: bool,
     ) -> Vec3Yaw | None:
         point = surface.random_point(rng)
+        if point is not None and inward:
+            yaw = _inward(yaw, target, point)
         if point is None or not surface.carries(bulk.size_m, point, yaw):
             return None
         spot = (*bulk.origin(point, yaw), surface.z_m), yaw
@@ -279,6 +291,10 @@ class Layout:
             yaw = random_yaw(rng)
             if point is None:
                 return None
+            if asset.category in self.fronted and _faces_wall(outline, point, yaw):
+                yaw += math.pi
+                if _faces_wall(outline, point, yaw):
+                    continue
             print_ = shapely.polygons(_ring(bulk.size_m, *point, yaw))
             if not outline.covers(print_):
                 continue
@@ -336,6 +352,22 @@ def random_yaw(rng: Rng, square_to: float = 0.0) -> float:
     if rng.random() < SQUARE_CHANCE:
         return float(square_to + rng.integers(4) * math.pi / 2 + rng.normal(0.0, SQUARE_SPREAD_RAD))
     return float(rng.uniform(-math.pi, math.pi))
+
+
+def _inward(yaw: float, target: ObjectInstance, point: Vec2) -> float:
+    """The heading of what stands on ``target`` turned the same way off its front, but towards its
+    middle: at the end of a chest, nothing looks at the wall beside it."""
+    front = yaw_of(target.pose.quat_xyzw)
+    dx, dy = point[0] - target.pose.position_m[0], point[1] - target.pose.position_m[1]
+    left = math.cos(front) * dy - math.sin(front) * dx
+    return front - math.copysign(yaw - front, left)
+
+
+def _faces_wall(outline: Polygon, point: Vec2, yaw: float) -> bool:
+    """Whether what stands at a point of a room looks at a wall that is near."""
+    x, y = point
+    ahead = Point(x + SEEN_FROM_M * math.cos(yaw), y + SEEN_FROM_M * math.sin(yaw))
+    return not outline.covers(LineString([(x, y), ahead]))
 
 
 def room_to_change(

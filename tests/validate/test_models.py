@@ -234,6 +234,23 @@ def test_a_fault_is_named(tmp_path: Path, client: Client, damage: Damage, words:
     assert any(words in line for line in told), told
 
 
+@pytest.mark.parametrize(("start", "named"), [(0.06, True), (0.085, False)])
+def test_a_step_is_of_one_piece_with_the_support_that_ends_at_it(
+    tmp_path: Path, client: Client, start: float, named: bool
+) -> None:
+    """As the sheet turned down over a blanket is: 4 cm apart they could be two compartments."""
+    record, meshes, hulls = sound()
+    top = max(vertex[2] for vertex in meshes["body"].vertices.tolist())
+    sheet = box(((-0.2, -0.2, top), (0.05, 0.2, top + 0.015)))
+    meshes["body"] = trimesh.util.concatenate([meshes["body"], sheet])
+    record["parts"][0]["faces"] = len(meshes["body"].faces)
+    record["extents_m"][2] = top + 0.015
+    beside = [[start, -0.18], [0.18, -0.18], [0.18, 0.18], [start, 0.18]]
+    record["supports"] = [{**record["supports"][0], "polygon_m": beside, "z_m": top}]
+    told = found(write(tmp_path, record, meshes, hulls, texture()), client)
+    assert any("no support names" in line for line in told) is not named, told
+
+
 def test_a_part_declared_open_may_be(tmp_path: Path, client: Client) -> None:
     record, meshes, hulls = sound()
     _hole(record, meshes, hulls)

@@ -41,6 +41,9 @@ _CUT_M, _CUT_STEPS = 0.02, 4
 _CARRIED, _HEADROOM_SLACK_M = 0.05, 0.02
 #: A level surface so large, with so much room above it and so high must have a support.
 _LARGE_M2, _ROOMY_M, _SAME_LEVEL_M, _LOW_M = 0.08, 0.15, 0.04, 0.05
+#: The sheet turned down over a blanket is of one piece with it: supports end 2 cm before its step,
+#: that nothing lies across it. Boards between two compartments part theirs by 4 cm.
+_ONE_PIECE_M = 0.03
 #: A thing tipped, or sunk into the floor.
 _TIPPED_RAD, _SANK_M = 0.5, 0.01
 
@@ -221,7 +224,7 @@ def supports(model: Model, client: Client) -> Iterator[str]:
             continue
         if not any(
             support.z_m > found.z_m - _SAME_LEVEL_M
-            and polygon.intersects(Polygon(support.polygon_m))
+            and polygon.distance(Polygon(support.polygon_m)) <= _ONE_PIECE_M
             for support in model.asset.supports
         ):
             yield f"no support names the surface of {polygon.area:.2f} m² at {found.z_m:.2f} m"

@@ -30,8 +30,8 @@ PICKS = 4
 #: Searches of the whole home for room for what a household always has: where spots drawn in every
 #: room failed once (of a hundred homes with pets in two), others are found.
 ALWAYS_ROUNDS = 8
-#: Things tried for one place on or in a small thing, most of which are too large: 25 scenes had 27
-#: things there so, and 22 with six tries.
+#: Things tried for one place on or in a small thing, most of which are too large: with six tries a
+#: fifth fewer lie there.
 HELD_TRIES = 12
 
 

@@ -61,3 +61,8 @@ def test_a_higher_stool_lifts_higher():
     knife = LIBRARY.by_category("knife")[0]
     beyond = [beside("stool", 0.3, model).beyond(knife, spot(0.0, 2.0), 2) for model in (0, 1)]
     assert beyond == [True, False]
+
+
+def test_all_that_is_sat_or_lain_on_is_climbed_on():
+    lain = {c.name for c in CATALOG.categories if {"SITTABLE", "LIEABLE"} & set(c.properties)}
+    assert lain <= CATALOG.climbs.keys()

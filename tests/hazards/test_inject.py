@@ -176,3 +176,21 @@ def test_a_recipe_leaves_out_models_that_come_in_a_state(home):
     assert all("CUT" not in states for states in placed(not_state=("CUT",)))
     assert all("CUT" in states for states in placed(state="CUT"))
     assert len({"CUT" in states for states in placed()}) == 2
+
+
+def test_near_misses_do_not_lie_beside_their_copies(home):
+    """Two of one hairbrush on a table are seen as a copy; two of one plate are a set."""
+    counts = Counter(item.category for item in home.layout.items.values())
+    target = next(c for c in ("dining_table", "kitchen_table", "coffee_table") if counts[c] == 1)
+    for category, fit in (("hairbrush", 1), ("plate", 2)):
+        only = home.context.models(category)[:1]
+        context = replace(home.context, models=lambda name, only=only: only)
+        recipe = PlaceRecipe(categories=(category,), relation="ON", targets=(target,))
+        layout = home.layout.copy(iter(range(60000, 61000)))
+        (one,) = candidates("sharp_object", (recipe,), layout, context)
+        made = [
+            inject_candidate(one, layout, context, (), lane(3, k, "x"), benign=True)
+            for k in range(4)
+        ]
+        found = sum(m is not None for m in made)
+        assert found == 1 if fit == 1 else found >= fit, category

@@ -130,7 +130,7 @@ def _place(
         item
         for item in layout.items.values()
         if item.category == candidate.unique.target
-        and not (benign and item.id in taken)
+        and not (benign and (item.id in taken or _beside_itself(asset, item.id, layout, context)))
         and context.shows.anything_on(item.id)
         and (not recipe.rooms or context.room_type(item.room_id) in recipe.rooms)
     ]
@@ -143,6 +143,14 @@ def _place(
         if spot is not None:
             return _put(candidate, recipe, thing, spot, target.room_id, target.id, layout)
     return None
+
+
+def _beside_itself(asset: Asset, target_id: int, layout: Layout, context: HomeContext) -> bool:
+    """Whether one of this model lies there and people have no sets of such things."""
+    if context.catalog.category(asset.category).alike:
+        return False
+    there = (k for k, intent in layout.intents.items() if intent.target_id == target_id)
+    return any(layout.items[k].asset == asset.id for k in there)
 
 
 def _thing(

@@ -10,6 +10,8 @@ from tests.audit.dataset import Finding, Json, Scene
 #: An adult's bed this wide sleeps two, metres (a European double is 1.4 and wider).
 DOUBLE_M = 1.3
 BEDS = {"bed", "child_bed", "crib"}
+#: A baby climbs on nothing: children get onto chairs by 18 months (CDC, developmental milestones).
+CLIMBS_AT = 1
 #: Nobody is silent about these: fire, and a home that stands open.
 NEVER_SILENT = {"candle_on", "stove_on", "front_door_open"}
 #: Children up to this age sleep in a child's room, a crib or a child's bed of their own.
@@ -80,7 +82,12 @@ def report(scene: Scene) -> Iterator[Finding]:
         young = [age for age in ages if oldest is None or age <= oldest]
         if hazard["concerns"]["by_reach"]:
             height = label["evidence"].get("reach_height_m", 0.0)
-            young = [age for age in young if scene.catalogue.reach(age) >= height]
+            above_floor = label["evidence"].get("height_m", height)
+            young = [
+                age
+                for age in young
+                if scene.catalogue.reach(age) >= (height if age >= CLIMBS_AT else above_floor)
+            ]
         chosen = scene.household["notifications"].get(label["hazard"])
         notify = chosen or ("summary" if hazard["urgency"] == "low" else "now")
         if not young:

@@ -4,6 +4,7 @@ import networkx as nx
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PIL import Image
 from sdgen.library import Library
 
 from tests.shipped import shipped_library
@@ -54,3 +55,43 @@ def test_a_flame_is_seen_from_across_the_room(library: Library) -> None:
             size = np.ptp(flame.reshape(-1, 3), axis=0)
             assert size[2] > 0.03, candle.id
             assert size[:2].min() > 0.012, candle.id
+
+
+@pytest.mark.parametrize("seat", ["sofa_02", "armchair_03"])
+def test_no_black_slit_runs_along_an_upholstered_piece(library: Library, seat: str) -> None:
+    """Long faces that look up are not black: a strip too narrow for its texture came out so."""
+    mesh = library.mesh(seat)["body"]
+    texture = library.file(seat, f"textures/{seat}.jpg")
+    picture = np.asarray(Image.open(texture).convert("L"), dtype=float)
+    corners = np.asarray(mesh.vertices, dtype=float)[mesh.faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    up = normals[:, 2] > 0.8 * np.linalg.norm(normals, axis=1)
+    long = np.ptp(corners, axis=1).max(axis=1) > 0.3
+    high = corners[:, :, 2].min(axis=1) > 0.5
+    uv = np.asarray(mesh.uvs, dtype=float)[mesh.faces].mean(axis=1)[up & long & high]
+    rows = ((1 - uv[:, 1]) * (picture.shape[0] - 1)).astype(int)
+    tones = picture[rows, (uv[:, 0] * (picture.shape[1] - 1)).astype(int)]
+    assert len(tones)
+    assert tones.min() > 0.5 * np.median(picture)
+
+
+def test_coasters_of_a_set_lie_on_one_another(library: Library) -> None:
+    """Discs side by side were taken for coins."""
+    mesh = library.mesh("coaster_08")["body"]
+    discs = bodies(np.asarray(mesh.vertices, dtype=float)[mesh.faces])
+    middles = sorted(tuple(disc.reshape(-1, 3).mean(axis=0)[[2, 0, 1]]) for disc in discs)
+    steps = np.linalg.norm(np.diff(np.array(middles), axis=0)[:, 1:], axis=1)
+    assert steps.max() < 0.06
+
+
+def test_rubber_gloves_lie(library: Library) -> None:
+    """None stands on its cuff, fingers up, as if worn."""
+    for gloves in library.by_category("rubber_gloves"):
+        assert gloves.extents_m[2] < 0.1, gloves.id
+
+
+def test_a_rolled_magazine_is_round(library: Library) -> None:
+    """No loose leaf lies below it, on which it would hover."""
+    (rolled,) = (m for m in library.by_category("magazine") if m.title == "rolled magazine")
+    _, wide, tall = rolled.extents_m
+    assert abs(wide - tall) < 0.01

@@ -266,26 +266,24 @@ def magazine(
         return Model("magazines", {"body": Part(meshes, collision=pieces)}, mass=0.6, friction=0.5)
     cover = printed(covers.magazine_cover(**chosen, rng=np.random.default_rng(5)))
     if kind == "rolled":
+        r, n = 0.032, 20
         roll = lathe(
-            [(0, 0), (0.042, 0), (0.042, 0.275), (0, 0.275)],
-            18,
+            [(0, 0), (r, 0), (r, 0.275), (0, 0.275)],
+            n,
             mats=[paper_edge(), cover],
             mat_of_segment=[0, 1, 0],
             start=-2.0,
+            rib=lambda k, i: 1 - 0.1 * i / n,  # a spiral: its step is the free edge
         )
-        flap = box(0.275, 0.05, 0.005, (0, 0, 0), paper_edge(), 0.001)
-        roll.turn(ry=math.pi / 2).move(-0.1375, 0, 0.042)
+        roll.turn(ry=math.pi / 2).move(-0.1375, 0, r)
         holes = [
-            lathe([(0.012, 0), (0.022, 0.001), (0, 0.001)], 12, mat=plain("#8a8478", 0.1))
+            lathe([(0.014, 0), (0, 0.001)], 12, mat=plain("#6a6458", 0.1))
             .turn(ry=q * math.pi / 2)
-            .move(q * 0.1376, 0, 0.042)
+            .move(q * 0.1376, 0, r)
             for q in (-1, 1)
         ]
-        flap.turn(rx=0.12).move(0, 0.05, 0.001)
-        meshes = flattened([roll, flap, *holes], 0.004)
-        return Model(
-            "rolled magazine", {"body": Part(meshes, collision=solids([roll], [flap]))}, 0.2
-        )
+        meshes = flattened([roll, *holes], 0.004)
+        return Model("rolled magazine", {"body": Part(meshes, collision=solids([roll]))}, 0.2)
     w, h = 0.205, 0.275
     us = np.linspace(0, 1, 7)
     half = [(float(u * w), 0.004 + 0.014 * math.sin(math.pi * min(1, u * 0.9 + 0.1))) for u in us]

@@ -1,4 +1,4 @@
-"""Rubber gloves: pairs, crossed, single, long, standing to dry."""
+"""Rubber gloves: pairs, crossed, single, long, one on the other."""
 
 from __future__ import annotations
 
@@ -70,15 +70,13 @@ def glove(colour: str, cuff: float, right: bool, curl: float = 0.0) -> list[Mesh
 
 
 def rubber_gloves(kind: str, colour: str) -> Model:
-    """Household gloves: a pair side by side, crossed, one alone, long ones, or standing upright."""
+    """Household gloves: a pair side by side, crossed, one alone, long ones, or laid together."""
     if kind == "single":
         groups = [glove(colour, 0.05, False, 0.004)]
-    elif kind == "upright":  # drying, cuffs down, fingers up
-        groups = [glove(colour, 0.05, right) for right in (False, True)]
-        for k, group in enumerate(groups):
-            for mesh in group:
-                mesh.keep_pattern().move(x=0.14, z=-0.021).scale(1, 1, 1.7)
-                mesh.turn(ry=-math.pi / 2).move(0.018 * (1 - 2 * k), 0.075 * (2 * k - 1), 0)
+    elif kind == "together":  # palm to palm, a little askew
+        groups = [glove(colour, 0.05, False, 0.004) for _ in range(2)]
+        for mesh in groups[1]:
+            mesh.keep_pattern().turn(rz=0.14).move(-0.012, 0.004, 0.034)
     else:
         cuff = 0.14 if kind == "long" else 0.05
         groups = [glove(colour, cuff, right) for right in (False, True)]
@@ -92,8 +90,7 @@ def rubber_gloves(kind: str, colour: str) -> Model:
     hulls = [few_corners(np.concatenate([m.v for m in g])) for g in groups]
     part = Part([m for g in groups for m in g], collision=hulls)
     name = "rubber glove" if kind == "single" else "rubber gloves"
-    front = "+x" if kind == "upright" else "-y"
-    return Model(name, {"body": part}, mass=0.08, friction=0.8, texture_size=128, front=front)
+    return Model(name, {"body": part}, mass=0.08, friction=0.8, texture_size=128, front="-y")
 
 
 MODELS = {
@@ -105,7 +102,7 @@ MODELS = {
             ("crossed", "#e8609a"),
             ("single", "#2f8fd8"),
             ("long", "#2f9a6a"),
-            ("upright", "#f2cf2a"),
+            ("together", "#f2cf2a"),
             ("pair", "#2f8fd8"),
         ],
     ),

@@ -209,7 +209,8 @@ def cushion(
     # (inset, height): up the side, over the edge, in towards the middle of the dome
     section = [(edge * 0.8, 0), (edge * 0.2, edge * 0.3), (0, edge), (0, sz - edge)]
     section += [(edge * 0.3, sz - edge * 0.3), (edge, sz)]
-    for t in (0.22, 0.52, 0.85):
+    # in a narrow dome further rings would leave a last strip of a few millimetres: a black slit
+    for t in (0.22, 0.52, 0.85) if short - edge > 0.03 else (0.35,):
         section.append((edge + (short - edge) * t, sz + crown * (1 - (1 - t) ** 2)))
     rings = []
     for inset, z in section:

@@ -170,11 +170,11 @@ def broccoli(form="head", size=1.0, seed=0) -> Model:
         buds = m.voronoi(150, o)
         c = m.mix(m.remap(buds, 0.1, 0.5), "5f9a3c", "1c4a1c")
         c = m.mix(m.remap(m.noise(30, 2, offset=o), 0.4, 0.65, 0, 0.6), c, "2f6a2a")
-        if look == "overripe":  # broccoli turns yellow
+        if look != "fresh":  # broccoli turns yellow; brown and green it passes for a small tree
             c = m.mix(
                 m.remap(m.noise(26, 3, offset=(o[1], 1, 2)), 0.38, 0.56, 0.25, 0.95), c, "d0b83a"
             )
-        return m.colour(matured(look, m, c, width, patchy, o, "2c2010", 0.5))
+        return m.colour(matured(look, m, c, width * 1.15, patchy, o, "4a3414", 0.2))
 
     def blob(at, q: float, mat, n: int, m: int) -> Mesh:
         mesh = ellipsoid((q, q, q * 0.86), (0, 0, 0), n, m, mat)
@@ -195,7 +195,7 @@ def broccoli(form="head", size=1.0, seed=0) -> Model:
         return np.random.default_rng([seed, *(int(abs(v) * 1e5) for v in at)]).uniform(0, 6, 3)
 
     def pale(look: str) -> Material:
-        tone = {"fresh": "a8c878", "overripe": "c8b868", "rotten": "6a5430"}[look]
+        tone = {"fresh": "a8c878", "overripe": "c8b868", "rotten": "a8904c"}[look]
         return plain(tone, 0.14, 90)
 
     def head(look: str, count: int = 10) -> list[Mesh]:

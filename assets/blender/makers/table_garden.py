@@ -26,7 +26,9 @@ def pepper_top(look: str, kind: str, z: float) -> list[Mesh]:
 PEPPER_SKINS = {
     "red": {"tones": ("a81a16", "cc2a20"), "gloss": ((0.036, 0.01, 0.06), 0.02, "ff9a8a")},
     "yellow": {"tones": ("e0a010", "f6c424"), "gloss": ((0.036, 0.01, 0.06), 0.02, "fff0a8")},
-    "green": {"tones": ("256a1c", "3a8a2c"), "gloss": ((0.036, 0.01, 0.06), 0.02, "a8d890")},
+    # rotting it stays green: browned all over, dark on dark, it passes for another fruit
+    "green": {"tones": ("256a1c", "3a8a2c"), "gloss": ((0.036, 0.01, 0.06), 0.02, "a8d890")}
+    | {"brown": "7a5424", "amount": 0.15},
     "orange": {"tones": ("d86a10", "f0861c"), "gloss": ((0.036, 0.01, 0.06), 0.02, "ffd0a0")},
 }
 PEPPER = Fruit(

@@ -180,7 +180,7 @@ def one_coaster(
 ) -> tuple[Mesh, np.ndarray, float]:
     """Mesh, collision piece and height of a single coaster."""
     r = size / 2
-    if kind in ("cork", "felt", "slice"):
+    if kind in ("cork", "slice"):
         edge = cork(light, dark) if kind == "cork" else plain(dark, 0.15, 200)
         z = 0.0075
         profile = [(0, 0), (r, 0), (r, 0.006), (r - 0.002, z), (0, z)]
@@ -237,9 +237,9 @@ def one_coaster(
 def coaster(
     size=0.098, kind="cork", light="#c99a62", dark="#6a4526", motif="cup", arranged=""
 ) -> Model:
-    """A drinks coaster; arranged: '', "stack" in a holder, or a "fan" of three."""
+    """A drinks coaster; arranged: '', "stack" in a holder, or a "fan" of three on one another."""
     mesh, piece, z = one_coaster(size, kind, light, dark, motif)
-    meshes, pieces, top = [mesh], [piece], z
+    meshes, pieces, top, middle = [mesh], [piece], z, (0.0, 0.0)
     if arranged == "stack":
         for k in range(1, 6):
             other, hull, _ = one_coaster(size, kind, light, dark, motif)
@@ -260,14 +260,13 @@ def coaster(
             meshes.append(box(0.006, 0.006, top + 0.012, at, steel))
             pieces.append(box_piece((at[0], at[1], top / 2 + 0.006), (0.006, 0.006, top + 0.012)))
     elif arranged == "fan":
-        for k, (x, y) in enumerate(((0.035, -0.075), (-0.045, -0.06)), 1):
-            other, hull, _ = one_coaster(size, kind, dark, light, motif)
-            other.keep_pattern().turn(rz=0.5 * k).move(x, y * 1.25, 0)
-            c, s = math.cos(0.5 * k), math.sin(0.5 * k)
-            spun = hull @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
-            meshes.append(other)
-            pieces.append(spun + np.array([x, y * 1.25, 0]))
-    polygon = round_polygon(size / 2 - 0.012)
+        for k in (1, 2):  # each lies on the one below; side by side they pass for coins
+            other, hull, _ = one_coaster(size, kind, light, dark, motif)
+            shift = (0.018 * k, 0.036 * k, z * k)
+            meshes.append(other.keep_pattern().turn(rz=0.3 * k).move(*shift))
+            pieces.append(hull + np.array(shift))
+        top, middle = 3 * z, shift[:2]
+    polygon = [(x + middle[0], y + middle[1]) for x, y in round_polygon(size / 2 - 0.012)]
     return Model(
         "stack of coasters"
         if arranged == "stack"
@@ -316,7 +315,7 @@ MODELS = {
             {"kind": "hexagon", "light": "#f2efe6", "dark": "#3a3e44", "size": 0.1},
             {"kind": "flower", "light": "#f6eee0", "dark": "#c8486a", "size": 0.118},
             {"kind": "tile", "light": "#f6f2e6", "dark": "#b5442f", "motif": "cup", "size": 0.096},
-            {"kind": "felt", "light": "#a8a8a4", "dark": "#3c3e40", "motif": "cup", "size": 0.078}
+            {"kind": "cork", "light": "#c08a50", "dark": "#4a2e1a", "motif": "cup", "size": 0.1}
             | {"arranged": "fan"},
         ],
     ),

@@ -73,8 +73,8 @@ ZONE_SHARE = 0.5
 #: measured.
 ZONE_SHARE_MARGIN = 0.15
 #: Of its footprint, what a thing has in a zone that it is put into: all but a hair, so that nobody
-#: takes what is in the way for something put aside. Of spots with 0.7 in walkways, one in forty was
-#: on no way of the audit's and by a wall; of these, one in eighty.
+#: takes what is in the way for something put aside. Of 3,354 spots with 0.7 in walkways, 102
+#: were on no way of the audit's and beside a wall or furniture; of 3,317 such ones, 50.
 ZONE_KEEP_SHARE = 0.99
 #: Of its footprint, what may reach into a zone to be avoided: a thing at the edge of a walkway is
 #: in nobody's way, and zones taken whole would leave small rooms bare.

@@ -210,7 +210,7 @@ def cushion(
     section = [(edge * 0.8, 0), (edge * 0.2, edge * 0.3), (0, edge), (0, sz - edge)]
     section += [(edge * 0.3, sz - edge * 0.3), (edge, sz)]
     # in a narrow dome further rings would leave a last strip of a few millimetres: a black slit
-    for t in (0.22, 0.52, 0.85) if short - edge > 0.03 else (0.35,):
+    for t in (0.22, 0.52, 0.85) if short - edge > 0.045 else (0.35,):
         section.append((edge + (short - edge) * t, sz + crown * (1 - (1 - t) ** 2)))
     rings = []
     for inset, z in section:

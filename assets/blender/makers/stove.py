@@ -119,7 +119,8 @@ def _body(
 def _coils(asm: Assembly) -> float:
     """Electric spirals in chrome bowls; the burner parts are the same spirals, glowing."""
     black, chrome = plain("#2a2a2c", 0.1, 60), metal("c9cdd1", "7b8187", (1, 1, 1), 30)
-    top = HOB + 0.018
+    # Low in their bowls, so that a pot beside one stands less than a centimetre over the enamel.
+    top = HOB + 0.0115
     for k, (x, y, r) in enumerate(BURNERS, 1):
         bowl = [
             (0, HOB + 0.001),
@@ -147,8 +148,8 @@ def _coils(asm: Assembly) -> float:
         disc = [
             (0, HOB + 0.004),
             (r * 1.1, HOB + 0.004),
-            (r * 1.1, HOB + 0.0105),
-            (0, HOB + 0.0105),
+            (r * 1.1, HOB + 0.0085),
+            (0, HOB + 0.0085),
         ]
         asm.add(f"burner_{k}", lathe(disc, 16, mat=halo).move(x, y, 0).weigh(0.6))
     # Coils are round on top, and what stands half beside one is over the rim of its bowl.

@@ -135,21 +135,22 @@ def up_the_wall(scene: Scene, infos: Infos) -> tuple[int, Changes]:
 
 
 def off_the_wall(scene: Scene, infos: Infos) -> tuple[int, Changes]:
-    """What hangs comes 10 cm forward, into the room that is before its back."""
+    """What hangs comes 10 cm forward, into the room that is before its back, over nothing that
+    it could then stand on."""
     facts = facts_of(scene, infos, load_catalog())
-    item = next(
-        i
-        for i in scene.objects
-        if i.fixed
-        and i.category not in OPENINGS
-        and not facts.on(i.id)
-        and not facts.inside(i.id)
-        and i.pose.position_m[2] < 1.8
-    )
-    x, y, z = item.pose.position_m
-    forward = item.pose.matrix()[:3, 0] * 0.1
-    position = (round(x + forward[0], 5), round(y + forward[1], 5), z)
-    return item.id, {"pose": {**item.pose.model_dump(), "position_m": position}}
+    for item in scene.objects:
+        x, y, z = item.pose.position_m
+        if not item.fixed or item.category in OPENINGS or not 0.5 < z < 1.8:
+            continue
+        forward = item.pose.matrix()[:3, 0] * 0.1
+        position = (round(x + forward[0], 5), round(y + forward[1], 5), z)
+        changes = {"pose": {**item.pose.model_dump(), "position_m": position}}
+        body = facts.bodies[item.id]
+        below = Body(item.model_validate({**item.model_dump(), **changes}), body.info).footprint
+        others = (other for other in facts.bodies.values() if other is not body)
+        if not any(below.intersects(other.footprint) for other in others):
+            return item.id, changes
+    raise AssertionError("the scene has nothing that hangs alone")
 
 
 Change = Callable[[Scene, Infos], tuple[int, Changes]]

@@ -335,7 +335,7 @@ MODELS = {
             {"kind": "keys", "rim": "#2f4a8a"},
             {"kind": "stand", "rim": "#26282c"},
             {"kind": "case", "rim": "#f0c02c"},
-            {"kind": "flip", "rim": "#55595f"},
+            {"kind": "case", "rim": "#2f6fb0"},
         ],
     ),
 }

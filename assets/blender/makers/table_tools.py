@@ -77,7 +77,6 @@ def spoon_head(mat: Material, a: float, b: float, tip: float, n: int = 14) -> li
 FORKS = {
     "table": (4, 0.0066, 0.042, 0.0025, 0.2, 1),
     "cake": (3, 0.0064, 0.03, 0.0024, 0.15, 1),
-    "carving": (2, 0.016, 0.085, 0.0028, 0.27, 1),
     "picnic": (4, 0.0092, 0.036, 0.0032, 0.175, 1),
     "set": (4, 0.0066, 0.042, 0.0025, 0.195, 2),
     "salad": (5, 0.0112, 0.034, 0.0042, 0.27, 1),
@@ -205,7 +204,7 @@ MODELS = {
             {"form": "table"},
             {"form": "table", "handle": "#b3302c"},
             {"form": "cake", "material": "brass"},
-            {"form": "carving", "handle": "#3a2414"},
+            {"form": "table", "handle": "#3a2414"},
             {"form": "picnic", "material": "plastic", "colour": "#f4f2ec"},
             {"form": "set"},
             {"form": "salad", "material": "wood"},

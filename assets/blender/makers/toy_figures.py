@@ -86,7 +86,7 @@ def little_man(
     return Model(
         "toy robot" if metal_man else "toy fireman",
         {"body": Part(meshes, collision=solids(*_limbs(meshes, height)))},
-        mass=0.025,
+        mass=0.09,
         friction=0.5,
         texture_size=256,
     )
@@ -233,11 +233,12 @@ def toy_figure(kind: str, height: float, colours: list[str]) -> Model:
     high = [m for m in meshes if not m.v[:, 2].mean() < 0.55 * height]
     body = Part(meshes, collision=solids(low, high))
     name = "toy cowboy on a horse" if kind == "rider" else f"toy {kind}"
-    return Model(name, {"body": body}, mass=0.025, friction=0.5)
+    return Model(name, {"body": body}, mass=0.09, friction=0.5)
 
 
 def toy_figure_random(rng: np.random.Generator) -> dict:
-    return {"height": 0.082}
+    # As large as toddlers' figures are: smaller ones read as bricks' men, which are small parts.
+    return {"height": 0.14}
 
 
 MODELS = {
@@ -247,17 +248,17 @@ MODELS = {
         7,
         [
             {"kind": "fireman", "colours": ["#c8202c", "#1c2a50", "#f2c52a", "#f0c49a"]},
-            {"kind": "knight", "height": 0.1, "colours": ["#2f5fc0", "#d8202c"]},
+            {"kind": "knight", "height": 0.16, "colours": ["#2f5fc0", "#d8202c"]},
             {
                 "kind": "robot",
-                "height": 0.105,
+                "height": 0.17,
                 "colours": ["#2f7fd0", "#8a929a", "#c9cdd1", "#c0c8d0"],
             },
             {"kind": "princess", "colours": ["#e0609a", "#f0c040", "#f0c49a"]},
-            {"kind": "astronaut", "height": 0.1, "colours": ["#f2f2ee", "#e8641c"]},
+            {"kind": "astronaut", "height": 0.16, "colours": ["#f2f2ee", "#e8641c"]},
             {
                 "kind": "rider",
-                "height": 0.1,
+                "height": 0.17,
                 "colours": ["#8a5228", "#2a1a12", "#c8202c", "#f0c49a"],
             },
             {"kind": "fireman", "colours": ["#e8701c", "#3a4a5a", "#f6d32a", "#c98a5c"]},

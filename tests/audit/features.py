@@ -304,9 +304,10 @@ def scene_tables(scenes: list[Scene]) -> tuple[dict[str, Floats], npt.NDArray[np
     counts = np.zeros((len(scenes), len(names)))
     files, kinds = [], []
     for k, scene in enumerate(scenes):
+        # What a label added is the label; a fridge stands there whether or not it is open.
+        added = {a["object_id"] for a in scene.labels["anomalies"] if a["target_id"] is not None}
         for item in scene.scene["objects"]:
-            # What a label took away or added; a fridge stands there whether or not it is open.
-            if item["fixed"] or item["id"] not in scene.hazards_of:
+            if item["id"] not in added:
                 counts[k, column[item["category"]]] += 1
         views = scene.views
         sizes = [rgb_bytes(scene, n) for n in range(len(views))]

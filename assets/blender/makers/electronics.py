@@ -21,7 +21,7 @@ from toolkit.shapes import box, ellipsoid, lathe, loft, rounded_rectangle
 
 from makers.choking import loose
 from makers.projection import project_label
-from makers.solids import cylinder, grounded, rod, solids
+from makers.solids import grounded, rod, solids
 
 
 def remote_control(kind: str, length: float, width: float, body: str, power: str) -> Model:
@@ -170,8 +170,8 @@ def laptop_random(rng: np.random.Generator) -> dict:
 
 
 def phone(kind: str, length: float, rim: str) -> Model:
-    """A mobile phone: a 'slab' on its back, in a soft 'case', on a 'stand', a 'flip' phone, or one
-    with 'keys'. Variants: `on`, and `broken` with cracked glass."""
+    """A mobile phone: a 'slab' on its back, in a soft 'case', on a 'stand', or one with 'keys'.
+    Variants: `on`, and `broken` with cracked glass."""
     width, thick = length * 0.48, 0.0085
     frame = plain(rim, 0.03)
     body: list[Mesh] = []
@@ -224,42 +224,24 @@ def phone(kind: str, length: float, rim: str) -> Model:
         looks = [devices.old_screen(False), devices.old_screen(True)]
         looks.append(devices.cracked(looks[0], 5, (0.6, 0.4), "#f4f6f8", 5))
         pad = printed(devices.keypad(rim, "#e9e9e6"))
-        w = 0.048
 
         def glass(mat: Material, x: float, z: float, sx: float, sy: float) -> Mesh:
             return box(sx, sy, 0.003, (x, 0, z), plain("#101114", 0), 0, 1, {"+z": mat})
 
-        if kind == "flip":
-            body.append(box(0.088, w, 0.012, (0.044, 0, 0), frame, 0.003, 1, {"+z": pad}))
-            lid = box(0.084, w, 0.01, (-0.042, 0, 0), frame, 0.003)
-            bezel = glass(plain("#101114", 0), -0.042, 0.0085, 0.07, w - 0.008)
-            screens = [
-                glass(printed(k, occlusion=0.3), -0.044, 0.0092, 0.05, w - 0.012) for k in looks
-            ]
-            for mesh in (lid, bezel, *screens):
-                mesh.turn(ry=0.62).move(0.0, 0, 0.009)
-            hinge = cylinder(
-                0.0075, w - 0.004, (0, -w / 2 + 0.002, 0.009), plain("#8a9098"), 8, "y"
-            )
-            body += [lid, bezel, hinge]
-            body += [box(0.012, 0.007, 0.0075, (-0.086, w * 0.32, 0.052), frame)]
-            piece_groups = [body[:1], body[1:3]]
-        else:
-            outline = rounded_rectangle(0.12, 0.05, 0.014, 3)
-            rings = [(0, 0.9), (0.005, 1.0), (0.014, 1.0), (0.018, 0.93)]
-            shell = loft([np.c_[outline * k, np.full(12, z)] for z, k in rings], mat=frame)
-            body.append(shell)
-            body.append(box(0.062, 0.042, 0.002, (0.026, 0, 0.0172), frame, 0, 1, {"+z": pad}))
-            rim_plate = box(0.048, 0.042, 0.002, (-0.031, 0, 0.0171), plain("#101114", 0))
-            body += [rim_plate, rod((-0.058, 0.017, 0.01), (-0.085, 0.017, 0.01), 0.0045, frame, 7)]
-            screens = [glass(printed(k, occlusion=0.3), -0.031, 0.0168, 0.04, 0.036) for k in looks]
-            piece_groups = [body]
+        outline = rounded_rectangle(0.12, 0.05, 0.014, 3)
+        rings = [(0, 0.9), (0.005, 1.0), (0.014, 1.0), (0.018, 0.93)]
+        shell = loft([np.c_[outline * k, np.full(12, z)] for z, k in rings], mat=frame)
+        body.append(shell)
+        body.append(box(0.062, 0.042, 0.002, (0.026, 0, 0.0172), frame, 0, 1, {"+z": pad}))
+        rim_plate = box(0.048, 0.042, 0.002, (-0.031, 0, 0.0171), plain("#101114", 0))
+        body += [rim_plate, rod((-0.058, 0.017, 0.01), (-0.085, 0.017, 0.01), 0.0045, frame, 7)]
+        screens = [glass(printed(k, occlusion=0.3), -0.031, 0.0168, 0.04, 0.036) for k in looks]
     if kind in ("slab", "case"):
         pieces = [box_piece((0, 0, thick / 2), (length, width, thick))]
     elif kind == "stand":
         pieces = solids(body[:2], body[2:3], body[3:4])
     else:
-        pieces = solids(*piece_groups)
+        pieces = solids(body)
     glow = (1.4, 1.4, 1.4, 1.0)
     parts = {
         "body": Part(body, collision=pieces),
@@ -331,7 +313,7 @@ MODELS = {
         [
             {"rim": "#26282c"},
             {"rim": "#c83a4a"},
-            {"kind": "flip", "rim": "#8a2a3a"},
+            {"rim": "#8a2a3a"},
             {"kind": "keys", "rim": "#2f4a8a"},
             {"kind": "stand", "rim": "#26282c"},
             {"kind": "case", "rim": "#f0c02c"},

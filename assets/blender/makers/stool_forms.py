@@ -64,9 +64,10 @@ def stool_milking(
     """Three thick legs let into a heavy round seat."""
     asm, r = Assembly(), width / 2
     asm.add("body", round_seat(r, height - 0.05, height, finish(wood, 1, offset)))
-    asm.piece("body", cylinder_piece(r, height - 0.05, height - 0.006, 14))
+    asm.piece("body", cylinder_piece(r, height - 0.05, height - 0.0035, 14))
     splayed(asm, 3, 0.95 * r, 0.5 * r, height - 0.045, (0.014, 0.023), finish(wood, 2, offset), 0.0)
-    return _stool("three-legged stool", asm, 3.4, height - 0.006, r - 0.02)
+    # Between the rim and the hollow: what is wide lies on the one, what is small in the other.
+    return _stool("three-legged stool", asm, 3.4, height - 0.0035, r - 0.02)
 
 
 def stool_rush(

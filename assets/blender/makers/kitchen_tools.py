@@ -111,16 +111,6 @@ def blade_outline(form: str) -> list[tuple[float, float]]:
             (0.03, 0.024),
             (0, 0.012),
         ]
-    if form == "icing":
-        return [
-            (0, -0.014),
-            (0.15, -0.015),
-            (0.165, -0.009),
-            (0.17, 0),
-            (0.165, 0.009),
-            (0.15, 0.015),
-            (0, 0.014),
-        ]
     if form == "burger":
         return [(0, -0.03), (0.012, -0.055), (0.1, -0.058), (0.1, 0.058), (0.012, 0.055), (0, 0.03)]
     if form == "fish":
@@ -151,7 +141,6 @@ SPATULAS = {
     "fish": (0.004, (0.035, 0.115, 0.015, 4), 0.16, 0.028),
     "scraper": (0.011, None, 0.19, 0.0),
     "wooden": (0.007, (0.03, 0.075, 0.014, 3), 0.21, 0.0),
-    "icing": (0.004, None, 0.12, 0.014),
     "burger": (0.004, None, 0.15, 0.04),
 }
 
@@ -203,11 +192,8 @@ def spatula(form="turner", head="steel", handle="steel", look=0) -> Model:
         ]
         widths = [0.007, 0.0095, 0.0105, 0.011, 0.006]
         meshes.append(tube(stations, widths, 8, mat=grip, up=(0, 0, 1.0), flatten=0.7))
-    if form != "icing":
-        hole = lathe(
-            [(0, 0), (0.0045, 0), (0.0045, 0.003), (0, 0.003)], 8, mat=plain("c8c0b4", 0.02)
-        )
-        meshes.append(hole.move(-length + 0.016, 0, z_end + 0.0062))
+    hole = lathe([(0, 0), (0.0045, 0), (0.0045, 0.003), (0, 0.003)], 8, mat=plain("c8c0b4", 0.02))
+    meshes.append(hole.move(-length + 0.016, 0, z_end + 0.0062))
     high = max(float(m.v[:, 2].max()) for m in meshes)
     corners = [(-length, y, q) for y in (-0.01, 0.01) for q in (z_end - 0.007, z_end + 0.007)]
     corners += [(0, y, q) for y in (-0.01, 0.01) for q in (z - 0.005, min(z + 0.006, high))]
@@ -249,7 +235,7 @@ MODELS = {
             {"form": "turner", "head": BLACK, "handle": BLACK},
             {"form": "scraper", "head": "#d8342c", "handle": "wood"},
             {"form": "wooden", "head": "wood", "handle": "wood"},
-            {"form": "icing", "head": "steel", "handle": BLACK},
+            {"form": "scraper", "head": "#e8c23a", "handle": BLACK},
             {"form": "burger", "head": "steel", "handle": "#8a4a22"},
             {"form": "fish", "head": "steel", "handle": "#2d5f8a"},
             {"form": "scraper", "head": "#3aa0a8", "handle": "#f2efe6"},

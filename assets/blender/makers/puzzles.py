@@ -108,7 +108,7 @@ def _jigsaw_piece(size: float, colour: str) -> Mesh:
 
 def puzzle_box(kind: str, picture: str, paint: str, count: int) -> Model:
     """A jigsaw in its box: 'flat', 'cube' (for small children), 'open' (lid beside, pieces inside),
-    'tray' (a half-laid puzzle in a frame), 'spilled' (pieces before the box)."""
+    'tray' (a half-laid puzzle in a frame). No piece lies about: it would be a small part."""
     skin, cardboard = printed(_lid_print(picture, paint, count)), plain(paint, 0.03)
     inside = plain("#d8c8a8", 0.06)
     pieces: list[list[Mesh]] = []
@@ -121,24 +121,10 @@ def puzzle_box(kind: str, picture: str, paint: str, count: int) -> Model:
         ]
 
     sides = dict.fromkeys(("+x", "-x", "+y", "-y"), (skin, (0.09, 0.74, 0.7, 0.98)))
-    if kind in ("flat", "spilled"):
+    if kind == "flat":
         sx, sy, sz = 0.19, 0.27, 0.045
         lid = box(sx, sy, sz, (0, 0, 0), cardboard, 0.0, 1, {"+z": skin} | sides)
         pieces.append([lid])
-        if kind == "spilled":
-            lid.move(-0.05, 0, 0)
-            for mesh in scattered(
-                [
-                    (0.075, -0.1),
-                    (0.09, -0.055),
-                    (0.072, -0.01),
-                    (0.1, 0.02),
-                    (0.08, 0.06),
-                    (0.105, 0.1),
-                    (0.12, -0.02),
-                ]
-            ):
-                pieces.append([mesh])
     elif kind == "cube":
         word = {"+x": skin, "-x": skin, "+y": skin, "-y": skin, "+z": skin}
         body = box(0.13, 0.16, 0.13, (0, 0, 0), cardboard, 0.002, 1, word)
@@ -170,7 +156,6 @@ def puzzle_box(kind: str, picture: str, paint: str, count: int) -> Model:
             rims.append(box(0.015, 0.27, 0.012, (q * 0.0925, 0, 0), plain(paint, 0.04)))
             rims.append(box(0.17, 0.015, 0.012, (0, q * 0.1275, 0), plain(paint, 0.04)))
         pieces = [[frame, laid, *holes, *rims]]
-        pieces += [[m] for m in scattered([(0.13, -0.07), (0.125, 0.04)], 0, 0.034)]
     return loose("jigsaw puzzle", pieces, 0.5)
 
 
@@ -188,7 +173,7 @@ MODELS = {
             {"kind": "cube", "picture": "elephant", "paint": "#2f8a5a", "count": 24},
             {"kind": "open", "picture": "ship", "paint": "#1f4f98", "count": 500},
             {"kind": "tray", "picture": "balloon", "paint": "#f2b91c"},
-            {"kind": "spilled", "picture": "balloon", "paint": "#7b3fb5", "count": 48},
+            {"picture": "elephant", "paint": "#7b3fb5", "count": 48},
             {"picture": "ship", "paint": "#1f4f98", "count": 500},
             {"kind": "cube", "picture": "castle", "paint": "#e0609a", "count": 12},
         ],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -53,6 +54,12 @@ class Rows:
                 features[rows, self.names.index(name)] = np.nan
         return features
 
+    def without(self, names: Set[str]) -> Rows:
+        """The same rows without what these names tell."""
+        kept = [k for k, name in enumerate(self.names) if name not in names]
+        values = [[row[k] for k in kept] for row in self.values]
+        return Rows([self.names[k] for k in kept], values, self.about)
+
     def column(self, key: str) -> npt.NDArray[np.generic]:
         return np.array([row[key] for row in self.about])
 
@@ -75,6 +82,8 @@ def what_it_is(scene: Scene, thing: Thing, near_miss: dict[int, str]) -> dict[st
     }
 
 
+#: Per size of the thing, these tell its shape: coins are flat and pieces of a cup lie wide.
+SHAPE = {"pixels", "pixels of all views", "width", "height of box"}
 PICTURE = [
     "views",
     "near views",

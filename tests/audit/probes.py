@@ -23,7 +23,14 @@ from sklearn.model_selection import GroupKFold
 from threadpoolctl import threadpool_limits
 
 from tests.audit.dataset import Floats, Scene
-from tests.audit.features import Rows, picture_rows, placement_rows, record_rows, scene_tables
+from tests.audit.features import (
+    SHAPE,
+    Rows,
+    picture_rows,
+    placement_rows,
+    record_rows,
+    scene_tables,
+)
 
 Bools = npt.NDArray[np.bool_]
 Strings = npt.NDArray[np.str_]
@@ -216,7 +223,9 @@ def all_probes(scenes: list[Scene]) -> list[Result]:
     """Every probe on a data set's scenes."""
     results = []
     pictures, places, records = picture_rows(scenes), placement_rows(scenes), record_rows(scenes)
-    for rows, title in ((pictures, "picture"), (places, "placement")):
+    shapeless = pictures.without(SHAPE)
+    titles = ((pictures, "picture"), (shapeless, "picture, not shape"), (places, "placement"))
+    for rows, title in titles:
         against = f"{title}, anomalies v lookalikes"
         results += compared(rows, against, "anomaly", {"lookalike"}, "hazard")
         results += by_class(rows, against)

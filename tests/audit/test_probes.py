@@ -9,6 +9,7 @@ from tests.audit.dataset import ROOT, DataSet, Floats, Scene
 from tests.audit.features import (
     PICTURE,
     PLACEMENT,
+    SHAPE,
     Rows,
     picture_rows,
     placement_rows,
@@ -78,6 +79,9 @@ def test_pictures_and_placement_are_read(scenes: list[Scene]) -> None:
     assert kinds == {"anomaly", "lookalike", "clutter"}
     seen = pictures.column("seen").astype(bool)
     middle = pictures.features[seen][:, PICTURE.index("from the middle")]
+    placed = pictures.without(SHAPE)
+    assert placed.features.shape[1] == len(PICTURE) - len(SHAPE)
+    assert np.array_equal(placed.features[seen][:, placed.names.index("from the middle")], middle)
     assert ((middle >= 0) & (middle < 2)).all()
     tables, hazards, _ = scene_tables(scenes)
     assert all(len(table) == len(hazards) == len(scenes) for table in tables.values())

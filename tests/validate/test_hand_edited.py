@@ -187,7 +187,8 @@ def test_an_edit_is_named_though_the_graph_was_made_to_agree(
     (copy / LAST / "graph.json").write_text(graph, encoding="utf-8")
     reseal(copy)
     found = [p for p in validate(copy) if f"{LAST}/scene.json: object {key} " in p.text]
-    assert [p.check for p in found if words in p.text] == ["scene"], found
+    # What is in a wall between two rooms is in the wall of each.
+    assert {p.check for p in found if words in p.text} == {"scene"}, found
 
 
 @pytest.mark.slow

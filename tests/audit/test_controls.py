@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.audit.checks import CHECKS, MANY, WHOLE
+from tests.audit.checks import CHECKS, MANY, MANY_LABELS, WHOLE
 from tests.audit.dataset import ROOT, DataSet, Floats, Scene
 from tests.audit.drafts import Draft, library
 
@@ -376,7 +376,7 @@ def test_whole_checks_find_what_is_missing(sample: Scene) -> None:
     draft = Draft(sample)
     fridge = draft.put("fridge_01", draft.open_floor(), joints={"door": 1.5})
     draft.label(fridge, "fridge_open")
-    assert list(WHOLE["variety: always wide open"](data, [draft.scene] * 12))
+    assert list(WHOLE["variety: always wide open"](data, [draft.scene] * MANY_LABELS))
     assert not list(WHOLE["variety: categories never seen"](data, [sample]))
 
 

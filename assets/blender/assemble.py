@@ -222,7 +222,7 @@ def add_standing_states(entries: dict[str, dict]) -> None:
 
 
 #: Models whose broken variant is not shown: a shard hangs in the air or would tip over what it lies
-#: on (`tests/library/test_shipped.py` lays them all on a floor).
+#: on (`tests/audit/test_models.py` lays them all on a floor).
 UNSTABLE = ("glass_jar_06", "plate_04", "plate_07", "teapot_01", "teapot_06", "teapot_07")
 
 

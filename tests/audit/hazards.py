@@ -28,8 +28,8 @@ BY_REACH = {"choking_hazard": 3, "poison_cleaning": 6, "poison_medication": 6, "
 #: U.S. FDA, "Selecting and Serving Produce Safely": refrigerate all produce that is cut or peeled.
 CUT = re.compile(r"\b(half|halves|wedges?|slices|sliced|cut|peeled|pieces)\b")
 #: USDA FSIS: what is left of an opened tin goes into the fridge within two hours; so do cakes
-#: filled or topped with cream.
-OPENED = re.compile(r"\bopened (tin|jar)\b|\bcream cake\b")
+#: filled or topped with cream, juice that is opened (a straw is in it) and blended fruit.
+OPENED = re.compile(r"\bopened (tin|jar)\b|\bcream cake\b|\bwith a straw\b|\bblender\b.*\bfull\b")
 #: Cut and yet dry: no food that spoils.
 KEEPS = {"bread", "cheese", "cake", "chocolate_bar", "strawberries", "cutting_board"}
 #: Spotted bananas and dark avocados are ripe (FoodKeeper); other produce with brown spots is not

@@ -9,7 +9,7 @@ import pytest
 from sdgen.library import Library
 from sdgen.physics.checks import penetrations
 from sdgen.physics.client import Client
-from sdgen.physics.settle import Settled, settle
+from sdgen.physics.settle import Settled, moving, settle
 from sdgen.physics.world import World
 from sdgen.scene import ObjectInstance, Scene
 
@@ -104,6 +104,34 @@ def test_checks_see_the_poses_a_thing_was_put_back_to(library: Library, client: 
     (violation,) = penetrations(world)
     assert violation.objects == (10, 11)
     assert violation.measured == pytest.approx(0.02, abs=0.002)
+
+
+def test_a_world_that_starts_anew_is_the_scene_as_if_loaded(
+    library: Library, client: Client
+) -> None:
+    """Awake, where the scene has it, and touching nothing before the first step."""
+    world = World(library, client)
+    stands, hangs = thing(11, "cube_01", (0, 0, TABLE_TOP)), thing(12, "cube_02", (1, 0, 0.5))
+    world.become(box_room([TABLE, stands, hangs]), [11, 12])
+    client.step(60)
+    for one in world.loose.values():
+        client.sleep(one.body)
+    assert world.pose(12).position_m[2] < 0.4
+    assert client.contacts()
+    world.start_anew()
+    assert world.pose(12).position_m == pytest.approx((1, 0, 0.5), abs=1e-9)
+    client.detect()
+    met = {frozenset((point.a, point.b)) for point in client.contacts()}
+    assert met == {frozenset(world_body(world, k) for k in (10, 11))}
+    found = moving(world)
+    assert [violation.objects for violation in found] == [(12,)]
+    world.start_anew()
+    assert moving(world) == found
+
+
+def world_body(world: World, key: int) -> int:
+    (body,) = (one.body for one in world.placed if one.owner == key)
+    return body
 
 
 def test_the_same_calls_give_the_same_bytes(library: Library, client: Client) -> None:

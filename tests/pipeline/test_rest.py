@@ -72,7 +72,9 @@ def test_a_fall_is_told_before_a_tilt_and_what_only_moves_has_no_measure():
 
 def staying(home, library, items):
     with Client() as client:
-        return will_not_stay(Contents(items, {}, {}, {}), home.scene(0, items), library, client)
+        world = World(library, client)
+        world.become(home.scene(0, items), [k for k, item in items.items() if not item.fixed])
+        return will_not_stay(Contents(items, {}, {}, {}), world)
 
 
 def test_what_stands_on_an_edge_is_an_offence_before_it_has_tipped(home, library):

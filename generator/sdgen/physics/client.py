@@ -32,6 +32,8 @@ LINEAR_DAMPING, ANGULAR_DAMPING = 0.05, 0.1
 FRICTION = 0.6
 #: Bullet keeps this skin around every convex hull; taken off the pieces, or things float on it.
 MARGIN_M = 0.001
+#: Collision groups and masks that Bullet gives what moves and what stands: statics do not meet.
+_MOVES, _STANDS = (1, -1), (2, -3)
 #: Files of convex pieces whose parsed triangles Bullet may keep, and 0.2 ms to parse one again.
 PARSED = 4000
 #: Files of convex pieces kept, 8 kB each; drawn joint values are many.
@@ -175,6 +177,13 @@ class Client(Closing):
         pb.changeDynamics(
             body, -1, activationState=pb.ACTIVATION_STATE_WAKE_UP, physicsClientId=self._id
         )
+
+    def forget(self, body: int, moves: bool) -> None:
+        """Let go of all that a body touches, as if it were new in the world; contacts are found
+        again at the next step. ``moves`` says whether it has a mass."""
+        group, mask = _MOVES if moves else _STANDS
+        # Its own ones again: what is done besides is that Bullet takes it out and in.
+        pb.setCollisionFilterGroupMask(body, -1, group, mask, physicsClientId=self._id)
 
     def sleep(self, body: int) -> None:
         """Leave a body out of the simulation until one that moves touches it."""

@@ -61,7 +61,7 @@ def attempt(
             surveyed = survey(rested.facts, home.context.catalog)
             offenders = _unproved(rested, surveyed, library)
             if not offenders:
-                offenders = will_not_stay(rested.contents, rested.facts.scene, library, client)
+                offenders = will_not_stay(rested.contents, world)
                 if not offenders:
                     return _proved(home, rested, surveyed, taken_away, library)
                 world = World(library, client)

@@ -10,13 +10,12 @@ from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import facts_of
 from sdgen.library import Library
 from sdgen.physics.checks import penetrations
-from sdgen.physics.client import Client
 from sdgen.physics.settle import Settled, moving, settle
 from sdgen.physics.world import World
 from sdgen.pipeline.contents import Contents
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.rejection import Rejection
-from sdgen.scene import Pose, Scene
+from sdgen.scene import Pose
 
 #: After things were taken away, the rest must stand as it stood: what touched them may play by
 #: this much; what loses its support moves much further.
@@ -86,17 +85,14 @@ def come_to_rest(
     return Rested(contents, facts, settled, offenders)
 
 
-def will_not_stay(
-    contents: Contents, scene: Scene, library: Library, client: Client
-) -> dict[int, Rejection]:
+def will_not_stay(contents: Contents, world: World) -> dict[int, Rejection]:
     """What would move on if the written scene were loaded anew, as ``validate --physics`` does
     (which keeps all awake, at twice the limits).
 
     Settling lets go of what has been still for a moment: one thing in some ten thousand stands on
-    an edge then, and tips later. Empties the client's world.
+    an edge then, and tips later. ``world`` is the scene's, and of no use after it.
     """
-    world = World(library, client)
-    world.become(scene, [key for key, item in contents.items.items() if not item.fixed])
+    world.start_anew()
     found = {}
     for violation in moving(world, STAYS_SHARE, all_awake=False):
         (key,) = violation.objects

@@ -98,11 +98,28 @@ def ages_stop_short(data: DataSet, scenes: list[Scene]) -> Iterator[Finding]:
         yield Finding("all", None, "nobody is younger than a year", min(ages))
 
 
+#: Of a class by reach, so many things that a view shows say whether its name alone tells it, and so
+#: many of them at least lie where no child gets to (a judgement: a detector that calls all of them
+#: hazards is wrong for one in five).
+MANY_SEEN, BEYOND_REACH = 30, 0.2
+
+
+def told_by_name(data: DataSet, scenes: list[Scene]) -> Iterator[Finding]:
+    """Classes by reach: is what views show of their categories nearly always a hazard?"""
+    for hazard in hazards.BY_REACH:
+        seen = [label for scene in scenes for label in hazards.seen_of(scene, hazard)]
+        beyond = seen.count(False) / max(len(seen), 1)
+        if len(seen) >= MANY_SEEN and beyond < BEYOND_REACH:
+            what = f"{hazard}: {seen.count(True)} of {len(seen)} that views show are labelled"
+            yield Finding("all", None, what, beyond)
+
+
 #: Checks of a whole data set; what takes many homes to say is silent on few.
 WHOLE: dict[str, Callable[[DataSet, list[Scene]], Iterator[Finding]]] = {
     "variety: categories never seen": never_seen,
     "variety: always wide open": always_wide_open,
     "variety: ages": ages_stop_short,
+    "variety: hazards by their name": told_by_name,
 }
 
 

@@ -20,6 +20,12 @@ Floats = npt.NDArray[np.float64]
 
 #: What a small child climbs on to reach what is near, by property or name.
 CLIMBED = {"SITTABLE", "LIEABLE"}
+#: And low furniture with a top that carries a child (CPSC, Anchor It!: children climb on furniture
+#: and television stands).
+LOW = {
+    *("step_stool", "coffee_table", "side_table", "nightstand", "tv_stand", "shoe_rack"),
+    "toy_box",
+}
 #: How near what is climbed on has to stand, metres, and how high it may be (judgement: a step of
 #: 0.7 m is as high as the hips of a five-year-old).
 BESIDE_M, STEP_M = 0.5, 0.7
@@ -70,7 +76,7 @@ def steps(scene: Scene) -> list[tuple[shapely.Geometry, float, Thing]]:
     found = []
     for thing in scene.things.values():
         properties = scene.catalogue.properties.get(thing.category, [])
-        if not CLIMBED & set(properties) and thing.category != "step_stool":
+        if not CLIMBED & set(properties) and thing.category not in LOW:
             continue
         tops = [
             (shapely.Polygon(s["polygon_m"]).area, s["z_m"])
@@ -105,6 +111,21 @@ def within_reach(scene: Scene) -> Iterator[Finding]:
                     what = f"{hazard}: within reach from {seat.category} {seat.id}"
                     yield scene.found(thing, what, thing.bottom)
                     break
+
+
+def seen_of(scene: Scene, hazard: str) -> Iterator[bool]:
+    """Of each thing of a class's categories that some view shows as large as a label's evidence:
+    is it labelled?"""
+    categories = scene.catalogue.categories_of(hazard) - GLASSES
+    pixels: dict[int, int] = {}
+    for view in scene.visibility["views"]:
+        for item in view["objects"]:
+            id = item["object_id"]
+            pixels[id] = max(pixels.get(id, 0), item["pixels"])
+    for item in scene.scene["objects"]:
+        shown = pixels.get(item["id"], 0) >= scene.visibility["evidence_pixels_needed"]
+        if item["category"] in categories and shown:
+            yield hazard in scene.hazards_of.get(item["id"], set())
 
 
 def kept_cold(scene: Scene, thing: Thing) -> bool:

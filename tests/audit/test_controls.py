@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.audit.checks import CHECKS, MANY, MANY_LABELS, WHOLE
+from tests.audit.checks import BEYOND_REACH, CHECKS, MANY, MANY_LABELS, MANY_SEEN, WHOLE
 from tests.audit.dataset import ROOT, DataSet, Floats, Scene
 from tests.audit.drafts import Draft, library
 
@@ -378,6 +378,49 @@ def test_whole_checks_find_what_is_missing(sample: Scene) -> None:
     draft.label(fridge, "fridge_open")
     assert list(WHOLE["variety: always wide open"](data, [draft.scene] * MANY_LABELS))
     assert not list(WHOLE["variety: categories never seen"](data, [sample]))
+
+
+def seen_knife(draft: Draft, labelled: bool) -> Scene:
+    """A knife that a view shows, labelled or on a high shelf."""
+    holder = draft.any("wall_shelf", "kitchen_counter")
+    id = draft.on_top("knife_01", holder)
+    shown = {"object_id": id, "pixels": 500, "bbox": [0, 0, 25, 20], "fraction": 1.0, "parts": {}}
+    draft.files["visibility"]["views"][0]["objects"].append(shown)
+    if labelled:
+        draft.label(id, "sharp_object")
+    return draft.scene
+
+
+@pytest.mark.parametrize(("beyond", "told"), [(0.0, True), (BEYOND_REACH + 0.05, False)])
+def test_classes_that_their_objects_names_tell_are_found(
+    sample: Scene, beyond: float, told: bool
+) -> None:
+    data = DataSet(ROOT / "output" / "sample")
+    high = round(beyond * MANY_SEEN)
+    scenes = [seen_knife(Draft(sample), True)] * (MANY_SEEN - high)
+    scenes += [seen_knife(Draft(sample), False)] * high
+    named = [str(f) for f in WHOLE["variety: hazards by their name"](data, scenes)]
+    assert any("sharp_object" in one for one in named) is told
+    few = WHOLE["variety: hazards by their name"](data, scenes[: MANY_SEEN // 2])
+    assert not any("sharp_object" in str(one) for one in few)
+
+
+def on_a_high_shelf_over(low: str) -> Plant:
+    """Out of reach from the floor, over a piece of furniture as low as a bed."""
+
+    def plant(draft: Draft) -> int:
+        stood = draft.thing(draft.put(low, draft.open_floor()))
+        return draft.put("knife_01", stood.position + 1.6 * UP, room=stood.room)
+
+    return plant
+
+
+@pytest.mark.parametrize("low", ["nightstand_01", "tv_stand_04", "side_table_06", "shoe_rack_01"])
+def test_low_furniture_is_a_step(low: str, sample: Scene) -> None:
+    draft = Draft(sample)
+    planted = on_a_high_shelf_over(low)(draft)
+    found = CHECKS["reach: unlabelled and within reach"](draft.scene)
+    assert planted in [finding.object_id for finding in found]
 
 
 def test_the_audit_shares_no_code_with_the_package() -> None:

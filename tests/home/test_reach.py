@@ -66,3 +66,33 @@ def test_a_higher_stool_lifts_higher():
 def test_all_that_is_sat_or_lain_on_is_climbed_on():
     lain = {c.name for c in CATALOG.categories if {"SITTABLE", "LIEABLE"} & set(c.properties)}
     assert lain <= CATALOG.climbs.keys()
+
+
+#: Furniture that is low and yet no step: it lies flat, or stands on other furniture.
+NO_STEP = {"rug", "bath_mat", "microwave"}
+
+
+def test_all_whose_models_have_a_low_top_are_climbed_on():
+    """Nightstands and television stands are as low as beds."""
+    low = set()
+    for category in CATALOG.categories:
+        models = LIBRARY.by_category(category.name) if category.kind == "furniture" else ()
+        tops = [max((s.z_m for s in m.supports if s.container is None), default=9) for m in models]
+        if tops and sum(top <= 0.6 for top in tops) > len(tops) / 2:
+            low.add(category.name)
+    hung = {c.name for c in CATALOG.categories if "HANGABLE" in c.properties}
+    assert {"nightstand", "side_table", "tv_stand"} <= low
+    assert low - NO_STEP - hung <= CATALOG.climbs.keys()
+
+
+@pytest.mark.parametrize(("category", "lifts_m"), [("nightstand", 0.6), ("tv_stand", 0.44)])
+def test_one_stands_on_the_top_not_on_a_shelf_or_in_a_drawer_below(category, lifts_m):
+    model = next(
+        k
+        for k, m in enumerate(LIBRARY.by_category(category))
+        if m.extents_m[2] == pytest.approx(lifts_m, abs=0.01)
+    )
+    knife = LIBRARY.by_category("knife")[0]
+    near = beside(category, 0.3, model)
+    assert not near.beyond(knife, spot(0.0, 1.44 + lifts_m), 2)
+    assert near.beyond(knife, spot(0.0, 1.5 + lifts_m), 2)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from sdgen.cameras.cover import CANONICAL
 from sdgen.cameras.seen import Seen
+from sdgen.cameras.spots import spots_of
 from sdgen.facts import room_at
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
@@ -43,6 +44,19 @@ def test_views_follow_from_the_furnished_home_and_their_own_lane(furnished):
     assert isinstance(first.context.shows, Seen)
 
 
+def test_high_places_are_looked_at_as_much_as_each_other(furnished):
+    """Whatever categories lie there, and in which room."""
+    context, layout = furnished.context, furnished.layout
+    spots = spots_of(context, layout, lane())
+    shelves = {k for k, item in layout.items.items() if item.category == "wall_shelf"}
+    points = len(spots.target)
+    share = {k: spots.weight[:points][spots.target == k].sum() for k in shelves}
+    rooms = {layout.items[k].room_id for k in shelves}
+    assert len(rooms) > 1
+    assert min(share.values()) > 0.02
+    assert max(share.values()) < 2.5 * min(share.values())
+
+
 def test_a_hazard_that_no_view_can_show_is_not_tried_for(furnished):
     class Nothing:
         def thing(self, corners_m):
@@ -75,7 +89,8 @@ def test_cameras_stand_on_free_floor_at_eye_height(catalog, library):
         for camera in bundle.cameras:
             x, y, z = (row[3] for row in camera.world_from_camera[:3])
             assert free.contains(Point(x, y))
-            assert abs(z - 1.0) <= 0.2
+            # Near views of high places are taken from lifted eyes.
+            assert -0.2 <= z - 1.0 <= (0.6 if camera.kind == "near" else 0.2)
             room = room_at(bundle.scene.home.rooms, x, y)
             assert room is not None
             assert room.id == camera.room_id

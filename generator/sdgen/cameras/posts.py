@@ -36,6 +36,10 @@ _DISTANCE_PER_SIZE = 0.5
 _BESIDE = (0.35, 0.26)
 #: Near views look up by so much at most, a tangent: high shelves are in the picture, ceilings not.
 _UP = 0.12
+#: To look onto what is higher than its eyes a robot lifts them until they are somewhat above the
+#: place, at most to where a standing adult's are (a judgement; Fetch's torso lifts its head by
+#: 0.39 m, and a raised arm the camera of its hand higher): what lies flat shows only from above.
+_LIFT_M, _LOOKS_DOWN_M = 0.5, 0.15
 #: Overviews tried of each room.
 _OVERVIEWS = 8
 #: Free-floor points drawn for an eye: those nearest to a room's rim see most of it.
@@ -95,7 +99,8 @@ def _near(library: Library, free: BaseGeometry, spots: Spots, rng: Rng) -> Itera
 
 
 def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng) -> Array:
-    """A few eyes over the free floor in the ring around a place or a thing of a size, (N, 3)."""
+    """A few eyes over the free floor in the ring around a place or a thing of a size, (N, 3),
+    lifted to look onto a high one."""
     further = _DISTANCE_PER_SIZE * size_m
     if place[2] < _FLOOR_Z_M:
         further += _FLOOR_FURTHER_M
@@ -105,7 +110,8 @@ def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng) -> A
     points = place[:2] + distance[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
     inside = shapely.contains_xy(free, points[:, 0], points[:, 1])
     stands = points[inside][:_EYES]
-    heights = EYE_HEIGHT_M + rng.uniform(-HEIGHT_JITTER_M, HEIGHT_JITTER_M, _EYES)
+    lifted = min(max(float(place[2]) + _LOOKS_DOWN_M - EYE_HEIGHT_M, 0.0), _LIFT_M)
+    heights = EYE_HEIGHT_M + lifted + rng.uniform(-HEIGHT_JITTER_M, HEIGHT_JITTER_M, _EYES)
     return np.column_stack([stands, heights[: len(stands)]])
 
 

@@ -7,7 +7,7 @@ and from where its categories live.
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,6 +38,10 @@ _DRAWS = 4
 #: What a hazard's near misses and all everyday things count, against one hazard's anomalies: a
 #: choice. An anomaly must be seen; nothing breaks when an everyday thing is not.
 _LOOKALIKES, _EVERYDAY = 0.5, 3.0
+#: What all high places together count, each as much as the others: where nobody looks at them, of
+#: what children must not reach only the hazards are seen, and its name tells them. About as much
+#: a piece as a table has (six such places a home).
+_HIGH = 6.0
 #: What is set to a state counts so many times what is placed: it can be seen in one place only.
 _STATES = 3.0
 
@@ -103,8 +107,11 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     )
     expected = defaultdict(float, _everyday(context, layout))
     were_set: defaultdict[tuple[int, str], float] = defaultdict(float)
+    high: list[Recipe] = []
     for hazard in context.catalog.hazards:
-        for recipes, worth in ((hazard.anomalies, 1.0), (hazard.lookalikes, _LOOKALIKES)):
+        high += [one for one in hazard.lookalikes if _is_high(one)]
+        lookalikes = [one for one in hazard.lookalikes if not _is_high(one)]
+        for recipes, worth in ((hazard.anomalies, 1.0), (lookalikes, _LOOKALIKES)):
             could_place, could_set = _possible(recipes, context, layout)
             total = sum(could_place.values()) + sum(could_set.values())
             for wanted, weight in could_place.items():
@@ -114,6 +121,7 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     placed = np.zeros(len(surfaces.points_m))
     for wanted, weight in expected.items():
         placed += weight * surfaces.share(wanted)
+    placed += _HIGH * surfaces.any_of(_possible(high, context, layout)[0])
     states = {key: _set_to(context, layout, *key, rng) for key in sorted(were_set)}
     possible = {key: found for key, found in states.items() if found is not None}
     likely = placed > 0
@@ -148,11 +156,25 @@ class _Surfaces:
     def share(self, wanted: Wanted) -> Array:
         """How likely each point is for one such thing, (N,): owners (or rooms) evenly; 1 in all,
         or 0 where there is none."""
-        out = np.zeros(len(self.points_m))
+        return self._evenly(self._fitting(wanted))
+
+    def any_of(self, wanted: Iterable[Wanted]) -> Array:
+        """How likely each point is where any of these may lie, (N,), as for :meth:`share`."""
+        fitting = np.zeros(len(self.points_m), dtype=np.bool_)
+        for one in wanted:
+            fitting |= self._fitting(one)
+        return self._evenly(fitting)
+
+    def _fitting(self, wanted: Wanted) -> Bools:
+        """The points where such a thing may lie, (N,)."""
         fitting = np.zeros(len(self.points_m), dtype=np.bool_)
         for surface, rows in self._of.get((wanted.target, wanted.relation), ()):
             if not wanted.rooms or surface.room.type in wanted.rooms:
                 fitting[rows] = self._fits(surface, wanted)
+        return fitting
+
+    def _evenly(self, fitting: Bools) -> Array:
+        out = np.zeros(len(self.points_m))
         if fitting.any():
             _, of, count = np.unique(self.target[fitting], return_inverse=True, return_counts=True)
             out[fitting] = 1.0 / count[of] / len(count)
@@ -205,6 +227,11 @@ def _possible(
                     for one in wanted:
                         placed[one] += recipe.weight / len(targets)
     return placed, were_set
+
+
+def _is_high(recipe: Recipe) -> bool:
+    """Whether a recipe puts something on high places alone."""
+    return isinstance(recipe, PlaceRecipe) and recipe.min_height_m is not None
 
 
 def _wanted(recipe: PlaceRecipe, target: str) -> Wanted:

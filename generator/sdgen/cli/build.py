@@ -119,7 +119,7 @@ def eye_height(text: str) -> float:
     callback=parsed(eye_height),
     default="1.2",
     show_default=True,
-    help="Height of the cameras: a robot's eyes.",
+    help="Usual height of the cameras: a robot's eyes (lifted to look onto high shelves).",
 )
 @click.option(
     "--rgb",

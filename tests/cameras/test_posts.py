@@ -1,0 +1,25 @@
+"""Near views look at places from usual eyes, and onto high ones from lifted eyes."""
+
+import numpy as np
+import pytest
+from sdgen.cameras.posts import candidates
+from sdgen.cameras.spots import Spots
+from sdgen.cameras.view import HEIGHT_JITTER_M
+from sdgen.library import Library
+from sdgen.options import EYE_HEIGHT_M
+from sdgen.seeding import lane
+from shapely.geometry import box
+
+
+@pytest.mark.parametrize(
+    ("height_m", "lifted_m"), [(0.04, 0.0), (0.94, 0.0), (1.35, 0.3), (1.55, 0.5), (1.9, 0.5)]
+)
+def test_eyes_are_lifted_to_look_onto_high_places_alone(
+    library: Library, height_m: float, lifted_m: float
+) -> None:
+    spots = Spots(np.array([[0.0, 0.0, height_m]]), np.array([7]), (), np.ones(1))
+    views = candidates(library, (), box(-3, -3, 3, 3), spots, lane(0, 0, "views"))
+    heights = [view.eye_m[2] - EYE_HEIGHT_M - lifted_m for view in views]
+    assert len(heights) > 100
+    assert max(map(abs, heights)) <= HEIGHT_JITTER_M
+    assert np.ptp(heights) > HEIGHT_JITTER_M

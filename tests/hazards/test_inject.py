@@ -194,3 +194,35 @@ def test_near_misses_do_not_lie_beside_their_copies(home):
         ]
         found = sum(m is not None for m in made)
         assert found == 1 if fit == 1 else found >= fit, category
+
+
+def test_an_anomaly_stands_for_the_near_miss_of_its_kind(home, monkeypatch):
+    """Or two candles in a home would say that one burns; what is no candle stays."""
+    monkeypatch.setattr("sdgen.hazards.inject.LOOKALIKE_SHARE", 1.0)
+    hazard = CATALOG.hazard("candle_on")
+    candle, lamp = (
+        PlaceRecipe(categories=(kind,), relation="ON", targets=("coffee_table", "desk"))
+        for kind in ("candle", "tissue_box")
+    )
+    for recipe, drawn, stays in ((candle, True, 0), (candle, False, 1), (lamp, True, 1)):
+        only = hazard.model_copy(update={"lookalikes": (recipe,)})
+        context = replace(home.context, catalog=CATALOG.model_copy(update={"hazards": (only,)}))
+        layout = home.layout.copy(iter(range(60000, 61000)))
+        made = inject(["candle_on"] * drawn, layout, context, False, lane(3, 1, "inject"))
+        before = len(layout.items)
+        others = add_lookalikes(layout, context, made, lane(3, 1, "lookalikes"))
+        assert len(others) == len(layout.items) - before == stays
+
+
+def test_a_kettle_comes_to_stand_on_a_burning_stove_too(home, monkeypatch):
+    """It is an everyday thing there, and a near miss on a cold one."""
+    monkeypatch.setattr("sdgen.hazards.inject.LOOKALIKE_SHARE", 1.0)
+    kettle = PlaceRecipe(categories=("kettle",), relation="ON", targets=("stove",))
+    only = CATALOG.hazard("stove_on").model_copy(update={"lookalikes": (kettle,)})
+    context = replace(home.context, catalog=CATALOG.model_copy(update={"hazards": (only,)}))
+    for drawn in (["stove_on"], []):
+        layout = home.layout.copy(iter(range(60000, 61000)))
+        made = inject(drawn, layout, context, False, lane(3, 1, "inject"))
+        others = add_lookalikes(layout, context, made, lane(3, 1, "lookalikes"))
+        assert [i for i in layout.items.values() if i.category == "kettle"]
+        assert len(others) == (not drawn)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
+from sdgen.actions import in_state
 from sdgen.catalog.load import load_catalog
-from sdgen.geometry import apply, inverse
+from sdgen.geometry import Array, apply, inverse
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import LEAST_THINGS, add_clutter, living_so
 from sdgen.home.layout import Layout
@@ -117,6 +119,45 @@ def _hollow(item: ObjectInstance, target: ObjectInstance, layout: Layout) -> str
         if off.max() <= 0:
             return hollow.name
     raise AssertionError(f"{item.category} is in no hollow of the {target.category}")
+
+
+class _Nothing:
+    """Views that show nothing at all."""
+
+    def thing(self, _corners_m: Array) -> bool:
+        return False
+
+    def state(self, _object_id: int, _state: str) -> bool:
+        return False
+
+    def anything_on(self, _target_id: int) -> bool:
+        return False
+
+
+def test_a_fridge_is_as_full_open_as_shut() -> None:
+    """What is kept in it does not ask whether a view looks in."""
+    base = next(h for h in CATALOG.homes if h.id == "apartment_1")
+    models = SplitModels(shipped_library(), "test")
+    stage = furnished_home(
+        base, CATALOG, shipped_library(), models, iter(range(1, 60000)), lane(1, 0, "furnish")
+    )
+    assert isinstance(stage, FurnishedHome)
+    held: dict[str, int] = {}
+    for state in ("CLOSED", "OPEN"):
+        held[state] = 0
+        for k in range(4):
+            layout = stage.layout.copy()
+            fridge = next(i for i in layout.items.values() if i.category == "fridge")
+            as_it_is = in_state(fridge, layout.info(fridge.id), state, lane(1, k, "state"))
+            assert as_it_is is not None
+            layout.put(as_it_is)
+            add_clutter(layout, replace(stage.context, shows=_Nothing()), lane(1, k, "place"))
+            held[state] += sum(
+                intent.relation == "INSIDE" and intent.target_id == fridge.id
+                for intent in layout.intents.values()
+            )
+    assert held["CLOSED"] > 16
+    assert held["OPEN"] > 0.8 * held["CLOSED"]
 
 
 def test_what_is_cut_opened_or_poured_lives_only_where_the_catalogue_says() -> None:

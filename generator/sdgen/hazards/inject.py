@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
+from sdgen.catalog.records import Hazard, PlaceRecipe
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.placing import Injected, already_set, inject_candidate
 from sdgen.hazards.splits import withheld_anomaly
@@ -57,8 +58,16 @@ def _no_place(
 def add_lookalikes(
     layout: Layout, context: HomeContext, anomalies: Sequence[Injected], rng: Rng
 ) -> tuple[Injected, ...]:
-    """One benign near miss for most hazards, whether or not they were drawn."""
+    """One benign near miss for most hazards, whether or not they were drawn.
+
+    A home holds as many things of a kind with an anomaly as without: where a hazard's anomaly was
+    put, it stands for the near miss of its own kind, or a second candle would tell of a lit one.
+    What comes to lie on or in an anomaly (a kettle on a burning stove, as on a cold one) is an
+    everyday thing, and no near miss.
+    """
     lookalikes: list[Injected] = []
+    anomalous = {other.object_id for other in anomalies}
+    put = {other.hazard for other in anomalies if other.before is None}
     for hazard in context.catalog.hazards:
         wanted = rng.random() < LOOKALIKE_SHARE
         order = weighted_order(candidates(hazard.id, hazard.lookalikes, layout, context), rng)
@@ -67,9 +76,28 @@ def add_lookalikes(
         taken = {other.object_id for other in (*anomalies, *lookalikes)}
         order = order[:LOOKALIKE_CANDIDATES_TRIED]
         injected = _inject_first(order, layout, context, taken, rng, benign=True)
-        if injected is not None:
+        if injected is None:
+            continue
+        if hazard.id in put and layout.items[injected.object_id].category in _put_kinds(hazard):
+            layout.drop(injected.object_id)
+        elif injected.before is not None or _target(layout, injected) not in anomalous:
             lookalikes.append(injected)
     return tuple(lookalikes)
+
+
+def _put_kinds(hazard: Hazard) -> frozenset[str]:
+    """What a hazard's recipes put somewhere."""
+    return frozenset(
+        category
+        for recipe in hazard.anomalies
+        if isinstance(recipe, PlaceRecipe)
+        for category in recipe.categories
+    )
+
+
+def _target(layout: Layout, injected: Injected) -> int:
+    """What a new thing was put on or in."""
+    return layout.intents[injected.object_id].target_id
 
 
 def _inject_first(

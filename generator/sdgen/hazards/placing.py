@@ -45,13 +45,12 @@ def inject_candidate(
 ) -> Injected | None:
     """Change ``layout`` so that it holds this candidate; None, and no change, if nothing fits.
 
-    ``taken`` are objects other anomalies or lookalikes already use. What is ``benign`` is not put
-    on or into these (a pot on a burning stove is no near miss of one), nor within children's reach
-    where it would be a hazard.
+    ``taken`` are objects other anomalies or lookalikes already use: they are not set to another
+    state. What is ``benign`` is not put within children's reach where it would be a hazard.
     """
     if isinstance(candidate.recipe, SetRecipe):
         return _set(candidate, candidate.recipe, layout, context, taken, rng)
-    return _place(candidate, candidate.recipe, layout, context, taken, rng, benign)
+    return _place(candidate, candidate.recipe, layout, context, rng, benign)
 
 
 def _set(
@@ -108,7 +107,6 @@ def _place(
     recipe: PlaceRecipe,
     layout: Layout,
     context: HomeContext,
-    taken: Collection[int],
     rng: Rng,
     benign: bool,
 ) -> Injected | None:
@@ -130,7 +128,7 @@ def _place(
         item
         for item in layout.items.values()
         if item.category == candidate.unique.target
-        and not (benign and (item.id in taken or _beside_itself(asset, item.id, layout, context)))
+        and not (benign and _beside_itself(asset, item.id, layout, context))
         and context.shows.anything_on(item.id)
         and (not recipe.rooms or context.room_type(item.room_id) in recipe.rooms)
     ]

@@ -231,7 +231,9 @@ def _place(
     may_hold = partial(context.may_hold, asset.category, receptacle.category)
     if context.reach.needed_m(asset) is not None:
         may_hold = partial(_behind_a_leaf, layout.info(receptacle.id), may_hold)
-    shut_in = abode.relation == "INSIDE" and "CLOSED" in receptacle.states
+    # A fridge is as full when its door stands open as when no view looks in.
+    shuts = not {"OPEN", "CLOSED"}.isdisjoint(receptacle.states)
+    shut_in = abode.relation == "INSIDE" and shuts
     must_show = not shut_in and context.keeps_to_views(asset.category, rng)
     if must_show and not context.shows.anything_on(receptacle.id):
         return None

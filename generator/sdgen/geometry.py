@@ -152,6 +152,16 @@ def box_corners(low: Sequence[float], high: Sequence[float]) -> Array:
     )
 
 
+def moved_boxes(transforms: Array, boxes: Array) -> Array:
+    """The boxes along the axes, lowest and highest corners (N, 2, 3), of boxes (N, 2, 3) that were
+    moved by 4x4s (N, 4, 4)."""
+    low, high = boxes.transpose(1, 0, 2)
+    turns = transforms[:, :3, :3]
+    at = np.einsum("nij,nj->ni", turns, (low + high) / 2) + transforms[:, :3, 3]
+    reach = np.einsum("nij,nj->ni", np.abs(turns), (high - low) / 2)
+    return np.stack([at - reach, at + reach], axis=1)
+
+
 def look_at(eye_m: Sequence[float], target_m: Sequence[float]) -> Array:
     """``world_from_camera`` of an OpenCV camera (x right, y down, z forward), level horizon."""
     x, y, z = (float(b) - float(a) for a, b in zip(eye_m, target_m, strict=True))

@@ -59,6 +59,8 @@ class Seen:
     def thing(self, corners_m: Array) -> bool:
         """True when some view shows enough of a thing with these outermost points (N, 3)."""
         at = framed(self._poses, corners_m)
+        if not at.inside.any():
+            return False
         rows, columns = (
             np.where(at.inside, along // _CELL, 0).astype(np.int64) for along in (at.v, at.u)
         )

@@ -141,6 +141,14 @@ class Table:
         """Ids of the other objects whose space these blocks enter, once for every pair."""
         if not blocks:
             return
+        if len(blocks) == 1:
+            # Most are one thing's box: it meets what is near in one look.
+            (block,) = blocks
+            for k in _meet(block.box, self.boxes).nonzero()[0].tolist():
+                other = self.blocks[k]
+                if other.owner != block.owner and block.shape.intersects(other.shape):
+                    yield other.owner
+            return
         boxes = _sides(blocks)
         whole = np.concatenate([boxes[:3].min(axis=1), boxes[3:].max(axis=1)])
         near = _meet(whole, self.boxes).nonzero()[0]

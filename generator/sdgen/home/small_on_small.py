@@ -8,18 +8,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import shapely
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from sdgen.freespace import random_point
+from sdgen.freespace import Pieces
 from sdgen.geometry import Array, Vec2, apply, yaw_of
 from sdgen.home.layout import DROP_M, Layout, Vec3Yaw, random_yaw, space_at
-from sdgen.library.drawn import drawn
+from sdgen.library.drawn import Drawn, drawn
 from sdgen.library.records import AssetInfo
-from sdgen.library.supports import MARGIN_M
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
 
@@ -52,7 +52,7 @@ def spot_on_small(
     if not open_ones or _stacked(layout, target_id) > STACKED_MOST:
         return None
     surface = open_ones[int(rng.integers(len(open_ones)))]
-    edge = surface.shape.buffer(MARGIN_M, join_style="mitre")
+    edge = surface.edge
     shape = _Shape.of(asset)
     front, middle = yaw_of(target.pose.quat_xyzw), surface.shape.centroid
     for trial in range(ANYWHERE + SQUARE):
@@ -92,9 +92,13 @@ class _Shape:
 
     @classmethod
     def of(cls, asset: AssetInfo) -> _Shape:
-        points = drawn(asset, "default", {}).points_m
-        low = points[:, 2] < points[:, 2].min() + BASE_M
-        return cls(_corners(points), _corners(points[low]))
+        """The shape of a model, found once."""
+        outline = drawn(asset, "default", {})
+        if outline not in _shapes:
+            points = outline.points_m
+            low = points[:, 2] < points[:, 2].min() + BASE_M
+            _shapes[outline] = cls(_corners(points), _corners(points[low]))
+        return _shapes[outline]
 
     def stands(self, edge: Polygon, point: Vec2, yaw: float) -> bool:
         """Whether it stands on a surface there: on its base, not far over the edge."""
@@ -105,6 +109,10 @@ class _Shape:
             return False
         whole = _placed(self.whole, point, yaw)
         return bool(whole.difference(edge).area <= (1 - OVER_SHARE) * whole.area)
+
+
+#: By outline, of which each model at rest has one.
+_shapes: WeakKeyDictionary[Drawn, _Shape] = WeakKeyDictionary()
 
 
 def _in_hollow(
@@ -121,13 +129,14 @@ def _in_hollow(
         return None
     box = shapely.box(x - wide / 2, y - deep / 2, x + wide / 2, y + deep / 2)
     bottoms = [s.edge_m[:, :2] for s in info.supports if s.container == hollow.name]
-    floor = shapely.union_all([box, *(shapely.polygons(edge) for edge in bottoms)])
+    floor = shapely.union_all([box, *map(shapely.polygons, bottoms)]) if bottoms else box
     whole = _Shape.of(asset).whole
     outline = floor.convex_hull
-    front = yaw_of(target.pose.quat_xyzw)
+    shapely.prepare(outline)
+    pieces, front = Pieces(floor), yaw_of(target.pose.quat_xyzw)
     for trial in range(ANYWHERE + SQUARE):
         turn = random_yaw(rng)
-        point = random_point(floor, rng) if trial < ANYWHERE else (x, y)
+        point = pieces.random_point(rng) if trial < ANYWHERE else (x, y)
         if point is None or not outline.covers(_placed(whole, point, turn)):
             continue
         u, v, w = apply(target.pose.matrix(), [(*point, z - high / 2)])[0].tolist()

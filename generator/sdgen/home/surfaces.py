@@ -7,10 +7,12 @@ is a rectangle: plain arithmetic tells nearly all, in a tenth of the time that p
 from __future__ import annotations
 
 import math
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 import shapely
+from shapely.geometry.base import BaseGeometry
 
 from sdgen.facts.thresholds import TILTED_M
 from sdgen.freespace import LEAST_M2, POINT_TRIES, random_point
@@ -18,6 +20,7 @@ from sdgen.geometry import Array, Vec2, Vec3, apply
 from sdgen.kleene import YES
 from sdgen.library.records import AssetInfo, Support
 from sdgen.library.states import drawn_supports
+from sdgen.library.supports import MARGIN_M
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
 
@@ -46,6 +49,13 @@ class PlacingSurface:
         self._corner: Vec2 = tuple(points[:, :2].min(axis=0).tolist())
         self._size: Vec2 = tuple((points[:, :2].max(axis=0) - points[:, :2].min(axis=0)).tolist())
         self._sides = _sides(points[:, :2].tolist())
+
+    @cached_property
+    def edge(self) -> BaseGeometry:
+        """The outline of the real one."""
+        edge = self.shape.buffer(MARGIN_M, join_style="mitre")
+        shapely.prepare(edge)
+        return edge
 
     def random_point(self, rng: Rng) -> Vec2 | None:
         """What :func:`~sdgen.freespace.random_point` draws from the surface."""

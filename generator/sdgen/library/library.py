@@ -59,6 +59,7 @@ class Library:
         self._prepared = Prepared()
         self._held: OrderedDict[str, Model] = OrderedDict()
         self._objs: dict[str, dict[str, Path]] = {}
+        self._textures: dict[str, Path] = {}
         self._bounds: dict[str, Mapping[str, Floats]] = {}
         self._above: dict[tuple[str, tuple[str, ...]], Above | None] = {}
         self._ways: dict[str, tuple[Above | None, Reach]] = {}
@@ -228,8 +229,11 @@ class Library:
 
     def surface_texture(self, surface_id: str) -> Path:
         """Texture file of a room surface, in the cache."""
-        folder = self._folder_of["surface:" + surface_id]
-        return cached_texture(folder / self.surfaces[surface_id].texture)
+        if surface_id not in self._textures:
+            folder = self._folder_of["surface:" + surface_id]
+            path = folder / self.surfaces[surface_id].texture
+            self._textures[surface_id] = cached_texture(path)
+        return self._textures[surface_id]
 
 
 class _Infos(Mapping[str, AssetInfo]):

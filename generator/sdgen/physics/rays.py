@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.closing import Closing
-from sdgen.geometry import Array, lowest_highest, quat_from_matrix, vec3
+from sdgen.geometry import Array, lowest_highest, moved_boxes, quat_from_matrix, vec3
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.still import Piece, Still
@@ -125,8 +125,5 @@ def _parts(library: Library, scene: Scene) -> list[_Part]:
             poses.append(world_from_object @ object_from_part(info, name, item.joints))
             boxes.append(bounds_of[name])
     turns = np.array(poses).reshape(-1, 4, 4)
-    low, high = np.array(boxes).reshape(-1, 2, 3).transpose(1, 0, 2)
-    at = np.einsum("nij,nj->ni", turns[:, :3, :3], (low + high) / 2) + turns[:, :3, 3]
-    reach = np.einsum("nij,nj->ni", np.abs(turns[:, :3, :3]), (high - low) / 2)
-    bounds = np.stack([at - reach, at + reach], axis=1)
+    bounds = moved_boxes(turns, np.array(boxes).reshape(-1, 2, 3))
     return [_Part(*one) for one in zip(owners, shapes, poses, bounds, strict=True)]

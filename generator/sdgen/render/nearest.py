@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sdgen.geometry import Array, apply, box_corners, lowest_highest
+from sdgen.geometry import Array, apply, lowest_highest, moved_boxes
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.scene import Camera, Scene
@@ -20,17 +20,22 @@ _STEPS_M = (0.4, 0.3, 0.2, 0.1)
 
 def drawn_boxes(library: Library, scene: Scene) -> Array:
     """World boxes, low and high corners (N, 2, 3), of all that is drawn: never too small."""
-    out = []
-    for structure in scene.home.structures:
-        for piece in structure.pieces:
-            middle, half = np.array(piece.center_m), np.array(piece.size_m) / 2
-            out.append((middle - half, middle + half))
+    pieces = [piece for structure in scene.home.structures for piece in structure.pieces]
+    middles = np.array([piece.center_m for piece in pieces]).reshape(-1, 3)
+    halves = np.array([piece.size_m for piece in pieces]).reshape(-1, 3) / 2
+    shell = np.stack([middles - halves, middles + halves], axis=1)
+    poses, boxes = [], []
     for item in scene.objects:
-        info, boxes, pose = library.info(item.asset), library.bounds(item.asset), item.pose.matrix()
+        info, box_of, pose = (
+            library.info(item.asset),
+            library.bounds(item.asset),
+            item.pose.matrix(),
+        )
         for name in info.variants[item.variant]:
-            placed = pose @ object_from_part(info, name, item.joints)
-            out.append(lowest_highest(apply(placed, box_corners(*boxes[name]))))
-    return np.array(out).reshape(-1, 2, 3)
+            poses.append(pose @ object_from_part(info, name, item.joints))
+            boxes.append(box_of[name])
+    turns = np.array(poses).reshape(-1, 4, 4)
+    return np.concatenate([shell, moved_boxes(turns, np.array(boxes).reshape(-1, 2, 3))])
 
 
 def nearest_depth_m(camera: Camera, boxes: Array) -> float:

@@ -150,12 +150,14 @@ class ShellFolder:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
+        self._written: set[Path] = set()
 
     def write(self, face: Face, texture: Path) -> Path:
         """OBJ file of a face group that wears ``texture``."""
         image = self._folder / texture.name
         mtl = self._folder / f"{texture.stem}.mtl"
-        if not mtl.exists():
+        if mtl not in self._written:
+            self._written.add(mtl)
             shutil.copyfile(texture, image)
             mtl.write_text(
                 f"newmtl m\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nmap_Kd {image.name}\n", encoding="utf-8"
@@ -164,8 +166,9 @@ class ShellFolder:
         arrays = (face.vertices_m, face.normals, face.uvs)
         digest = hashlib.sha256(mtl.name.encode() + b"".join(array.tobytes() for array in arrays))
         path = self._folder / f"{digest.hexdigest()[:20]}.obj"
-        if not path.exists():
-            path.write_text(face_obj(face, mtl.name), encoding="utf-8")
+        if path not in self._written:
+            path.write_bytes(face_obj(face, mtl.name).encode("ascii"))
+            self._written.add(path)
         return path
 
 

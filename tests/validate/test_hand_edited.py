@@ -47,17 +47,21 @@ def copy(built: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(built, tmp_path / "d"))
 
 
-def loose_on_furniture(scene: Scene, infos: Infos) -> ObjectInstance:
-    """The first loose thing well above the floor that lies on a piece of furniture."""
+def all_loose_on_furniture(scene: Scene, infos: Infos) -> list[ObjectInstance]:
+    """Loose things well above the floor that lie on pieces of furniture."""
     facts = facts_of(scene, infos, load_catalog())
-    return next(
+    return [
         item
         for item in scene.objects
         if not item.fixed
         and item.pose.position_m[2] > 0.5
         and any(r.holds and r.sure for r in facts.on(item.id))
         and not facts.inside(item.id)
-    )
+    ]
+
+
+def loose_on_furniture(scene: Scene, infos: Infos) -> ObjectInstance:
+    return all_loose_on_furniture(scene, infos)[0]
 
 
 def into_the_air(scene: Scene, infos: Infos) -> tuple[int, Changes]:
@@ -75,8 +79,9 @@ def off_its_support(scene: Scene, infos: Infos) -> tuple[int, Changes]:
 
 
 def into_a_wall(scene: Scene, infos: Infos) -> tuple[int, Changes]:
-    """A little lower than the wall's middle, so that it hangs in the wall alone."""
-    item = loose_on_furniture(scene, infos)
+    """What is smaller than the wall is thick, so that it hangs in the wall alone."""
+    loose = all_loose_on_furniture(scene, infos)
+    item = min(loose, key=lambda item: max(infos[item.asset].extents_m))
     walls = (s for s in scene.home.structures if s.category == "wall")
     piece = next(s for s in walls if s.room_id == item.room_id).pieces[0]
     return item.id, {"pose": {**item.pose.model_dump(), "position_m": piece.center_m}}
@@ -209,7 +214,13 @@ def test_a_thing_pushed_aside_is_named_by_what_followed_from_it(copy: Path) -> N
 @pytest.mark.slow
 def test_a_household_that_is_another_is_named_by_what_it_would_have_reported(copy: Path) -> None:
     anomalies = Dataset(copy)[0].anomalies.anomalies
-    told, anomaly = next((k, one) for k, one in enumerate(anomalies) if one.report)
+    catalog = load_catalog()
+    # What concerns children alone may be reported for a pet, and there is none then.
+    told, anomaly = next(
+        (k, one)
+        for k, one in enumerate(anomalies)
+        if one.report and catalog.hazard(one.hazard).concerns.who == "everyone"
+    )
     other = "now" if anomaly.notify == "summary" else "summary"
 
     def edit(household: Any) -> None:

@@ -207,7 +207,11 @@ def furniture_into_furniture(
 )
 def test_what_was_moved_by_hand_is_found(written, library, client, change, found) -> None:
     scene = Dataset(written)[0].scene
-    loose = next(item for item in scene.objects if not item.fixed)
+    # The tallest: a flat one would lie in the air under a wardrobe's boards.
+    loose = max(
+        (item for item in scene.objects if not item.fixed),
+        key=lambda item: library.info(item.asset).extents_m[2],
+    )
     solid = [
         item
         for item in scene.objects

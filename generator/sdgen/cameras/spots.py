@@ -43,7 +43,7 @@ _LOOKALIKES, _EVERYDAY = 0.5, 3.0
 #: a piece as a table has (six such places a home).
 _HIGH = 6.0
 #: What is set to a state counts so many times what is placed: it can be seen in one place only.
-_STATES = 3.0
+_STATES = 4.0
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.predicate import ZoneShare
 from sdgen.facts.body import Body, rows
@@ -44,6 +45,8 @@ class ZoneIndex:
     def __init__(self, zones: Sequence[Zone]) -> None:
         self._zones = [(zone, shapely.polygons(zone.polygon_m)) for zone in zones]
         self._outlines = {zone.name: outline for zone, outline in self._zones}
+        shapely.prepare(list(self._outlines.values()))
+        self._unions: dict[tuple[str, ...], BaseGeometry] = {}
         self._boxes = rows(
             [
                 (*outline.bounds, zone.z_min_m if zone.z_min_m > 0 else -np.inf, zone.z_max_m)
@@ -83,9 +86,16 @@ class ZoneIndex:
             most = among[-1]
             fraction = most.fraction
             if len(among) > 1 and fraction < 1.0:
-                outlines = [self._outlines[share.name] for share in among]
-                fraction = body.covered_by(shapely.union_all(outlines))
+                fraction = body.covered_by(self._union(tuple(share.name for share in among)))
             yield ZoneShare(most.name, most.kind, fraction, level)
+
+    def _union(self, names: tuple[str, ...]) -> BaseGeometry:
+        """The zones of these names as one, computed once."""
+        if names not in self._unions:
+            shape = shapely.union_all([self._outlines[name] for name in names])
+            shapely.prepare(shape)
+            self._unions[names] = shape
+        return self._unions[names]
 
     def blocks(self, body: Body, shares: Sequence[ZoneShare]) -> dict[int, Kleene]:
         """Doors in whose zones a loose thing stands, so high that it must be walked around."""

@@ -193,9 +193,7 @@ class Client(Closing):
 
     def pose(self, body: int) -> BodyPose:
         """World pose of a body's centre of mass."""
-        position, quat = pb.getBasePositionAndOrientation(body, physicsClientId=self._id)
-        x, y, z, w = (float(v) for v in quat)
-        return BodyPose(vec3(position), (x, y, z, w))
+        return BodyPose(*pb.getBasePositionAndOrientation(body, physicsClientId=self._id))
 
     def step(self, count: int = 1) -> None:
         """Advance by ``count`` steps of 1/240 s."""

@@ -185,7 +185,8 @@ def _moved(
     before: BodyPose, after: BodyPose, by_m: float = _STILL_M, by_rad: float = _STILL_RAD
 ) -> bool:
     # 1 − |q·p| ≈ angle²/8 for a small turn.
-    dot = abs(sum(a * b for a, b in zip(before.quat_xyzw, after.quat_xyzw, strict=True)))
+    (a, b, c, d), (e, f, g, h) = before.quat_xyzw, after.quat_xyzw
+    dot = abs(a * e + b * f + c * g + d * h)
     return 1.0 - dot > by_rad**2 / 8 or _apart(before, after) > by_m
 
 

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from sdgen.cameras.parts import world_triangles
 from sdgen.geometry import Array, apply, inverse
 from sdgen.library import Library
-from sdgen.render.coverage import coverage
+from sdgen.render.coverage import coverages
 from sdgen.scene import Camera, Scene
 
 
@@ -27,17 +27,19 @@ class AlonePixels:
         flat = instance.ravel()
         starts = np.flatnonzero(np.append(True, flat[1:] != flat[:-1]))
         pixels = np.bincount(flat[starts], weights=np.diff(starts, append=flat.size))
+        seen = [key for key in np.flatnonzero(pixels).tolist() if key in self._objects]
+        camera_from_world = inverse(np.asarray(camera.world_from_camera))
+        local = [apply(camera_from_world, self._corners(key)).reshape(-1, 3, 3) for key in seen]
+        size = (camera.width, camera.height)
+        covered = coverages(local, np.asarray(camera.K), *size, camera.near_m)
         return {
-            node_id: int(pixels[node_id]) + self._hidden(camera, instance, node_id)
-            for node_id in np.flatnonzero(pixels).tolist()
-            if node_id in self._objects
+            key: int(pixels[key]) + int(np.count_nonzero(mask & (instance[rows, columns] != key)))
+            for key, (mask, rows, columns) in zip(seen, covered, strict=True)
         }
 
-    def _hidden(self, camera: Camera, instance: npt.NDArray[np.uint16], node_id: int) -> int:
+    def _corners(self, node_id: int) -> Array:
+        """The corners (3 N, 3) of an object's triangles in the world, found once."""
         if node_id not in self._triangles:
-            self._triangles[node_id] = world_triangles(self._library, self._objects[node_id])
-        camera_from_world = inverse(np.asarray(camera.world_from_camera))
-        local = apply(camera_from_world, self._triangles[node_id].reshape(-1, 3)).reshape(-1, 3, 3)
-        k = np.asarray(camera.K)
-        mask, rows, columns = coverage(local, k, camera.width, camera.height, camera.near_m)
-        return int(np.count_nonzero(mask & (instance[rows, columns] != node_id)))
+            triangles = world_triangles(self._library, self._objects[node_id])
+            self._triangles[node_id] = triangles.reshape(-1, 3)
+        return self._triangles[node_id]

@@ -6,6 +6,9 @@ centre lies inside.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
+
 import numpy as np
 import numpy.typing as npt
 
@@ -48,33 +51,53 @@ def _cut(inside: Array, outside: Array, near_m: float) -> Array:
     return np.asarray(inside + share[:, None] * (outside - inside), dtype=np.float64)
 
 
-def coverage(
-    triangles: Array, k: Array, width: int, height: int, near_m: float
-) -> tuple[npt.NDArray[np.bool_], slice, slice]:
-    """Pixels that front faces of camera-frame triangles (N, 3, 3) cover: the smallest mask that
-    holds them all, and its rows and columns of the (height, width) picture."""
-    seen = clip_near(triangles, near_m)
+#: The smallest mask of covered pixels, and its rows and columns of the picture.
+Covered = tuple[npt.NDArray[np.bool_], slice, slice]
+
+
+def coverage(triangles: Array, k: Array, width: int, height: int, near_m: float) -> Covered:
+    """Pixels that front faces of camera-frame triangles (N, 3, 3) cover, of a (height, width)
+    picture."""
+    return coverages([triangles], k, width, height, near_m)[0]
+
+
+def coverages(
+    things: Sequence[Array], k: Array, width: int, height: int, near_m: float
+) -> list[Covered]:
+    """What each of several things covers, given as camera-frame triangles (N, 3, 3): nearly all of
+    it computed for all of them in one go, as most are small."""
+    if not things:
+        return []
+    clipped = [clip_near(triangles, near_m) for triangles in things]
+    owner = np.repeat(np.arange(len(things)), [len(triangles) for triangles in clipped])
+    seen = np.concatenate(clipped)
     x = k[0, 0] * seen[:, :, 0] / seen[:, :, 2] + k[0, 2]
     y = k[1, 1] * seen[:, :, 1] / seen[:, :, 2] + k[1, 2]
     area = (x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])
     # Image y points down, so what is counter-clockwise in the world turns negative here.
     front = area < 0
-    x, y = x[front], y[front]
+    x, y, owner = x[front], y[front], owner[front]
     top = np.maximum(np.ceil(y.min(axis=1, initial=np.inf)), 0)
     bottom = np.minimum(np.floor(y.max(axis=1, initial=-np.inf)), height - 1)
     # Most triangles of a small thing lie between two rows or two columns of pixels.
     first = np.maximum(np.ceil(x.min(axis=1, initial=np.inf)), 0)
     last = np.minimum(np.floor(x.max(axis=1, initial=-np.inf)), width - 1)
     met = (bottom >= top) & (last >= first)
-    x, y, top = x[met], y[met], top[met].astype(np.int64)
+    x, y, top, owner = x[met], y[met], top[met].astype(np.int64), owner[met]
     rows = bottom[met].astype(np.int64) - top + 1
     before = np.cumsum(rows) - rows
     row = np.arange(rows.sum()) + np.repeat(top - before, rows)
     left, right = _span(x, y, rows, row.astype(np.float64))
     left, right = np.maximum(np.ceil(left), 0), np.minimum(np.floor(right), width - 1)
     kept = right >= left
-    row = row[kept]
+    row, owner = row[kept], np.repeat(owner, rows)[kept]
     start, stop = left[kept].astype(np.int64), right[kept].astype(np.int64) + 1
+    ends = np.searchsorted(owner, np.arange(len(things) + 1)).tolist()
+    return [_mask(row[a:b], start[a:b], stop[a:b]) for a, b in pairwise(ends)]
+
+
+def _mask(row: Ints, start: Ints, stop: Ints) -> Covered:
+    """The mask of runs of pixels, one from ``start`` to before ``stop`` in each ``row``."""
     if len(row) == 0:
         return np.zeros((0, 0), dtype=bool), slice(0, 0), slice(0, 0)
     first_row, first_column = int(row.min()), int(start.min())

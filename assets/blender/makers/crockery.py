@@ -295,7 +295,7 @@ MODELS = {
                 "style": "well",
                 "radius": 0.095,
                 "colour": "#f3f1ea",
-                "accent": "#b5442f",
+                "accent": "#6d8fb3",
             }
             | {"leftover": "peas"},
         ],

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from toolkit.materials import metal, plain, wood
 from toolkit.mesh import Mesh
@@ -145,29 +147,29 @@ def lobby_set(colour: str, bristle: str) -> Model:
 
 
 def broom_and_pan(colour: str, bristle: str) -> Model:
-    """A room broom standing on its bristles, a dustpan before it on the floor."""
+    """A room broom on its side, a dustpan beside it on the floor."""
     timber, mat = wood("#d0a468", "8a6238", 2, 9), plain(colour, 0.04)
     head = bristles(0.34, 0.06, 0.1, bristle, 1.25)
     block = box(0.07, 0.34, 0.045, (0, 0, 0.095), mat, 0.012)
     neck = lathe([(0, 0.13), (0.026, 0.13), (0.018, 0.19), (0, 0.19)], 10, mat=mat)
     broom = [head, block, neck, *pole(0.16, 1.1, timber, timber, 0.014)]
-    for mesh in broom:
-        mesh.move(x=-0.1, y=-0.02)
+    for mesh in broom:  # on the side of its head and the end of its handle
+        mesh.turn(ry=-math.pi / 2 - 0.02).move(z=0.0375)
     tray = pan(0.24, 0.2, 0.055, mat)
     grip = tube([(-0.1, 0, 0.045), (-0.14, 0, 0.04), (-0.2, 0, 0.03)], [0.012, 0.011, 0.014], 8)
     grip.mats = [mat]
     scoop = [*tray, grip]
     for mesh in scoop:
-        mesh.turn(rz=2.6).move(0.1, 0.14, 0)
+        mesh.turn(rz=2.6).move(-0.45, 0.18, 0)
     pieces = [
         few_corners(np.concatenate([head.v, block.v])),
-        cylinder_piece(0.018, 0.14, 1.1, 8) + np.array([-0.1, -0.02, 0]),
+        few_corners(np.concatenate([m.v for m in broom[2:]])),
         few_corners(tray[0].v),
         few_corners(tray[1].v),
         few_corners(grip.v),
     ]
     part = Part([*broom, *scoop], collision=pieces)
-    return Model("broom and dustpan", {"body": part}, mass=1.0)
+    return Model("broom and dustpan", {"body": part}, mass=1.0, front="-y")
 
 
 def broom_dustpan_form(shape: str, colour: str, bristle: str) -> Model:

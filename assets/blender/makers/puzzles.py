@@ -11,10 +11,9 @@ from toolkit.materials import label as printed
 from toolkit.materials import plain
 from toolkit.mesh import Mesh
 from toolkit.model import Maker, Model
-from toolkit.shapes import box, extrude, tube
+from toolkit.shapes import box, tube
 
 from makers.choking import loose
-from makers.solids import grounded
 
 
 def _scene(kind: str, w: int = 256, h: int = 192) -> Image.Image:
@@ -90,36 +89,11 @@ def _lid_print(kind: str, paint: str, count: int) -> Image.Image:
     return image
 
 
-def _jigsaw_piece(size: float, colour: str) -> Mesh:
-    """One flat piece with two knobs and two holes."""
-    h = size / 2
-    side = [(-h, -h), (-0.14, -h), (-0.2, -h - 0.22), (0.2, -h - 0.22), (0.14, -h), (h, -h)]
-    side = [(-h, -h), (-0.16 * size, -h), (-0.22 * size, -h - 0.24 * size)]
-    side += [(0.22 * size, -h - 0.24 * size), (0.16 * size, -h)]
-    hole = [(h, -h), (h, -0.16 * size), (h - 0.22 * size, -0.2 * size)]
-    hole += [(h - 0.22 * size, 0.2 * size), (h, 0.16 * size)]
-    outline = side + hole
-    outline += [(-x, -y) for x, y in side[:1]] + [(-x, -y) for x, y in side[1:]]
-    outline += [(-h, h), (-h, 0.16 * size), (-h + 0.22 * size, 0.2 * size)]
-    outline += [(-h + 0.22 * size, -0.2 * size), (-h, -0.16 * size)]
-    unique = list(dict.fromkeys((round(x, 6), round(y, 6)) for x, y in outline))
-    return extrude(unique, 0.005, plain(colour, 0.04))
-
-
 def puzzle_box(kind: str, picture: str, paint: str, count: int) -> Model:
-    """A jigsaw in its box: 'flat', 'cube' (for small children), 'open' (lid beside, pieces inside),
-    'tray' (a half-laid puzzle in a frame). No piece lies about: it would be a small part."""
+    """A jigsaw in its box: 'flat', 'cube' (for small children), 'pair' (two boxes, one on the
+    other), 'tray' (a puzzle half laid). No piece lies loose: it would be a small part."""
     skin, cardboard = printed(_lid_print(picture, paint, count)), plain(paint, 0.03)
-    inside = plain("#d8c8a8", 0.06)
     pieces: list[list[Mesh]] = []
-    colours = ["#6fb8e8", "#5fae4a", "#e8402c", "#f2c81e", "#f6f4ee", "#2a6fb0", "#8a4a22"]
-
-    def scattered(spots, z: float = 0.0, size: float = 0.026) -> list[Mesh]:
-        return [
-            _jigsaw_piece(size, colours[k % 7]).turn(rz=1.3 * k).move(x, y, z)
-            for k, (x, y) in enumerate(spots)
-        ]
-
     sides = dict.fromkeys(("+x", "-x", "+y", "-y"), (skin, (0.09, 0.74, 0.7, 0.98)))
     if kind == "flat":
         sx, sy, sz = 0.19, 0.27, 0.045
@@ -132,23 +106,17 @@ def puzzle_box(kind: str, picture: str, paint: str, count: int) -> Model:
             (0, 0.045 * math.cos(a), 0.13 + 0.035 * math.sin(a)) for a in np.linspace(0, 3.14, 8)
         ]
         pieces = [[body, tube(loop, 0.005, 6, mat=plain("#f6f4ee", 0.02))]]
-    elif kind == "open":
-        sx, sy, sz, t = 0.19, 0.27, 0.04, 0.005
-        tray = [box(sx, sy, t, (0, 0, 0), inside)]
-        for q in (-1, 1):
-            tray.append(box(t, sy, sz, (q * (sx - t) / 2, 0, 0), cardboard))
-            tray.append(box(sx, t, sz, (0, q * (sy - t) / 2, 0), cardboard))
-        rng = np.random.default_rng(2)
-        spots = [(-0.065 + 0.033 * (k % 5), -0.1 + 0.05 * (k // 5)) for k in range(20)]
-        spots = [(x + rng.normal(0, 0.004), y + rng.normal(0, 0.006)) for x, y in spots[:18]]
-        bed = box(sx - 2 * t, sy - 2 * t, 0.01, (0, 0, 0.004), plain("#9ab0a0", 0.3, 120))
-        lid = box(sx, sy, 0.03, (0, 0, 0), cardboard, 0, 1, {"+z": skin})
-        lid.turn(ry=-0.55).move(-0.175, 0.02, 0.062)
-        pieces = [[*tray, bed, *scattered(spots[1:16:2], 0.0142)], grounded([lid])]
+    elif kind == "pair":
+        under = printed(_lid_print("balloon", "#d8782a", 200))
+        low = dict.fromkeys(sides, (under, (0.09, 0.74, 0.7, 0.98))) | {"+z": under}
+        large = box(0.2, 0.28, 0.045, (0, 0, 0), plain("#d8782a", 0.03), 0.0, 1, low)
+        small = box(0.15, 0.21, 0.04, (0, 0, 0), cardboard, 0.0, 1, {"+z": skin} | sides)
+        pieces = [[large], [small.turn(rz=0.22).move(0.004, -0.01, 0.045)]]
     else:
         image = _scene(picture)
         frame = box(0.2, 0.27, 0.006, (0, 0, 0), plain(paint, 0.04), 0.0)
-        laid = box(0.17, 0.24, 0.005, (0, 0, 0.005), inside, 0, 1, {"+z": printed(image)})
+        board = plain("#d8c8a8", 0.06)
+        laid = box(0.17, 0.24, 0.005, (0, 0, 0.005), board, 0, 1, {"+z": printed(image)})
         gap = plain("#cdbb96", 0.05)
         holes = [box(0.034, 0.04, 0.0006, (0.051, y, 0.0099), gap) for y in (-0.1, 0.02)]
         rims = []
@@ -171,7 +139,7 @@ MODELS = {
         [
             {},
             {"kind": "cube", "picture": "elephant", "paint": "#2f8a5a", "count": 24},
-            {"kind": "open", "picture": "ship", "paint": "#1f4f98", "count": 500},
+            {"kind": "pair", "picture": "ship", "paint": "#1f4f98", "count": 500},
             {"kind": "tray", "picture": "balloon", "paint": "#f2b91c"},
             {"picture": "elephant", "paint": "#7b3fb5", "count": 48},
             {"picture": "ship", "paint": "#1f4f98", "count": 500},

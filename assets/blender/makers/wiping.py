@@ -165,29 +165,14 @@ def strings(colour: str, count: int, length: float, spread: float, seed: int) ->
     return out
 
 
-def skirt(colour: str, top: float, foot: float) -> Mesh:
-    """The bulk of a mop's strands: a fluted cone, streaked like yarn."""
-    m = Material()
-    yarn = m.noise(60, 3, stretch=(3, 3, 0.35))
-    m.colour(m.mix(m.remap(yarn, 0.38, 0.62), shade(colour, 0.6), colour))
-    profile = [(0, 0.0), (foot, 0.0), (foot * 1.03, 0.02), (0.72 * foot, 0.5 * top)]
-    return lathe(
-        [*profile, (0.5 * foot, 0.8 * top), (0.03, top), (0, top)],
-        22,
-        mat=m,
-        rib=lambda k, i: 1 - 0.13 * (i % 2) if 1 <= k <= 4 else 1,
-    )
-
-
-def string_mop(colour: str, pole: str, clamp: str, length: float) -> list[list[Mesh]]:
-    """A string mop upright, its strands fanned out on the floor."""
-    head = [skirt(colour, 0.24, 0.125), *strings(colour, 18, 0.16, 0.21, 3)]
+def string_mop(pole: str, clamp: str, length: float) -> list[list[Mesh]]:
+    """A string mop upright, without its strands."""
     grip = lathe(
         [(0, 0.215), (0.05, 0.215), (0.052, 0.25), (0.03, 0.29), (0.022, 0.35), (0, 0.35)],
         12,
         mat=plain(clamp, 0.04),
     )
-    return [head, [grip], stick(length - 0.32, pole, 0.32, 0.015)]
+    return [[grip], stick(length - 0.32, pole, 0.32, 0.015)]
 
 
 def flat_mop(colour: str, pole: str, clamp: str, length: float, lean: float) -> list[list[Mesh]]:
@@ -230,53 +215,56 @@ def sponge_mop(colour: str, pole: str, clamp: str, length: float) -> list[list[M
 
 
 def mop(kind: str, colour: str, pole: str, clamp: str) -> Model:
-    """A mop: "string", "flat" or "sponge" upright; "string lying", "flat lying"; "in bucket"."""
+    """A mop that lies: "string" with its strands spread, "string bunched"; "flat", "flat turned" on
+    its joint; "sponge" on its side. Or one "in bucket": without it no mop stands."""
     groups: list[list[Mesh]]
     extra: list[np.ndarray] = []
     if kind.startswith("string"):
-        groups = string_mop(colour, pole, clamp, 1.05)
+        groups = [[], *string_mop(pole, clamp, 1.05)]
     elif kind.startswith("flat"):
         groups = flat_mop(colour, pole, clamp, 1.1, 0.0)
     elif kind == "sponge":
         groups = sponge_mop(colour, pole, clamp, 1.05)
+        for group in groups:  # on the side of its sponge and the end of its handle
+            for mesh in group:
+                mesh.turn(ry=-math.pi / 2 - 0.019).move(z=0.0375)
     else:
         groups, extra = mop_in_bucket(colour, pole, clamp)
-    if kind == "string lying":
-        groups = [lying_strands(colour), *groups[1:]]
+    if kind.startswith("string"):
+        groups = [lying_strands(colour, 0.55 if kind.endswith("bunched") else 0.9), *groups[1:]]
         for group in groups[1:]:
             for mesh in group:
                 mesh.move(z=-0.235).turn(ry=-math.pi / 2)
         for mesh in (*groups[1], *groups[2]):
             mesh.move(z=0.05)
-    elif kind == "flat lying":
+    elif kind.startswith("flat"):
         for mesh in groups[1]:  # the pad lies flat, the handle folded down behind it
             mesh.move(z=-0.05).turn(ry=-1.601).move(x=-0.01, z=0.05)
+            if kind.endswith("turned"):
+                mesh.turn(rz=0.33)
     hulls = [few_corners(np.concatenate([m.v for m in g])) for g in groups]
-    if kind in ("flat", "sponge", "flat lying"):
+    if kind.startswith(("flat", "sponge")):
         head = groups[0][:3] if kind != "sponge" else groups[0]
         hulls[:1] = [few_corners(m.v) for m in head]
-    elif kind == "string":
-        hulls[0] = few_corners(groups[0][0].v)
-        hulls += [few_corners(m.v) for m in groups[0][1:]]
     elif extra:
         hulls = [*extra, *hulls[1:]]
     part = Part([m for g in groups for m in g], collision=hulls)
     name = {"flat": "flat mop", "sponge": "sponge mop"}.get(kind.split()[0], "mop")
     if kind == "in bucket":
         name = "mop in its bucket"
-    front = "-y" if kind.endswith("lying") else "+x"
+    front = "+x" if kind == "in bucket" else "-y"
     return Model(name, {"body": part}, mass=1.0, friction=0.8, ground_shadow=True, front=front)
 
 
-def lying_strands(colour: str) -> list[Mesh]:
-    """Strands of a mop that lies: a fan along +x."""
+def lying_strands(colour: str, fan: float) -> list[Mesh]:
+    """Strands of a mop that lies: a fan along +x, ``fan`` radians to both sides."""
     rng = np.random.default_rng(4)
     mats = [
         plain(c, 0.25, 500) for c in (colour, shade(colour, 0.82), blend(colour, "#ffffff", 0.4))
     ]
     out = []
     for k in range(21):
-        a = (k - 10) / 10 * 0.9 + rng.normal(0, 0.06)
+        a = (k - 10) / 10 * fan + rng.normal(0, 0.06)
         reach = rng.uniform(0.26, 0.34)
         b = a + rng.normal(0, 0.12)
         z = 0.016 + 0.014 * (k % 3)
@@ -333,13 +321,13 @@ MODELS = {
         mop,
         ("kind", "colour", "pole", "clamp"),
         [
-            ("string", "#ece6d6", "#c8935a", "#2f6fc0"),
-            ("flat", "#3aa0d8", "#d8dce0", "#f4f4f2"),
-            ("string lying", "#e8e2d2", "#2f8f4a", "#26282c"),
+            ("string bunched", "#ece6d6", "#c8935a", "#2f6fc0"),
+            ("flat turned", "#3aa0d8", "#d8dce0", "#f4f4f2"),
+            ("string", "#e8e2d2", "#2f8f4a", "#26282c"),
             ("sponge", "#f2cf2a", "#d8dce0", "#d8202c"),
             ("in bucket", "#ece6d6", "#c8935a", "#d8303a"),
-            ("flat lying", "#7fc83a", "#26282c", "#2f8f4a"),
-            ("string", "#7fb8e0", "#d8202c", "#f4f4f2"),
+            ("flat", "#7fc83a", "#26282c", "#2f8f4a"),
+            ("string bunched", "#7fb8e0", "#d8202c", "#f4f4f2"),
         ],
     ),
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -40,15 +40,22 @@ class Finding:
         return f"{where} {self.what}{shown}"
 
 
+@cache
+def manifest(assets: Path) -> list[Json]:
+    """The records of a folder of models: seconds to read, and the same for every data set."""
+    listed = yaml.load((assets / "manifest.yaml").read_text("utf-8"), yaml.CSafeLoader)
+    return list(listed["assets"])
+
+
 class Models:
     """The models of a data set (``assets.jsonl``) and their meshes (from the folder of models)."""
 
     def __init__(self, folder: Path, assets: Path) -> None:
         lines = (folder / "assets.jsonl").read_text("utf-8").splitlines()
         self.records: dict[str, Json] = {r["id"]: r for r in map(json.loads, lines)}
-        manifest = yaml.load((assets / "manifest.yaml").read_text("utf-8"), yaml.CSafeLoader)
-        self._files = {r["id"]: assets / r["mesh"] for r in manifest["assets"]}
-        self.library = {r["category"] for r in manifest["assets"]}
+        listed = manifest(assets)
+        self._files = {r["id"]: assets / r["mesh"] for r in listed}
+        self.library = {r["category"] for r in listed}
         self._meshes: dict[Path, dict[str, Mesh]] = {}
 
     def parts(self, asset: str) -> dict[str, Mesh]:

@@ -37,7 +37,9 @@ SAMPLES = 400
 
 def overlap(a: Floats, b: Floats, by: float) -> bool:
     """Whether two boxes share more than ``by`` metres along every axis."""
-    return bool((np.minimum(a[1], b[1]) - np.maximum(a[0], b[0]) > by).all())
+    # Half a million times a data set: as plain numbers in a third of the time.
+    (a_low, a_high), (b_low, b_high) = a.tolist(), b.tolist()
+    return all(min(a_high[k], b_high[k]) - max(a_low[k], b_low[k]) > by for k in range(len(a_low)))
 
 
 def over(part: Part, box: Floats) -> Floats:

@@ -9,7 +9,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.audit.checks import BEYOND_REACH, CHECKS, MANY, MANY_LABELS, MANY_SEEN, WHOLE
+from tests.audit.checks import (
+    BEYOND_REACH,
+    CHECKS,
+    LEAST_HOMES,
+    MANY,
+    MANY_LABELS,
+    MANY_SEEN,
+    MANY_STOVES,
+    WHOLE,
+)
 from tests.audit.dataset import ROOT, DataSet, Floats, Scene
 from tests.audit.drafts import Draft, library
 
@@ -403,6 +412,69 @@ def test_classes_that_their_objects_names_tell_are_found(
     assert any("sharp_object" in one for one in named) is told
     few = WHOLE["variety: hazards by their name"](data, scenes[: MANY_SEEN // 2])
     assert not any("sharp_object" in str(one) for one in few)
+
+
+def with_fridge(sample: Scene, state: str, things: int) -> Scene:
+    """The sample's home with its fridge in a state and so many things in it."""
+    draft = Draft(sample)
+    fridge = next(o for o in draft.files["scene"]["objects"] if o["category"] == "fridge")
+    fridge["states"] = [state]
+    edges = draft.files["graph"]["edges"]
+    edges[:] = [e for e in edges if e["to_id"] != fridge["id"] or e["relation_type"] != "INSIDE"]
+    for id in list(sample.things)[:things]:
+        draft.edge(id, "INSIDE", fridge["id"])
+    return draft.scene
+
+
+def with_stove(sample: Scene, state: str, on_it: str) -> Scene:
+    """The sample's home with its stove in a state and one thing on it."""
+    draft = Draft(sample)
+    stove = next(o for o in draft.files["scene"]["objects"] if o["category"] == "stove")
+    stove["states"] = [state]
+    edges = draft.files["graph"]["edges"]
+    edges[:] = [e for e in edges if e["to_id"] != stove["id"] or e["relation_type"] != "ON"]
+    draft.put(on_it, draft.open_floor(), on=stove["id"])
+    return draft.scene
+
+
+def with_candles(sample: Scene, many: int, burns: bool) -> Scene:
+    """The sample's home with so many candles, of which one may burn."""
+    draft = Draft(sample)
+    objects = draft.files["scene"]["objects"]
+    objects[:] = [o for o in objects if o["category"] != "candle"]
+    labels = draft.files["labels"]["anomalies"]
+    labels[:] = [one for one in labels if one["hazard"] != "candle_on"]
+    ids = [draft.put("candle_01", draft.open_floor()) for _ in range(many)]
+    if burns:
+        draft.label(ids[0], "candle_on")
+    return draft.scene
+
+
+@pytest.mark.parametrize("fair", [True, False])
+def test_counts_that_give_a_label_away_are_found(sample: Scene, fair: bool) -> None:
+    """Of twenty homes with a label and twenty without; of fewer nothing is said."""
+    data = DataSet(ROOT / "output" / "sample")
+    filled = (5, 6, 7) if fair else (1, 2, 1)
+    made = {
+        "counts: open fridges and shut ones": (
+            [with_fridge(sample, "OPEN", n) for n in filled],
+            [with_fridge(sample, "CLOSED", n) for n in (5, 6, 7)],
+        ),
+        "counts: on lit stoves and cold ones": (
+            [with_stove(sample, "ON", "kettle_01" if fair else "pot_01")],
+            [with_stove(sample, "OFF", "kettle_01")],
+        ),
+        "counts: candles": (
+            [with_candles(sample, n, True) for n in ((1, 2) if fair else (2, 3))],
+            [with_candles(sample, n, False) for n in (1, 2)],
+        ),
+    }
+    for name, (labelled, others) in made.items():
+        enough = MANY_STOVES
+        scenes = [labelled[k % len(labelled)] for k in range(enough)]
+        scenes += [others[k % len(others)] for k in range(enough)]
+        assert bool(list(WHOLE[name](data, scenes))) is not fair, name
+        assert not list(WHOLE[name](data, scenes[enough - 1 - LEAST_HOMES // 2 : enough + 3]))
 
 
 def on_a_high_shelf_over(low: str) -> Plant:

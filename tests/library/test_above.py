@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 import shapely
-from sdgen.library.above import STANDS_OUT_M, seen_from_above, with_left_out
+from sdgen.library.above import seen_from_above, with_left_out
 from sdgen.library.meshes import MeshData
+from sdgen.library.reaching import STANDS_OUT_M
 
 from tests.shipped import shipped_library
 

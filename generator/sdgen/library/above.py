@@ -12,15 +12,15 @@ from shapely.geometry import Point
 
 from sdgen.geometry import Array
 from sdgen.library.meshes import MeshData
+from sdgen.library.reaching import STANDS_OUT_M
 
 #: A piece that is thinner from above, square metres, takes a spot of this radius: neither a line
 #: nor a point ever lies in anybody's way.
 THIN_M2 = 1e-6
 SPOT_M = 0.005
 #: What is drawn further than this beside the collision pieces takes space of its own; what stands
-#: out by less, cushions and mouldings, is taken into the nearest piece, and less than the second
-#: is not seen where two touch, metres.
-LEFT_OUT_M, STANDS_OUT_M = 0.03, 0.002
+#: out by less, cushions and mouldings, is taken into the nearest piece, metres.
+LEFT_OUT_M = 0.03
 #: In boxes of at most this size, a compromise between their number and the air in them; edges are
 #: looked at in steps fine enough to find what fills one.
 CELL_M, EDGE_STEP_M = 0.2, 0.05

@@ -40,6 +40,8 @@ _UP = 0.12
 #: place, at most to where a standing adult's are (a judgement; Fetch's torso lifts its head by
 #: 0.39 m, and a raised arm the camera of its hand higher): what lies flat shows only from above.
 _LIFT_M, _LOOKS_DOWN_M = 0.5, 0.15
+#: And from nearer: seen so flat, coins show 300 pixels at 1.3 m and none to speak of at 2 m.
+_LIFTED_DISTANCE_M = (0.8, 1.5)
 #: Overviews tried of each room.
 _OVERVIEWS = 8
 #: Free-floor points drawn for an eye: those nearest to a room's rim see most of it.
@@ -101,16 +103,17 @@ def _near(library: Library, free: BaseGeometry, spots: Spots, rng: Rng) -> Itera
 def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng) -> Array:
     """A few eyes over the free floor in the ring around a place or a thing of a size, (N, 3),
     lifted to look onto a high one."""
+    lifted = min(max(float(place[2]) + _LOOKS_DOWN_M - EYE_HEIGHT_M, 0.0), _LIFT_M)
     further = _DISTANCE_PER_SIZE * size_m
     if place[2] < _FLOOR_Z_M:
         further += _FLOOR_FURTHER_M
-    low, high = (limit + further for limit in _DISTANCE_M)
+    limits = _LIFTED_DISTANCE_M if lifted > 0.0 else _DISTANCE_M
+    low, high = (limit + further for limit in limits)
     distance = np.sqrt(rng.uniform(low**2, high**2, _DRAWS))
     angle = rng.uniform(-math.pi, math.pi, _DRAWS)
     points = place[:2] + distance[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
     inside = shapely.contains_xy(free, points[:, 0], points[:, 1])
     stands = points[inside][:_EYES]
-    lifted = min(max(float(place[2]) + _LOOKS_DOWN_M - EYE_HEIGHT_M, 0.0), _LIFT_M)
     heights = EYE_HEIGHT_M + lifted + rng.uniform(-HEIGHT_JITTER_M, HEIGHT_JITTER_M, _EYES)
     return np.column_stack([stands, heights[: len(stands)]])
 

@@ -40,10 +40,10 @@ _DRAWS = 4
 _LOOKALIKES, _EVERYDAY = 0.5, 3.0
 #: What all high places together count, each as much as the others: where nobody looks at them, of
 #: what children must not reach only the hazards are seen, and its name tells them. About as much
-#: a piece as a table has (six such places a home).
-_HIGH = 6.0
+#: a piece as a table has (six to eight such places a home).
+_HIGH = 7.0
 #: What is set to a state counts so many times what is placed: it can be seen in one place only.
-_STATES = 4.0
+_STATES = 5.0
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import PlaceRecipe
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
-from sdgen.hazards.placing import inject_candidate
+from sdgen.hazards.placing import IN_THE_WAY_M, inject_candidate
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import add_clutter
 from sdgen.home.context import FLOOR_OFF_WALLS_M
@@ -226,3 +226,27 @@ def test_a_kettle_comes_to_stand_on_a_burning_stove_too(home, monkeypatch):
         others = add_lookalikes(layout, context, made, lane(3, 1, "lookalikes"))
         assert [i for i in layout.items.values() if i.category == "kettle"]
         assert len(others) == (not drawn)
+
+
+def test_what_lies_in_the_way_lies_clear_of_furniture(home):
+    """Among the feet of a chair, or against a bed, it might have been put aside."""
+    standing = [
+        shape.shape
+        for key, item in home.layout.items.items()
+        if item.fixed and item.category not in {"door", "front_door", "window"}
+        for shape in home.layout.space_of(key)
+        if shape.box[2] < 0.05
+    ]
+    recipe = PlaceRecipe(
+        categories=("toy_ball",), relation="ON", targets=("floor",), zone=("walkway",)
+    )
+    (one,) = candidates("tripping_hazard", (recipe,), home.layout, home.context)
+    gaps = []
+    for k in range(40):
+        layout = home.layout.copy(iter(range(60000, 61000)))
+        made = inject_candidate(one, layout, home.context, (), lane(3, k, "x"))
+        if made is not None:
+            (block,) = layout.space_of(made.object_id)
+            gaps.append(min(block.shape.distance(other) for other in standing))
+    assert len(gaps) > 20
+    assert min(gaps) > IN_THE_WAY_M - 0.005

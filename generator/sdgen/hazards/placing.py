@@ -12,7 +12,7 @@ from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
 from sdgen.home.context import SPOTS_TRIED, HomeContext
-from sdgen.home.layout import DROP_M, Intent, Layout, Vec3Yaw, at_spot, room_to_change
+from sdgen.home.layout import DROP_M, FLOOR_GAP_M, Intent, Layout, Vec3Yaw, at_spot, room_to_change
 from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance
@@ -21,6 +21,9 @@ from sdgen.vocabulary import ZONE_KEEP_SHARE
 
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
+#: What is to lie in the way lies so far from furniture, metres: nearer, among a chair's feet or
+#: at the foot of a bed, it has been put aside for all one sees (a hand's breadth, a judgement).
+IN_THE_WAY_M = 0.1
 #: Bounds the search: pieces of furniture, or rooms with a free floor, looked at for one thing.
 TARGETS_TRIED = 4
 
@@ -123,7 +126,8 @@ def _place(
     if thing is None:
         return None
     if candidate.unique.target == "floor":
-        return _place_on_floor(candidate, recipe, thing, layout, context, rng)
+        gap_m = IN_THE_WAY_M if recipe.zone and not benign else FLOOR_GAP_M
+        return _place_on_floor(candidate, recipe, thing, layout, context, rng, gap_m)
     targets = [
         item
         for item in layout.items.values()
@@ -210,6 +214,7 @@ def _place_on_floor(
     layout: Layout,
     context: HomeContext,
     rng: Rng,
+    gap_m: float,
 ) -> Injected | None:
     asset, bulk = layout.library.assets[thing.asset], layout.bulk_of(thing)
     rooms = [
@@ -229,7 +234,15 @@ def _place_on_floor(
             avoid = context.zone_shape(recipe.avoid_zones)
         for _ in range(SPOTS_TRIED):
             spot = layout.spot_on_floor(
-                asset, area, outline, rng, keep_share=keep_share, avoid=avoid, bulk=bulk, off=off
+                asset,
+                area,
+                outline,
+                rng,
+                keep_share=keep_share,
+                avoid=avoid,
+                bulk=bulk,
+                off=off,
+                gap_m=gap_m,
             )
             if spot is None:
                 break

@@ -273,8 +273,10 @@ class Layout:
         avoid: BaseGeometry | None = None,
         bulk: Bulk | None = None,
         off: BaseGeometry | None = None,
+        gap_m: float = FLOOR_GAP_M,
     ) -> Vec3Yaw | None:
-        """A free spot on the floor with its centre in ``area``, all within the outline.
+        """A free spot on the floor with its centre in ``area``, all within the outline, ``gap_m``
+        from what stands there.
 
         At least ``keep_share`` of the footprint lies in ``area``, at most ``ZONE_AVOID_SHARE`` in
         ``avoid``, none in ``off``. ``bulk`` is what the thing fills, if it is not at rest.
@@ -308,7 +310,7 @@ class Layout:
                 continue
             if off is not None and off.intersects(print_):
                 continue
-            if self.fits([space_at(bulk.size_m, (*point, 0.0), yaw, FLOOR_GAP_M)]):
+            if self.fits([space_at(bulk.size_m, (*point, 0.0), yaw, gap_m)]):
                 return (*bulk.origin(point, yaw), 0.0), yaw
         return None
 

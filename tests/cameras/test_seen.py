@@ -3,12 +3,16 @@
 import numpy as np
 import pytest
 from sdgen.cameras.seen import Seen
+from sdgen.cameras.spots import SetTo
 from sdgen.cameras.view import View
 from sdgen.geometry import Array, box_corners
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
 
 from tests.fakes import box_room, thing
+
+#: What a view shows in a state.
+OPENED = thing(11, "table_01", (2.0, 2.0, 0))
 
 
 def small(x: float, y: float, z: float, size: float = 0.1) -> Array:
@@ -21,7 +25,7 @@ def seen(library: Library) -> Seen:
     scene = box_room([thing(10, "table_01", (0.5, 0.8, 0))])
     view = View("near", np.array([0.5, -0.9, 1.2]), np.array([0.5, 0.8, 0.7]))
     with RayWorld(library, scene) as world:
-        return Seen([view], [(10, "OPEN")], [12], world.cast)
+        return Seen([view], [SetTo(OPENED, "OPEN", ("body",))], [12], world.cast)
 
 
 @pytest.mark.parametrize(
@@ -52,9 +56,9 @@ def test_what_is_cut_off_by_the_edge_is_not_seen(seen: Seen, library: Library) -
 
 
 def test_states_are_those_that_were_shown(seen: Seen) -> None:
-    assert seen.state(10, "OPEN")
-    assert not seen.state(10, "ON")
-    assert not seen.state(11, "OPEN")
+    assert seen.set_to(11, "OPEN") == (OPENED,)
+    assert seen.set_to(11, "ON") == ()
+    assert seen.set_to(10, "OPEN") == ()
 
 
 def test_only_furniture_known_to_be_hidden_is_not_tried(seen: Seen) -> None:

@@ -127,8 +127,8 @@ class _Nothing:
     def thing(self, _corners_m: Array) -> bool:
         return False
 
-    def state(self, _object_id: int, _state: str) -> bool:
-        return False
+    def set_to(self, _object_id: int, _state: str) -> tuple[()]:
+        return ()
 
     def anything_on(self, _target_id: int) -> bool:
         return False

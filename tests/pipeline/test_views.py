@@ -2,12 +2,15 @@
 
 import numpy as np
 import pytest
+from sdgen.cameras.choice import Marked, shows
 from sdgen.cameras.cover import CANONICAL
 from sdgen.cameras.seen import Seen
 from sdgen.cameras.spots import spots_of
 from sdgen.facts import room_at
+from sdgen.library.states import state_parts
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
+from sdgen.physics.rays import RayWorld
 from sdgen.pipeline import make_scene
 from sdgen.pipeline.overlook import out_of_view, overlooked
 from sdgen.pipeline.scene import furnish_for
@@ -62,8 +65,8 @@ def test_a_hazard_that_no_view_can_show_is_not_tried_for(furnished):
         def thing(self, corners_m):
             return False
 
-        def state(self, object_id, state):
-            return False
+        def set_to(self, object_id, state):
+            return ()
 
         def anything_on(self, target_id):
             return False
@@ -76,6 +79,31 @@ def test_a_hazard_that_no_view_can_show_is_not_tried_for(furnished):
     assert out_of_view(home, ("spill", "sharp_object")) is None
     object.__setattr__(home.context, "shows", furnished.context.shows)
     assert out_of_view(home, ("spill", "front_door_open")) is None
+
+
+@pytest.mark.parametrize("index", [1, 5])
+def test_a_state_that_views_are_said_to_show_is_seen_once_it_is_set(catalog, library, index):
+    """Alone, with every other door as it stands: of each leaf that is opened, and as far."""
+    spec = draw_spec(index, catalog, BuildOptions(seed=960))
+    home = furnish_for(spec, 0, catalog, library)
+    with Client() as client:
+        home = overlooked(home, 8, client, spec.lane("views:0"))
+        items = home.layout.items
+        tried = 0
+        for item in items.values():
+            if item.category not in ("fridge", "stove", "front_door"):
+                continue
+            state = "ON" if item.category == "stove" else "OPEN"
+            for changed in home.context.shows.set_to(item.id, state):
+                parts = state_parts(
+                    library.info(item.asset), state, changed.variant, changed.joints
+                )
+                scene = home.scene(0, {**items, item.id: changed})
+                with RayWorld(library, scene, client.still) as world:
+                    marked = [Marked(item.id, parts)]
+                    assert shows(library, scene, world.cast, home.views, marked).any()
+                tried += 1
+    assert tried
 
 
 @pytest.mark.slow

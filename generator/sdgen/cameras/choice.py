@@ -11,14 +11,14 @@ import numpy as np
 from sdgen.cameras.cover import CANONICAL, near_count
 from sdgen.cameras.framing import Bools, glance_pixels
 from sdgen.cameras.parts import part_area, part_numbers, part_points
-from sdgen.cameras.sight import Cast, estimate_pixels
+from sdgen.cameras.sight import Cast, estimate_pixels, rectangle_pixels
 from sdgen.cameras.view import View
 from sdgen.library import Library
 from sdgen.scene import Scene
 from sdgen.seeding import Rng
 
-#: Few rays tell what surely shows too little or enough, in shares of what is needed; of the rest
-#: many count the pixels.
+#: Few rays tell what surely shows too little or enough, in shares of what is needed; of the rest,
+#: and where one of the few would stand for the lower share alone, many count the pixels.
 _ROUGH_GRID, _SURELY = 6, (0.3, 2.0)
 
 
@@ -42,8 +42,10 @@ def shows(
         numbers = part_numbers(library, item, one.parts)
         needed = glance_pixels(part_area(library, item, one.parts))
         rough = estimate_pixels(cast, poses, points, item.id, numbers, _ROUGH_GRID)
-        out[:, k] = rough >= _SURELY[1] * needed
-        for view in np.flatnonzero((rough >= _SURELY[0] * needed) & ~out[:, k]).tolist():
+        coarse = rectangle_pixels(poses, points) > _SURELY[0] * needed * _ROUGH_GRID**2
+        out[:, k] = ~coarse & (rough >= _SURELY[1] * needed)
+        unsure = coarse | (rough >= _SURELY[0] * needed) & ~out[:, k]
+        for view in np.flatnonzero(unsure).tolist():
             pixels = estimate_pixels(cast, [poses[view]], points, item.id, numbers)
             out[view, k] = pixels[0] >= needed
     return out

@@ -22,6 +22,8 @@ _MARGIN_PIXELS = 16
 #: Rays along a side of what is set to a state: few choose, many count in the end. It must show so
 #: many times what a glance needs, since other things will stand before it, and from no further.
 _GRID, _STATE_TIMES, _FAR_M = 5, 2.5, 5.0
+#: About so many points of a part tell whether something stands before it.
+_AT_REST = 16
 #: A ray that ends so near to a point has met what the point stands at, or nothing.
 _AT_M = 0.03
 #: What a spot counts that views show already: less, not nothing.
@@ -64,7 +66,32 @@ def states_shown(
         needed = _STATE_TIMES * glance_pixels(part_area(library, one.item, one.parts))
         near = _toward(poses, points.mean(axis=0), one.item.id, cast)
         pixels = estimate_pixels(cast, list(poses[near]), points, one.item.id, numbers, _GRID)
+        # One lucky ray of so few may stand for all that is needed.
+        near = near[pixels >= needed]
+        pixels = estimate_pixels(cast, list(poses[near]), points, one.item.id, numbers)
         out[near, k] = pixels >= needed
+    return out
+
+
+def shown_at_rest(
+    library: Library, views: Sequence[View], states: Sequence[SetTo], shown: Bools, cast: Cast
+) -> Bools:
+    """Which of what :func:`states_shown` found, (views, states), holds where only one is set so:
+    rays into the home at rest reach where most of it will be, and meet no other shut door."""
+    poses = poses_of(views)
+    out = np.zeros_like(shown)
+    for k, one in enumerate(states):
+        near = np.flatnonzero(shown[:, k])
+        if len(near) == 0:
+            continue
+        points = part_points(library, one.item, one.parts)
+        points = points[:: max(len(points) // _AT_REST, 1)]
+        eyes = np.repeat(poses[near, :3, 3], len(points), axis=0)
+        ends = np.tile(points, (len(near), 1))
+        hits = cast(eyes, ends)
+        free = hits.distance_m >= np.linalg.norm(ends - eyes, axis=1) - _AT_M
+        free |= hits.object_id == one.item.id
+        out[near, k] = free.reshape(len(near), -1).mean(axis=1) >= 0.5
     return out
 
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Collection, Sequence
 
 import numpy as np
 
 from sdgen.cameras.framing import enough, framed
 from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, pixel_rays
+from sdgen.cameras.spots import SetTo
 from sdgen.cameras.view import View, poses_of
 from sdgen.geometry import Array
+from sdgen.scene import ObjectInstance
 
 #: Pixels across and down that one ray stands for: a hand's width at three metres.
 _CELL = 16
@@ -27,13 +30,15 @@ class Seen:
     def __init__(
         self,
         views: Sequence[View],
-        states: Collection[tuple[int, str]],
+        states: Sequence[SetTo],
         hidden: Collection[int],
         cast: Cast,
     ) -> None:
-        """``states`` are the ids and states of what the views show set to a state, ``hidden`` the
-        ids of furniture and rooms that they show nothing on."""
-        self._states = frozenset(states)
+        """``states`` is what the views show set to a state, ``hidden`` the ids of furniture and
+        rooms that they show nothing on."""
+        self._set_to: defaultdict[tuple[int, str], list[ObjectInstance]] = defaultdict(list)
+        for one in states:
+            self._set_to[one.item.id, one.state].append(one.item)
         self._hidden = frozenset(hidden)
         across, down = WIDTH // _CELL, HEIGHT // _CELL
         u, v = np.meshgrid((np.arange(across) + 0.5) * _CELL, (np.arange(down) + 0.5) * _CELL)
@@ -52,9 +57,9 @@ class Seen:
         """False when no view would show a thing on a piece of furniture, or on a room's floor."""
         return target_id not in self._hidden
 
-    def state(self, object_id: int, state: str) -> bool:
-        """True when some view shows that an object is in this state."""
-        return (object_id, state) in self._states
+    def set_to(self, object_id: int, state: str) -> tuple[ObjectInstance, ...]:
+        """An object in a state, its leaves as far open as some view shows them."""
+        return tuple(self._set_to.get((object_id, state), ()))
 
     def thing(self, corners_m: Array) -> bool:
         """True when some view shows enough of a thing with these outermost points (N, 3)."""

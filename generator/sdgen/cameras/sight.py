@@ -67,21 +67,12 @@ def target_rays(
     whose picture the points are not in have no rays, and 0.
     """
     eyes, turns = world_from_camera[:, :3, 3], world_from_camera[:, :3, :3]
-    seen = points_m @ turns - eyes[:, None] @ turns
-    depth = seen[..., 2]
-    ahead = depth > _NEAREST_M
-    k = np.asarray(intrinsics(WIDTH, HEIGHT))
-    sides = []
-    for axis, size in ((0, WIDTH), (1, HEIGHT)):
-        along = k[axis, axis] * seen[..., axis] / np.where(ahead, depth, 1.0) + k[axis, 2]
-        low = np.where(ahead, along, np.inf).min(axis=1)
-        high = np.where(ahead, along, -np.inf).max(axis=1)
-        sides.append((np.maximum(low, -0.5), np.minimum(high, size - 0.5)))
-    (left, right), (top, bottom) = sides
+    (left, right, top, bottom), depth = _rectangles(world_from_camera, points_m)
     shown = (right > left) & (bottom > top)
     pixels = np.where(shown, (right - left) * (bottom - top), 0.0) / grid**2
     left, right, top, bottom = (side[shown, None, None] for side in (left, right, top, bottom))
-    reach = np.where(ahead, depth, 0.0).max(axis=1)[shown, None, None] + _BEYOND_M
+    reach = depth[shown, None, None] + _BEYOND_M
+    k = np.asarray(intrinsics(WIDTH, HEIGHT))
     steps = (np.arange(grid) + 0.5) / grid
     local = np.empty((len(reach), grid, grid, 3))
     local[..., 0] = (left + steps * (right - left) - k[0, 2]) / k[0, 0] * reach
@@ -91,6 +82,33 @@ def target_rays(
         local.reshape(len(reach), grid**2, 3) @ turns[shown].transpose(0, 2, 1) + eyes[shown, None]
     )
     return np.repeat(eyes[shown], grid**2, axis=0), ends.reshape(-1, 3), pixels
+
+
+def rectangle_pixels(world_from_camera: Sequence[Array], points_m: Array) -> Array:
+    """Pixels of each picture's rectangle around ``points_m``, (N,); 0 where they are not in it."""
+    sides, _ = _rectangles(np.asarray(world_from_camera).reshape(-1, 4, 4), points_m)
+    left, right, top, bottom = sides
+    return np.maximum(right - left, 0.0) * np.maximum(bottom - top, 0.0)
+
+
+def _rectangles(
+    world_from_camera: Array, points_m: Array
+) -> tuple[tuple[Array, Array, Array, Array], Array]:
+    """Left, right, top and bottom of each picture's rectangle around ``points_m``, (N,) each, and
+    how deep the furthest of them is."""
+    eyes, turns = world_from_camera[:, :3, 3], world_from_camera[:, :3, :3]
+    seen = points_m @ turns - eyes[:, None] @ turns
+    depth = seen[..., 2]
+    ahead = depth > _NEAREST_M
+    k = np.asarray(intrinsics(WIDTH, HEIGHT))
+    sides = []
+    for axis, size in ((0, WIDTH), (1, HEIGHT)):
+        along = k[axis, axis] * seen[..., axis] / np.where(ahead, depth, 1.0) + k[axis, 2]
+        low = np.where(ahead, along, np.inf).min(axis=1)
+        high = np.where(ahead, along, -np.inf).max(axis=1)
+        sides += [np.maximum(low, -0.5), np.minimum(high, size - 0.5)]
+    left, right, top, bottom = sides
+    return (left, right, top, bottom), np.where(ahead, depth, 0.0).max(axis=1)
 
 
 def estimate_pixels(

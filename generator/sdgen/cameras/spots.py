@@ -33,8 +33,9 @@ Ints = npt.NDArray[np.int64]
 ABOVE_M = 0.04
 #: Points on each surface, and on each square metre of floor: the next one is a thing's width away.
 _ON_SURFACE, _ON_FLOOR_M2 = 4, 3.0
-#: Draws of a state, such as how wide a door stands open, until there is room for it.
-_DRAWS = 4
+#: Draws of a state, such as how wide a door stands open, until there is room for it; ways that a
+#: piece is looked at in a state: a fridge has two doors, and one may open towards no view.
+_DRAWS, _WAYS = 4, 2
 #: What a hazard's near misses and all everyday things count, against one hazard's anomalies: a
 #: choice. An anomaly must be seen; nothing breaks when an everyday thing is not.
 _LOOKALIKES, _EVERYDAY = 0.5, 3.0
@@ -122,14 +123,18 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     for wanted, weight in expected.items():
         placed += weight * surfaces.share(wanted)
     placed += _HIGH * surfaces.any_of(_possible(high, context, layout)[0])
-    states = {key: _set_to(context, layout, *key, rng) for key in sorted(were_set)}
-    possible = {key: found for key, found in states.items() if found is not None}
+    ways = {key: list(_ways(context, layout, *key, rng)) for key in sorted(were_set)}
     likely = placed > 0
-    weights = np.array([*placed[likely], *(were_set[key] for key in possible)])
+    weights = np.array(
+        [
+            *placed[likely],
+            *(were_set[key] / len(found) for key, found in ways.items() for _ in found),
+        ]
+    )
     return Spots(
         surfaces.points_m[likely],
         surfaces.target[likely],
-        tuple(possible.values()),
+        tuple(one for found in ways.values() for one in found),
         weights / weights.sum(),
     )
 
@@ -315,13 +320,18 @@ def _standing(layout: Layout) -> Iterator[BaseGeometry]:
                 yield block.shape
 
 
-def _set_to(
+def _ways(
     context: HomeContext, layout: Layout, object_id: int, state: str, rng: Rng
-) -> SetTo | None:
-    """The object in a state, with room for it; None when a few draws find none."""
+) -> Iterator[SetTo]:
+    """The object in a state, with room for it, by this leaf or that; nothing when a few draws find
+    no room."""
     item, info = layout.items[object_id], layout.info(object_id)
+    found: set[tuple[str, ...]] = set()
     for _ in range(_DRAWS):
         changed = item if state in item.states else in_state(item, info, state, rng)
-        if changed is not None and room_to_change(layout, context.home, item, changed):
-            return SetTo(changed, state, state_parts(info, state, changed.variant, changed.joints))
-    return None
+        if changed is None or len(found) == _WAYS:
+            return
+        parts = state_parts(info, state, changed.variant, changed.joints)
+        if parts not in found and room_to_change(layout, context.home, item, changed):
+            found.add(parts)
+            yield SetTo(changed, state, parts)

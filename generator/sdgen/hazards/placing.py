@@ -71,16 +71,25 @@ def _set(
     ]
     for k in rng.permutation(len(found)).tolist()[:TARGETS_TRIED]:
         before = found[k]
-        after = in_state(before, layout.info(before.id), recipe.state, rng)
+        after = _changed(before, recipe.state, layout, context, rng)
         if after is None or recipe.state not in after.states:
             continue
         if not room_to_change(layout, context.home, before, after):
             continue
-        if not context.shows.state(before.id, recipe.state):
-            continue
         layout.put(after)
         return Injected(candidate.unique.hazard, before.id, before)
     return None
+
+
+def _changed(
+    before: ObjectInstance, state: str, layout: Layout, context: HomeContext, rng: Rng
+) -> ObjectInstance | None:
+    """The object brought into a state in a way that some view shows: by another leaf, or opened
+    less far, it might show in none."""
+    ways = context.shows.set_to(before.id, state)
+    if ways is None:
+        return in_state(before, layout.info(before.id), state, rng)
+    return ways[int(rng.integers(len(ways)))] if ways else None
 
 
 def _concerned(

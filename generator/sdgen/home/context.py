@@ -17,7 +17,7 @@ from sdgen.geometry import Array
 from sdgen.home.layout import Bulk, Vec3Yaw
 from sdgen.home.reach import Reach
 from sdgen.library.records import Asset
-from sdgen.scene import Home, Zone
+from sdgen.scene import Home, ObjectInstance, Zone
 from sdgen.seeding import Rng
 
 #: Which models a scene may use (its split decides): category -> models.
@@ -44,8 +44,8 @@ class Shows(Protocol):
         """True for a thing with these outermost points (N, 3)."""
         ...
 
-    def state(self, object_id: int, state: str, /) -> bool:
-        """True for a piece of furniture brought into a state."""
+    def set_to(self, object_id: int, state: str, /) -> Sequence[ObjectInstance] | None:
+        """A piece of furniture brought into a state, in each way that is seen; None: any way."""
         ...
 
     def anything_on(self, target_id: int, /) -> bool:
@@ -61,9 +61,8 @@ class Everything:
         """True."""
         return True
 
-    def state(self, _object_id: int, _state: str, /) -> bool:
-        """True."""
-        return True
+    def set_to(self, _object_id: int, _state: str, /) -> None:
+        """Any way."""
 
     def anything_on(self, _target_id: int, /) -> bool:
         """True."""

@@ -12,7 +12,7 @@ import shapely
 from shapely.geometry import Polygon
 
 from sdgen.cameras.choice import Marked, pick, shows
-from sdgen.cameras.cover import CANONICAL, choose, states_shown, things_shown
+from sdgen.cameras.cover import CANONICAL, choose, shown_at_rest, states_shown, things_shown
 from sdgen.cameras.posts import candidates, swept_by
 from sdgen.cameras.seen import Seen
 from sdgen.cameras.spots import SetTo, spots_of
@@ -50,6 +50,7 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
         with RayWorld(library, home.scene(0, items), client.still) as world:
             states[:, numbers] = states_shown(library, views, now, world.cast)
     with RayWorld(library, home.scene(0, layout.items), client.still) as world:
+        states = shown_at_rest(library, views, spots.states, states, world.cast)
         stands = clear(world.cast, views)
         views, states = list(compress(views, stands)), states[stands]
         shows = np.concatenate([things_shown(views, spots.points_m, world.cast), states], axis=1)
@@ -59,7 +60,7 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
         shown = zip(spots.states, states[canonical].T, strict=True)
         seen = Seen(
             [views[k] for k in canonical],
-            [(one.item.id, one.state) for one, views_show in shown if views_show.any()],
+            [one for one, views_show in shown if views_show.any()],
             set(spots.target.tolist()) - set(spots.target[on_them].tolist()),
             world.cast,
         )
@@ -82,7 +83,8 @@ def out_of_view(home: FurnishedHome, hazards: Sequence[str]) -> Rejection | None
             if item.category in recipe.categories
         ]
         placed = any(isinstance(recipe, PlaceRecipe) for recipe in recipes)
-        if could and not placed and not any(context.shows.state(*one) for one in could):
+        ways = [context.shows.set_to(*one) for one in could]
+        if could and not placed and all(way is not None and not way for way in ways):
             return reject("views", "unseen", hazard=hazard_id)
     return None
 

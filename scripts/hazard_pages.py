@@ -14,6 +14,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard
 from sdgen.catalog.terms import HeightTerm, Term, ZoneTerm
 from sdgen.catalog.terms.distance import DistanceTerm
+from sdgen.vocabulary import EVIDENCE_PIXELS
 
 PAGES = Path(__file__).resolve().parent.parent / "docs" / "hazards"
 START, END = "<!-- from the catalogue: make docs -->", "<!-- end -->"
@@ -44,6 +45,18 @@ def concerned(hazard: Hazard) -> str:
     return f"children up to {concern.max_age}{reach}"
 
 
+def shown_by(hazard: Hazard) -> str:
+    """What a picture must show of it."""
+    whole = f"at least {EVIDENCE_PIXELS} pixels of it in some view, at 640 x 480"
+    names = " or ".join(hazard.evidence_parts)
+    parts = f"its {names}" if names else ""
+    if hazard.evidence_state is not None:
+        parts = f"what is {hazard.evidence_state}"
+    if not parts:
+        return whole
+    return f"{whole}, and {hazard.evidence_pixels} of {parts} where it has such a part"
+
+
 def facts(hazard: Hazard) -> str:
     """The table between the markers."""
     limits = "<br>".join(thresholds(hazard)) or "none of its own: those of states and relations"
@@ -54,6 +67,7 @@ def facts(hazard: Hazard) -> str:
         ("urgency", hazard.urgency),
         ("definition", hazard.predicate.in_words()),
         ("thresholds", limits),
+        ("shown by", shown_by(hazard)),
         ("source", hazard.source),
     )
     table = "\n".join(f"| {key} | {value} |" for key, value in rows)

@@ -18,7 +18,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from sdgen.geometry import Array, Coordinate, Quat, Vec2, Vec3, matrix
 from sdgen.rejection import Cause, Causes
 from sdgen.rejection import Stage as PipelineStage
-from sdgen.vocabulary import OpeningKind, StructureKind, ZoneKind
+from sdgen.vocabulary import EVIDENCE_PIXELS, OpeningKind, StructureKind, ZoneKind
 
 FORMAT_VERSION = "1.1"
 
@@ -165,7 +165,11 @@ class Remedy(Record):
 
 
 class Anomaly(Record):
-    """One instance of a hazard, with the measured terms that prove it."""
+    """One instance of a hazard, with the measured terms that prove it.
+
+    A view shows it with ``evidence_pixels_needed``, at 640 x 480, of ``evidence_parts``, and with
+    100 of the whole object.
+    """
 
     id: str
     hazard: str
@@ -179,6 +183,7 @@ class Anomaly(Record):
     room_id: int
     evidence: dict[str, EvidenceValue]
     evidence_parts: tuple[str, ...]
+    evidence_pixels_needed: int = Field(default=EVIDENCE_PIXELS, ge=1)
     report: bool
     notify: Notify
     reason: str

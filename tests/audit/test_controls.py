@@ -367,6 +367,31 @@ HARMLESS: dict[str, Plant] = {
 }
 
 
+def labelled_candle(draft: Draft, alight: bool) -> int:
+    """The thing that views show best, labelled by all of its parts as a candle, with a flame that
+    is what they show of it or, drawn nowhere, is hidden."""
+    seen = [o for view in draft.files["visibility"]["views"] for o in view["objects"]]
+    best = max(seen, key=lambda one: int(one["pixels"]))
+    item = draft.object(best["object_id"])
+    shown = max(best["parts"], key=best["parts"].__getitem__)
+    if alight:
+        item["parts"] = ["flame" if name == shown else name for name in item["parts"]]
+    else:
+        item["parts"] = [*item["parts"], "flame"]
+    draft.files["visibility"]["all_visible"] = True
+    draft.label(item["id"], "candle_on", evidence_parts=item["parts"])
+    return int(item["id"])
+
+
+@pytest.mark.parametrize("alight", [True, False])
+def test_a_candle_of_which_views_show_the_wax_alone_is_found(sample: Scene, alight: bool) -> None:
+    draft = Draft(sample)
+    planted = labelled_candle(draft, alight)
+    told = CHECKS["pictures: masks and visibility"](draft.scene)
+    found = [f for f in told if f.object_id == planted and "not shown" in f.what]
+    assert bool(found) is not alight
+
+
 @pytest.mark.parametrize("name", HARMLESS)
 def test_what_is_right_is_not_found(name: str, sample: Scene) -> None:
     draft = Draft(sample)

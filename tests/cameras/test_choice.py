@@ -11,6 +11,7 @@ from sdgen.cameras.view import View
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
 from sdgen.seeding import lane
+from sdgen.vocabulary import EVIDENCE_PIXELS
 
 from tests.fakes import box_room, thing
 
@@ -55,6 +56,36 @@ def test_all_contents_decide_what_a_view_shows(library: Library):
     with RayWorld(library, scene) as world:
         found = shows(library, scene, world.cast, [before, away, above], marked)
     assert found.tolist() == [[True, False], [False, False], [True, True]]
+
+
+@pytest.mark.parametrize(
+    ("parts", "pixels", "shown"),
+    [
+        ((), EVIDENCE_PIXELS, [True, True, True, False]),
+        # The legs stand behind cubes or below the top, and the more of them is asked for, the more.
+        (("legs",), EVIDENCE_PIXELS, [True, False, False, False]),
+        (("legs",), 20, [True, True, False, False]),
+        # From afar there is enough of the top, too little of the table.
+        (("top",), 1, [True, True, True, False]),
+    ],
+)
+def test_a_view_shows_enough_of_a_part_and_of_the_whole(
+    library: Library, parts: tuple[str, ...], pixels: int, shown: list[bool]
+) -> None:
+    """A table from before, past cubes, from above and from afar."""
+    table = thing(10, "table_01", (0.9, 0.9, 0))
+    cubes = [thing(11 + k, "cube_01", (0.9, -0.2, 0.25 + 0.2 * k)) for k in range(3)]
+    middle = np.array([0.9, 0.9, 0.5])
+    before = View("near", np.array([0.9, -1.4, 1.4]), middle)
+    above = View("near", np.array([0.9, 0.2, 1.9]), np.array([0.9, 0.9, 0.7]))
+    afar = View("near", np.array([0.9, -4.3, 1.4]), middle)
+    found: list[bool] = []
+    for others, views in ((), [before]), (cubes, [before]), ((), [above, afar]):
+        scene = box_room([table, *others], size_m=(9.0, 9.0))
+        with RayWorld(library, scene) as world:
+            marked = [Marked(10, parts, pixels)]
+            found += shows(library, scene, world.cast, views, marked)[:, 0].tolist()
+    assert found == shown
 
 
 def test_as_many_views_as_asked_for_canonical_ones_first():

@@ -169,6 +169,36 @@ def test_replacing_is_asked_for(tmp_path: Path) -> None:
         ("{room}", "{room.__class__}", "message: unknown placeholder {room.__class__}"),
         ("\nrelation: ON\nanomalies", "\nanomalies", "message: {target} needs 'relation: ON'"),
         ("action: put_on", "action: putt_on", "remedy[0].action: 'putt_on' is not one of"),
+        (
+            "\nrelation: ON\nanom",
+            "\nrelation: ON\nevidence_state: BROKEN\nevidence_parts: rim\nanom",
+            ":13: evidence_parts: evidence_state names parts already",
+        ),
+        (
+            "\nrelation: ON\nanom",
+            "\nrelation: ON\nevidence_pixels: 15\nanom",
+            ":12: evidence_pixels: of the whole thing 100 are needed: name its parts, too",
+        ),
+        (
+            "\nrelation: ON\nanom",
+            "\nrelation: ON\nevidence_parts: [rim, rim]\nanom",
+            ":12: evidence_parts[1]: 'rim' is listed twice",
+        ),
+        (
+            "\nrelation: ON\nanom",
+            "\nrelation: ON\nevidence_parts: []\nanom",
+            ":12: evidence_parts: expected at least one part",
+        ),
+        (
+            "\nrelation: ON\nanom",
+            "\nrelation: ON\nevidence_parts: rim\nevidence_pixels: 0\nanom",
+            ":13: evidence_pixels: 0 is not between 1 and 1000",
+        ),
+        (
+            "\nrelation: ON\nanom",
+            "\nrelation: ON\nevidence_parts: rim\nevidence_pixels: few\nanom",
+            ":13: evidence_pixels: expected a whole number",
+        ),
         (", target: bookshelf", "", "remedy[0]: action put_on needs a target"),
         ("source: nobody in particular", "source:", "source: is empty: expected text"),
         ("source: nobody in particular", "source: [a, b]", "source: expected text, got a list"),

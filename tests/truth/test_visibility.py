@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
-from sdgen.scene import AnomalyVisibility
-from sdgen.truth.visibility import all_visible, evidence_pixels_needed, measure_masks
+from sdgen.scene import Anomaly, ViewVisibility, VisibleObject
+from sdgen.truth.visibility import all_visible, evidence_pixels_needed, measure_masks, shows
+from sdgen.vocabulary import REFERENCE_SIZE
 
 from tests import toy
 
@@ -19,6 +20,7 @@ from tests import toy
 )
 def test_needed_pixels_follow_the_picture_size(width: int, height: int, pixels: int) -> None:
     assert evidence_pixels_needed(width, height) == pixels
+    assert evidence_pixels_needed(320, 240, 15) == 4
 
 
 def test_box_pixels_and_parts_of_a_mask_counted_by_hand() -> None:
@@ -82,11 +84,55 @@ def test_evidence_counts_the_evidence_parts_only() -> None:
     assert shown.anomalies[0].evidence_pixels[0] == stove.parts["glow"] < stove.pixels
 
 
-def test_all_visible_needs_one_good_view_of_each() -> None:
-    def seen(*pixels: int) -> AnomalyVisibility:
-        return AnomalyVisibility(anomaly_id="a00", object_id=1, evidence_pixels=pixels)
+def anomaly(object_id: int, parts: tuple[str, ...] = ("body",), needed: int = 100) -> Anomaly:
+    of = toy.bundle(1).anomalies.anomalies[0]
+    changes = {
+        "object_id": object_id,
+        "evidence_parts": parts,
+        "evidence_pixels_needed": needed,
+    }
+    return of.model_copy(update=changes)
 
-    assert all_visible([seen(0, 100), seen(100, 0)], 100)
-    assert not all_visible([seen(0, 100), seen(99, 99)], 100)
-    assert all_visible([], 100)
-    assert not all_visible([seen()], 100)
+
+def view(*parts: dict[str, int]) -> ViewVisibility:
+    """A view of objects 1, 2 ... with these pixels of their parts."""
+    objects = tuple(
+        VisibleObject(
+            object_id=k, bbox=(0, 0, 9, 9), pixels=sum(one.values()), fraction=1.0, parts=one
+        )
+        for k, one in enumerate(parts, start=1)
+    )
+    return ViewVisibility(view=0, objects=objects)
+
+
+def test_all_visible_needs_one_good_view_of_each() -> None:
+    def seen(*pixels: tuple[int, int]) -> bool:
+        views = [view({"body": a}, {"body": b}) for a, b in pixels]
+        return all_visible(views, [anomaly(1), anomaly(2)], *REFERENCE_SIZE)
+
+    assert seen((0, 100), (100, 0))
+    assert not seen((0, 99), (100, 99))
+    assert not seen()
+    assert all_visible([], [], *REFERENCE_SIZE)
+
+
+@pytest.mark.parametrize(
+    ("flame", "wax", "size", "shown"),
+    [
+        (0, 900, (640, 480), False),
+        (19, 900, (640, 480), False),
+        (20, 80, (640, 480), True),
+        # A flame alone, over the rim of a shelf, could be anything.
+        (20, 79, (640, 480), False),
+        (5, 20, (320, 240), True),
+        (4, 96, (320, 240), False),
+    ],
+)
+def test_a_candle_shows_by_some_of_its_flame_and_enough_of_all(
+    flame: int, wax: int, size: tuple[int, int], shown: bool
+) -> None:
+    burning = anomaly(1, ("flame",), 20)
+    assert shows(view({"flame": flame, "wax": wax}), burning, *size) is shown
+    # Part by part from two views is not seen.
+    halves = [view({"flame": flame}), view({"wax": wax})]
+    assert not all_visible(halves, [burning], *size)

@@ -180,6 +180,7 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("anomalies.json", _put("anomalies.1.notify", "summary"), "label", "anomalies[1].notify"),
     ("anomalies.json", _put("anomalies.1.evidence.reach_height_m", 0.7), "label", "reach_height"),
     ("anomalies.json", _put("anomalies.0.evidence_parts", ["body"]), "label", "evidence_parts"),
+    ("anomalies.json", _put("anomalies.0.evidence_pixels_needed", 9), "label", "pixels_needed: 9"),
     ("anomalies.json", _put("anomalies.0.message", "All is well."), "label", "message"),
     ("anomalies.json", _put("anomalies.1.target_id", 30), "label", "anomalies[1].target_id"),
     ("anomalies.json", _put("lookalikes.0.object_id", 600), "label", "600 is an anomaly"),

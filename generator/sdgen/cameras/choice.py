@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -13,9 +13,11 @@ from sdgen.cameras.framing import Bools, glance_pixels
 from sdgen.cameras.parts import part_area, part_numbers, part_points
 from sdgen.cameras.sight import Cast, estimate_pixels, rectangle_pixels
 from sdgen.cameras.view import View
+from sdgen.geometry import Array
 from sdgen.library import Library
-from sdgen.scene import Scene
+from sdgen.scene import ObjectInstance, Scene
 from sdgen.seeding import Rng
+from sdgen.vocabulary import EVIDENCE_PIXELS
 
 #: Few rays tell what surely shows too little or enough, in shares of what is needed; of the rest,
 #: and where one of the few would stand for the lower share alone, many count the pixels.
@@ -24,10 +26,12 @@ _ROUGH_GRID, _SURELY = 6, (0.3, 2.0)
 
 @dataclass(frozen=True)
 class Marked:
-    """An anomaly or a near miss: its object, and the parts that show it (empty = all)."""
+    """An anomaly or a near miss: its object, the parts that show it (empty = all), and how many
+    pixels of these do at the reference size."""
 
     object_id: int
     parts: tuple[str, ...] = ()
+    pixels: int = EVIDENCE_PIXELS
 
 
 def shows(
@@ -38,16 +42,42 @@ def shows(
     out = np.zeros((len(views), len(marked)), dtype=np.bool_)
     for k, one in enumerate(marked):
         item = scene.object(one.object_id)
-        points = part_points(library, item, one.parts)
-        numbers = part_numbers(library, item, one.parts)
-        needed = glance_pixels(part_area(library, item, one.parts))
-        rough = estimate_pixels(cast, poses, points, item.id, numbers, _ROUGH_GRID)
-        coarse = rectangle_pixels(poses, points) > _SURELY[0] * needed * _ROUGH_GRID**2
-        out[:, k] = ~coarse & (rough >= _SURELY[1] * needed)
-        unsure = coarse | (rough >= _SURELY[0] * needed) & ~out[:, k]
-        for view in np.flatnonzero(unsure).tolist():
-            pixels = estimate_pixels(cast, [poses[view]], points, item.id, numbers)
-            out[view, k] = pixels[0] >= needed
+        out[:, k] = True
+        for parts, share in _asked(one):
+            among = np.flatnonzero(out[:, k])
+            needed = share * glance_pixels(part_area(library, item, parts))
+            out[among, k] = _enough(
+                library, item, cast, [poses[view] for view in among], parts, needed
+            )
+    return out
+
+
+def _asked(one: Marked) -> Iterator[tuple[tuple[str, ...], float]]:
+    """The parts that a view must show, and what of a glance's pixels: of few pixels of a part
+    alone nobody could say what it belongs to."""
+    yield one.parts, one.pixels / EVIDENCE_PIXELS
+    if one.pixels < EVIDENCE_PIXELS:
+        yield (), 1.0
+
+
+def _enough(
+    library: Library,
+    item: ObjectInstance,
+    cast: Cast,
+    poses: Sequence[Array],
+    parts: tuple[str, ...],
+    needed: float,
+) -> Bools:
+    """Which poses show so many pixels of these parts of an object, (poses,)."""
+    points = part_points(library, item, parts)
+    numbers = part_numbers(library, item, parts)
+    rough = estimate_pixels(cast, poses, points, item.id, numbers, _ROUGH_GRID)
+    coarse = rectangle_pixels(poses, points) > _SURELY[0] * needed * _ROUGH_GRID**2
+    out = np.asarray(~coarse & (rough >= _SURELY[1] * needed))
+    unsure = coarse | (rough >= _SURELY[0] * needed) & ~out
+    for view in np.flatnonzero(unsure).tolist():
+        pixels = estimate_pixels(cast, [poses[view]], points, item.id, numbers)
+        out[view] = pixels[0] >= needed
     return out
 
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic_core import InitErrorDetails
 
 from sdgen.catalog.consistency import check_recipes
 from sdgen.catalog.entry import Entry, as_record
@@ -25,6 +26,7 @@ from sdgen.catalog.words import (
     Categories,
     Names,
     OptionalCategories,
+    PartNames,
     RoomNames,
     State,
     States,
@@ -36,7 +38,7 @@ from sdgen.catalog.words import (
 )
 from sdgen.scene import Record
 from sdgen.strict import Expect, problem, refuse
-from sdgen.vocabulary import HOLDING, HoldingRelation, Urgency
+from sdgen.vocabulary import EVIDENCE_PIXELS, HOLDING, HoldingRelation, Urgency
 
 #: The label each group carries, and its order in listings.
 LABELS: dict[Group, Label] = {
@@ -144,6 +146,8 @@ class HazardYaml(Record):
     predicate: Annotated[Any, Expect("terms: when is it true?")]
     relation: HoldingRelation | None = None
     evidence_state: State | None = None
+    evidence_parts: PartNames = ()
+    evidence_pixels: Annotated[int, between(1, 1000)] = EVIDENCE_PIXELS
     anomalies: Annotated[tuple[RecipeYaml, ...], Field(min_length=1), Expect("at least one recipe")]
     lookalikes: tuple[RecipeYaml, ...] = ()
     remedy: Annotated[tuple[RemedyYaml, ...], Field(min_length=1), Expect("at least one step")]
@@ -162,9 +166,21 @@ class HazardYaml(Record):
             for name in recipe.set
             if name in self._placed()
         ]
+        found += self._evidence()
         if found:
             refuse(*found)
         return self
+
+    def _evidence(self) -> Iterator[InitErrorDetails]:
+        """What is wrong with the keys that say what shows it."""
+        if self.evidence_state is not None and self.evidence_parts:
+            text = "evidence_state names parts already: give one of the two"
+            yield problem(("evidence_parts",), text)
+        if "evidence_pixels" in self.model_fields_set and not (
+            self.evidence_state is not None or self.evidence_parts
+        ):
+            text = f"of the whole thing {EVIDENCE_PIXELS} are needed: name its parts, too"
+            yield problem(("evidence_pixels",), f"{text} (evidence_state or evidence_parts)")
 
     def _placed(self) -> set[str]:
         """What its anomalies put there. None of it may also be set: the twin takes away the one

@@ -28,7 +28,7 @@ from sdgen.catalog.words import (
 from sdgen.geometry import Vec3
 from sdgen.scene import Notify, Record
 from sdgen.strict import Expect, problem, refuse
-from sdgen.vocabulary import HoldingRelation, OpeningKind, Urgency
+from sdgen.vocabulary import EVIDENCE_PIXELS, HoldingRelation, OpeningKind, Urgency
 
 Group = Literal["safety", "sanitation", "child_safety"]
 Label = Literal["unsafe", "unsanitary", "unsafe for children"]
@@ -113,7 +113,11 @@ class RemedyRule(Record):
 
 
 class Hazard(Record):
-    """One class of the catalogue. ``never_silent``: no household may choose not to hear of it."""
+    """One class of the catalogue. ``never_silent``: no household may choose not to hear of it.
+
+    A view shows it with ``evidence_pixels`` (at the reference size) of the parts that show its
+    state, or that are named so, and with ``EVIDENCE_PIXELS`` of the whole object.
+    """
 
     id: str
     title: str
@@ -128,6 +132,8 @@ class Hazard(Record):
     predicate: Predicate
     relation: str | None = None
     evidence_state: str | None = None
+    evidence_parts: tuple[str, ...] = ()
+    evidence_pixels: int = EVIDENCE_PIXELS
     anomalies: tuple[Recipe, ...]
     lookalikes: tuple[Recipe, ...] = ()
     remedy: tuple[RemedyRule, ...]

@@ -207,6 +207,8 @@ OptionalCategories = Annotated[tuple[str, ...], names_of("category", least=0)]
 States = Annotated[tuple[str, ...], names_of("state", least=0)]
 RoomNames = Annotated[tuple[str, ...], names_of("room type", least=0)]
 Belongs = Annotated[tuple[str, ...], names_of("pet, condition or age group", least=0)]
+#: Of models: what they call their parts is known to the library alone.
+PartNames = Annotated[tuple[str, ...], names_of("part"), Expect("a part or a list of them")]
 Zones = Annotated[tuple[str, ...], names_of("zone", 0, ZONE_KINDS)]
 
 #: How often, beside others: a thousandth to a thousand times the usual 1.

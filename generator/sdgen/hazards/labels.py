@@ -12,15 +12,17 @@ from sdgen.hazards.placing import Injected
 from sdgen.households import decide
 from sdgen.library.states import state_parts
 from sdgen.scene import Anomaly, Household, Lookalike, Remedy
+from sdgen.vocabulary import EVIDENCE_PIXELS
 
 
 def evidence_parts(facts: Facts, hazard: Hazard, object_id: int) -> tuple[str, ...]:
-    """Drawn parts that show the anomaly: those of the hazard's state, else all."""
+    """Drawn parts that show the anomaly: those of the hazard's state or of its names, else all."""
     body = facts.bodies[object_id]
     item = body.item
     if hazard.evidence_state is not None and hazard.evidence_state in facts.states(object_id):
         return state_parts(body.info, hazard.evidence_state, item.variant, item.joints)
-    return body.info.variants[item.variant]
+    drawn = body.info.variants[item.variant]
+    return tuple(name for name in drawn if name in hazard.evidence_parts) or drawn
 
 
 def anomaly_records(
@@ -37,6 +39,8 @@ def anomaly_records(
         item = facts.bodies[positive.object_id].item
         relation, target = _relation(hazard, facts, item.id)
         evidence = dict(positive.verdict.evidence)
+        parts = evidence_parts(facts, hazard, item.id)
+        whole = set(parts) >= set(item.parts)
         report, notify, reason = decide(hazard, evidence, household, catalog.reach)
         records.append(
             Anomaly(
@@ -51,7 +55,8 @@ def anomaly_records(
                 target_id=target,
                 room_id=item.room_id,
                 evidence=evidence,
-                evidence_parts=evidence_parts(facts, hazard, item.id),
+                evidence_parts=parts,
+                evidence_pixels_needed=EVIDENCE_PIXELS if whole else hazard.evidence_pixels,
                 report=report,
                 notify=notify,
                 reason=reason,

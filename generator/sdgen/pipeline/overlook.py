@@ -124,7 +124,9 @@ def looked_at(
     show is none.
     """
     library, canonical = home.layout.library, home.views[:CANONICAL]
-    marked = [Marked(one.object_id, one.evidence_parts) for one in anomalies]
+    marked = [
+        Marked(one.object_id, one.evidence_parts, one.evidence_pixels_needed) for one in anomalies
+    ]
     marked += [Marked(one.object_id) for one in lookalikes]
     with RayWorld(library, scene, client.still) as world:
         if not clear(world.cast, canonical).all():

@@ -25,9 +25,9 @@ LEAST_FRACTION = 1e-4
 Box = tuple[int, int, int, int]
 
 
-def evidence_pixels_needed(width: int, height: int) -> int:
-    """Evidence pixels that count as seen at this picture size, in proportion."""
-    return math.ceil(EVIDENCE_PIXELS * width * height / math.prod(REFERENCE_SIZE))
+def evidence_pixels_needed(width: int, height: int, needed: int = EVIDENCE_PIXELS) -> int:
+    """Pixels that count as seen at this picture size where ``needed`` do at the reference size."""
+    return math.ceil(needed * width * height / math.prod(REFERENCE_SIZE))
 
 
 def part_names(scene: Scene) -> dict[int, tuple[str, ...]]:
@@ -110,9 +110,20 @@ def evidence_pixels(view: ViewVisibility, anomaly: Anomaly) -> int:
     return 0
 
 
-def all_visible(anomalies: Iterable[AnomalyVisibility], needed: int) -> bool:
-    """True when every anomaly shows at least ``needed`` evidence pixels in some view."""
-    return all(max(item.evidence_pixels, default=0) >= needed for item in anomalies)
+def shows(view: ViewVisibility, anomaly: Anomaly, width: int, height: int) -> bool:
+    """True when a view shows what makes an anomaly one, and enough of the object beside."""
+    needed = evidence_pixels_needed(width, height, anomaly.evidence_pixels_needed)
+    whole = sum(item.pixels for item in view.objects if item.object_id == anomaly.object_id)
+    return evidence_pixels(view, anomaly) >= needed and whole >= evidence_pixels_needed(
+        width, height
+    )
+
+
+def all_visible(
+    views: Sequence[ViewVisibility], anomalies: Iterable[Anomaly], width: int, height: int
+) -> bool:
+    """True when some view shows every anomaly."""
+    return all(any(shows(view, one, width, height) for view in views) for one in anomalies)
 
 
 def visibility_of(
@@ -140,10 +151,9 @@ def assemble(
         )
         for anomaly in anomalies
     )
-    needed = evidence_pixels_needed(width, height)
     return Visibility(
         views=tuple(views),
         anomalies=shown,
-        evidence_pixels_needed=needed,
-        all_visible=all_visible(shown, needed),
+        evidence_pixels_needed=evidence_pixels_needed(width, height),
+        all_visible=all_visible(views, anomalies, width, height),
     )

@@ -9,6 +9,7 @@ from pathlib import Path
 import networkx as nx
 import numpy as np
 import pytest
+from sdgen.catalog.records import canonical_sha256
 from sdgen.dataset import Dataset
 from sdgen.errors import InputError
 from sdgen.options import MAX_SCENES
@@ -229,3 +230,19 @@ def test_a_missing_picture_is_located_when_it_is_read(tmp_path: Path) -> None:
     assert item.rgb(0).shape == (120, 160, 3)
     with pytest.raises(InputError, match=r"scenes/000000/views/00/depth.png: no such file"):
         item.depth(0)
+
+
+def test_the_catalogue_of_an_older_version_lacks_keys_and_is_read(tmp_path: Path) -> None:
+    """Its digest is that of the file, not of a record that has more fields by now."""
+    folder = toy.build(tmp_path / "d")
+    file, info_file = folder / "catalogue.json", folder / "dataset.json"
+    written = json.loads(file.read_bytes())
+    for hazard in written["hazards"]:
+        del hazard["evidence_pixels"]
+    file.write_text(json.dumps(written), encoding="utf-8")
+    with pytest.raises(InputError, match="not the catalogue whose digest"):
+        _ = Dataset(folder).catalog
+    info = json.loads(info_file.read_bytes())
+    info["catalogue_sha256"] = canonical_sha256(written)
+    info_file.write_text(json.dumps(info), encoding="utf-8")
+    assert Dataset(folder).catalog.hazard("spill").evidence_pixels == 100

@@ -417,6 +417,12 @@ class HomeMix(Record):
     rooms: tuple[str, ...]
 
 
+def canonical_sha256(data: Any) -> str:
+    """SHA-256 of what JSON says, however it is laid out."""
+    text = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    return hashlib.sha256(text.encode("ascii")).hexdigest()
+
+
 class Catalog(Record):
     """The whole catalogue, resolved: what a build uses and ``catalogue.json`` holds."""
 
@@ -432,9 +438,7 @@ class Catalog(Record):
     @cached_property
     def sha256(self) -> str:
         """SHA-256 of the canonical JSON (sorted keys, no white space); workers get it along."""
-        data = self.model_dump(mode="json")
-        text = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-        return hashlib.sha256(text.encode("ascii")).hexdigest()
+        return canonical_sha256(self.model_dump(mode="json"))
 
     @cached_property
     def climbs(self) -> dict[str, float]:

@@ -59,12 +59,12 @@ def _top(data: Dataset) -> Iterator[Problem]:
         if path.name not in known and re.match(SCENE_ID, path.name):
             yield Problem("file", f"{SCENES}/{path.name}: the manifest does not list it")
     try:
-        digest = data.catalog.sha256
-        if digest != data.info.catalogue_sha256:
+        catalog = data.catalog
+        if data.catalogue_sha256 != data.info.catalogue_sha256:
             yield Problem(
                 "hash", "catalogue.json: not the catalogue dataset.json has the digest of"
             )
-        enabled = tuple(sorted(hazard.id for hazard in data.catalog.hazards))
+        enabled = tuple(sorted(hazard.id for hazard in catalog.hazards))
         if enabled != data.info.hazards_enabled:
             yield Problem("count", "dataset.json: hazards_enabled: not the catalogue's hazards")
     except InputError as error:

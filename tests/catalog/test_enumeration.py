@@ -102,6 +102,19 @@ def test_a_state_no_model_knows_and_a_target_without_model_are_told(tmp_path: Pa
         check_against_library(catalog, states)
 
 
+def test_a_part_that_no_model_has_is_told(tmp_path: Path) -> None:
+    keys = "\nrelation: ON\nevidence_parts: [rim, neck]\nanom"
+    text = HAZARD.replace("\nrelation: ON\nanom", keys)
+    catalog = load_catalog([write(tmp_path, hazards__wobbly_vase=text)], only=["wobbly_vase"])
+    states = _states()
+    check_against_library(catalog, states, {"vase": {"body", "neck"}})
+    with pytest.raises(InputError) as caught:
+        check_against_library(catalog, states, {"vase": {"body", "rims"}, "mug": {"rim"}})
+    (told,) = caught.value.problems
+    assert told.startswith("hazard wobbly_vase: evidence_parts: no model of its objects has a rim")
+    assert "(did you mean 'rims'?)" in told
+
+
 def test_a_model_nobody_could_use_is_told() -> None:
     with pytest.raises(InputError, match=r"'frigde', which no catalogue .*did you mean 'fridge'"):
         check_against_library(load_catalog(), {**_states(), "frigde": set()})

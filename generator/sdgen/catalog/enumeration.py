@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from sdgen.catalog.cases import cases, unique_anomaly
-from sdgen.catalog.records import Catalog, PlaceRecipe, UniqueAnomaly
+from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, UniqueAnomaly
 from sdgen.errors import InputError, did_you_mean
 
 
@@ -24,13 +24,19 @@ def _key(item: UniqueAnomaly) -> tuple[str, ...]:
     return tuple(part or "" for part in item.model_dump().values())
 
 
-def check_against_library(catalog: Catalog, library_states: Mapping[str, Collection[str]]) -> None:
+def check_against_library(
+    catalog: Catalog,
+    library_states: Mapping[str, Collection[str]],
+    library_parts: Mapping[str, Collection[str]] | None = None,
+) -> None:
     """Check that every hazard can be made with the models there are.
 
     ``library_states`` maps each category that has a model to the states its models can be in.
     A recipe may name categories without a model (they are skipped) as long as one has one; a
     state that none of its models knows is a problem, and so is a model of a category that nobody
-    defines: it would never be used. Raises InputError with all problems.
+    defines: it would never be used. ``library_parts``, where given, maps the categories to the
+    parts that their models have, and some part that shows a hazard must be among them. Raises
+    InputError with all problems.
     """
     known_categories = [category.name for category in catalog.categories]
     problems = [
@@ -66,8 +72,24 @@ def check_against_library(catalog: Catalog, library_states: Mapping[str, Collect
             problems.append(
                 f"hazard {hazard.id}: no model of any of its objects ({', '.join(names)})"
             )
+        problems += _unknown_parts(hazard, library_parts)
     if problems:
         raise InputError(problems)
+
+
+def _unknown_parts(
+    hazard: Hazard, library_parts: Mapping[str, Collection[str]] | None
+) -> Iterator[str]:
+    """A problem where no model of what a hazard's recipes make has a part that is to show it; of
+    some of the names there may be no model, as of categories."""
+    if library_parts is None or not hazard.evidence_parts:
+        return
+    objects = {name for recipe in hazard.anomalies for name in recipe.categories}
+    known = sorted({part for name in objects for part in library_parts.get(name, ())})
+    if known and not set(known) & set(hazard.evidence_parts):
+        names = ", ".join(hazard.evidence_parts)
+        near = did_you_mean(hazard.evidence_parts[0], known)
+        yield f"hazard {hazard.id}: evidence_parts: no model of its objects has a {names}{near}"
 
 
 def _knows(state: str | None, states: Collection[str]) -> bool:

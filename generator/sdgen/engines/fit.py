@@ -65,6 +65,15 @@ class Misfits:
     warnings: tuple[str, ...] = ()
 
 
+def parts_by_category(library: Library) -> dict[str, set[str]]:
+    """All parts that some model of each category has."""
+    out: dict[str, set[str]] = {}
+    for category in library.categories:
+        assets = library.by_category(category)
+        out[category] = {part.name for asset in assets for part in asset.parts}
+    return out
+
+
 def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfits:
     """Hazards that found no place in any of some homes, or none of their own, or that are true of
     the homes as they stand."""

@@ -207,6 +207,8 @@ def less(draft: Draft, relation: str) -> int:
         if relation != "ON" or (things[b].fixed and b not in draft.original.inside.get(a, []))
         # Well within the distance: at its edge, both verdicts are right.
         if relation != "CLOSE" or np.linalg.norm(things[a].position - things[b].position) < 1
+        # What is flat has its middle at the hollow's very floor.
+        if relation != "INSIDE" or np.ptp(things[a].box, axis=0)[2] > 0.05
     )
     draft.cut(a, relation, b)
     return a

@@ -12,7 +12,7 @@ from shapely.geometry import box
 
 
 @pytest.mark.parametrize(
-    ("height_m", "lifted_m"), [(0.04, 0.0), (0.94, 0.0), (1.35, 0.3), (1.55, 0.5), (1.9, 0.5)]
+    ("height_m", "lifted_m"), [(0.04, 0.0), (0.94, 0.0), (1.35, 0.4), (1.55, 0.6), (1.9, 0.6)]
 )
 def test_eyes_are_lifted_to_look_onto_high_places_alone(
     library: Library, height_m: float, lifted_m: float

@@ -5,8 +5,9 @@ import pytest
 from sdgen.cameras.choice import Marked, shows
 from sdgen.cameras.cover import CANONICAL
 from sdgen.cameras.seen import Seen
-from sdgen.cameras.spots import spots_of
 from sdgen.facts import room_at
+from sdgen.hazards.candidates import candidates, weighted_order
+from sdgen.hazards.placing import inject_candidate
 from sdgen.library.states import state_parts
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
@@ -47,17 +48,27 @@ def test_views_follow_from_the_furnished_home_and_their_own_lane(furnished):
     assert isinstance(first.context.shows, Seen)
 
 
-def test_high_places_are_looked_at_as_much_as_each_other(furnished):
-    """Whatever categories lie there, and in which room."""
-    context, layout = furnished.context, furnished.layout
-    spots = spots_of(context, layout, lane())
-    shelves = {k for k, item in layout.items.items() if item.category == "wall_shelf"}
-    points = len(spots.target)
-    share = {k: spots.weight[:points][spots.target == k].sum() for k in shelves}
-    rooms = {layout.items[k].room_id for k in shelves}
-    assert len(rooms) > 1
-    assert min(share.values()) > 0.02
-    assert max(share.values()) < 2.5 * min(share.values())
+def test_near_misses_out_of_reach_have_a_place_that_views_show(catalog, library):
+    """Of each class by reach in nearly every home, so that what it names is seen harmless, too."""
+    by_reach = [hazard for hazard in catalog.hazards if hazard.concerns.by_reach]
+    found = []
+    with Client() as client:
+        for index in range(6):
+            spec = draw_spec(index, catalog, OPTIONS)
+            home = overlooked(
+                furnish_for(spec, 0, catalog, library), 8, client, spec.lane("views:0")
+            )
+            for hazard in by_reach:
+                high = [one for one in hazard.lookalikes if getattr(one, "min_height_m", None)]
+                tried = candidates(hazard.id, high, home.layout, home.context)
+                layout = home.layout.copy(iter(range(10**6, 10**6 + 1000)))
+                made = (
+                    inject_candidate(one, layout, home.context, (), lane(), benign=True)
+                    for one in weighted_order(tried, lane())
+                )
+                found.append(any(one is not None for one in made))
+    assert len(found) == 24
+    assert sum(found) >= 21
 
 
 def test_a_hazard_that_no_view_can_show_is_not_tried_for(furnished):
@@ -118,7 +129,7 @@ def test_cameras_stand_on_free_floor_at_eye_height(catalog, library):
             x, y, z = (row[3] for row in camera.world_from_camera[:3])
             assert free.contains(Point(x, y))
             # Near views of high places are taken from lifted eyes.
-            assert -0.2 <= z - 1.0 <= (0.6 if camera.kind == "near" else 0.2)
+            assert -0.2 <= z - 1.0 <= (0.7 if camera.kind == "near" else 0.2)
             room = room_at(bundle.scene.home.rooms, x, y)
             assert room is not None
             assert room.id == camera.room_id

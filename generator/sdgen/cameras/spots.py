@@ -7,7 +7,7 @@ and from where its categories live.
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,10 +39,13 @@ _DRAWS, _WAYS = 4, 2
 #: What a hazard's near misses and all everyday things count, against one hazard's anomalies: a
 #: choice. An anomaly must be seen; nothing breaks when an everyday thing is not.
 _LOOKALIKES, _EVERYDAY = 0.5, 3.0
-#: What all high places together count, each as much as the others: where nobody looks at them, of
-#: what children must not reach only the hazards are seen, and its name tells them. About as much
-#: a piece as a table has (six to eight such places a home).
-_HIGH = 7.0
+#: What the high places of each hazard count, where its near misses lie that must be out of reach:
+#: where nobody looks at them, of what children must not reach only the hazards are seen, and its
+#: name tells them. All on one piece or two, the same for as many hazards as it does: spread over
+#: the six to eight of a home none would get a view of its own.
+_HIGH, _HIGH_PIECES = 3.0, 2
+#: Eyes are lifted somewhat above this; of what lies flat higher up views show little.
+_SEEN_FROM_ABOVE_M = 1.7
 #: What is set to a state counts so many times what is placed: it can be seen in one place only.
 _STATES = 5.0
 
@@ -108,9 +111,9 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     )
     expected = defaultdict(float, _everyday(context, layout))
     were_set: defaultdict[tuple[int, str], float] = defaultdict(float)
-    high: list[Recipe] = []
+    high: list[list[Recipe]] = []
     for hazard in context.catalog.hazards:
-        high += [one for one in hazard.lookalikes if _is_high(one)]
+        high.append([one for one in hazard.lookalikes if _is_high(one)])
         lookalikes = [one for one in hazard.lookalikes if not _is_high(one)]
         for recipes, worth in ((hazard.anomalies, 1.0), (lookalikes, _LOOKALIKES)):
             could_place, could_set = _possible(recipes, context, layout)
@@ -122,7 +125,10 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     placed = np.zeros(len(surfaces.points_m))
     for wanted, weight in expected.items():
         placed += weight * surfaces.share(wanted)
-    placed += _HIGH * surfaces.any_of(_possible(high, context, layout)[0])
+    pieces = np.unique(surfaces.target).tolist()
+    rank = dict(zip(pieces, rng.permutation(len(pieces)).tolist(), strict=True))
+    for recipes in high:
+        placed += _HIGH * surfaces.few_of(recipes, _possible(recipes, context, layout)[0], rank)
     ways = {key: list(_ways(context, layout, *key, rng)) for key in sorted(were_set)}
     likely = placed > 0
     weights = np.array(
@@ -163,12 +169,36 @@ class _Surfaces:
         or 0 where there is none."""
         return self._evenly(self._fitting(wanted))
 
-    def any_of(self, wanted: Iterable[Wanted]) -> Array:
-        """How likely each point is where any of these may lie, (N,), as for :meth:`share`."""
+    def few_of(
+        self, recipes: Sequence[Recipe], wanted: Iterable[Wanted], rank: Mapping[int, int]
+    ) -> Array:
+        """How likely each point is where any of these may lie out of reach, (N,), as for
+        :meth:`share`: on the first few pieces by ``rank`` (by id), lower ones before higher."""
         fitting = np.zeros(len(self.points_m), dtype=np.bool_)
         for one in wanted:
             fitting |= self._fitting(one)
-        return self._evenly(fitting)
+        fitting &= self._beyond(recipes, fitting)
+        above = self.points_m[:, 2] > _SEEN_FROM_ABOVE_M
+        order = {
+            owner: (bool(above[fitting & (self.target == owner)].all()), rank[owner])
+            for owner in set(self.target[fitting].tolist())
+        }
+        owners = sorted(order, key=order.__getitem__)[:_HIGH_PIECES]
+        return self._evenly(fitting & np.isin(self.target, owners))
+
+    def _beyond(self, recipes: Sequence[Recipe], among: Bools) -> Bools:
+        """Which of these points no child reaches, for the first thing that the recipes place."""
+        out = np.zeros(len(self.points_m), dtype=np.bool_)
+        models = [m for r in recipes for c in r.categories for m in self._context.models(c)[:1]]
+        if not models:
+            return out
+        for rows_of in self._of.values():
+            for surface, rows in rows_of:
+                for k in (rows.start + np.flatnonzero(among[rows])).tolist():
+                    x, y, z = self.points_m[k].tolist()
+                    spot = ((x, y, z - ABOVE_M), 0.0)
+                    out[k] = self._context.reach.beyond(models[0], spot, surface.room.id)
+        return out
 
     def _fitting(self, wanted: Wanted) -> Bools:
         """The points where such a thing may lie, (N,)."""

@@ -249,7 +249,7 @@ def small_flame(z: float, height: float, n: int = 6):
 
 
 def candles(style="trio", colour="#f3e7cf", second="#d8c48a", look=0) -> Model:
-    """style: "trio" on a dish, "tealight", "candelabra", "bowl" (three wicks) or "ball"."""
+    """style: "trio" on a dish, "tealights", "candelabra", "bowl" (three wicks) or "ball"."""
     rng = np.random.default_rng(look)
     o = noise_offset(rng)
     wax, top = Material(occlusion=0.45), plain(shade(colour, 0.94), 0.03, 60, o, occlusion=0.5)
@@ -274,24 +274,25 @@ def candles(style="trio", colour="#f3e7cf", second="#d8c48a", look=0) -> Model:
             pieces.append(cylinder_piece(0.024, 0.008, 0.008 + h, 10) + np.array([x, y, 0]))
             burn(x, y, 0.008 + h, 0.016)
         title = "three pillar candles on a dish"
-    elif style == "tealight":
-        tin = metal("d0d4d8", "80868c", (1, 1, 1), 60, o)
-        cup = [(0, 0), (0.0185, 0), (0.019, 0.002), (0.019, 0.0158), (0.0182, 0.0162)]
-        cup += [(0.0178, 0.013), (0, 0.013)]
-        kinds = [0, 0, 0, 0, 0, 1]
-        places = ((0, 0), (0.046, 0.01), (0.012, 0.047)) if second == "three" else ((0, 0),)
-        for x, y in places:
-            body = lathe(cup, 14, mats=[tin, top], mat_of_segment=kinds)
+    elif style == "tealights":
+        # In glasses of different colours: bare tins read as button cells from across a room.
+        cup = [(0, 0), (0.025, 0), (0.0275, 0.004), (0.031, 0.05), (0.0285, 0.05)]
+        cup += [(0.0268, 0.03), (0, 0.03)]
+        glasses = (("b8403c", 0, 0), ("d9962e", 0.078, 0.012), ("3f7f86", 0.026, 0.076))
+        for hue, x, y in glasses:
+            glass = plain(hue, 0.1, 40, o)
+            body = lathe(cup, 16, mats=[glass, top], mat_of_segment=[0, 0, 0, 0, 0, 1])
             wick = tube(
-                [(0, 0, 0.012), (0, 0, 0.0185), (0.001, 0, 0.022)],
-                0.0011,
+                [(0, 0, 0.029), (0, 0, 0.036), (0.001, 0, 0.04)],
+                0.0012,
                 4,
                 mat=plain("2a2320", 0.2),
             )
             meshes += [m.keep_pattern().move(x, y, 0) for m in (body, wick)]
-            pieces.append(cylinder_piece(0.019, 0, 0.016, 12) + np.array([x, y, 0]))
-            burn(x, y, 0.0162, 0.0165, 0.034)
-        title = "tealight" if len(places) == 1 else "three tealights"
+            piece = cylinder_piece(0.0265, 0, 0.05, 12, 0.031)
+            pieces.append(piece + np.array([x, y, 0]))
+            burn(x, y, 0.0335, 0.022, 0.04)
+        title = "three tealights in glasses"
     elif style == "candelabra":
         brass = metal("d0a545", "8a6420")
         foot = [(0, 0), (0.055, 0), (0.056, 0.005), (0.03, 0.012), (0.009, 0.024), (0.0075, 0.1)]
@@ -388,7 +389,7 @@ MODELS = {
             {"style": "taper", "colour": "#f3e7cf"},
             {"kind": "candles", "style": "trio", "colour": "#e9dcc0"},
             {"kind": "candles", "style": "candelabra", "colour": "#f6f0e2"},
-            {"kind": "candles", "style": "tealight", "colour": "#fbf8f0", "second": "three"},
+            {"kind": "candles", "style": "tealights", "colour": "#fbf8f0"},
             {"kind": "candles", "style": "bowl", "colour": "#efe2c8", "second": "#3f6f6a"},
             {"kind": "candles", "style": "ball", "colour": "#a8262c"},
         ],

@@ -256,8 +256,9 @@ def bread_served(form="baguette", tone="golden", seed=0) -> Model:
         whole = bun(0.052, 0.05, mat, 14)
         top = halve(whole, (0, 0, 0.02), (0, 0, -1), face, up=(1, 0, 0)).keep_pattern()
         base = halve(whole, (0, 0, 0.02), (0, 0, 1), face, up=(-1, 0, 0)).keep_pattern()
-        leaning = ground([top.turn(ry=1.9)])
-        return spread([base], [(0.03, -0.05, 0, 0.4)]) + spread(leaning, [(-0.03, 0.06, 0, 0.2)])
+        # On its cut face: stood on its rim it was taken for a potsherd.
+        lid = ground([top])
+        return spread([base], [(0.02, -0.056, 0, 0.4)]) + spread(lid, [(-0.02, 0.056, 0, 0.2)])
 
     shapes = {
         "baguette": (baguette, "baguette", 0.25),

@@ -52,9 +52,11 @@ def shown_by(hazard: Hazard) -> str:
     parts = f"its {names}" if names else ""
     if hazard.evidence_state is not None:
         parts = f"what is {hazard.evidence_state}"
-    if not parts:
-        return whole
-    return f"{whole}, and {hazard.evidence_pixels} of {parts} where it has such a part"
+    if parts:
+        whole += f", and {hazard.evidence_pixels} of {parts} where it has such a part"
+    if hazard.evidence_outdoors:
+        whole += f", and {hazard.evidence_outdoors} of the outdoors, seen through its opening"
+    return whole
 
 
 def facts(hazard: Hazard) -> str:

@@ -167,8 +167,9 @@ class Remedy(Record):
 class Anomaly(Record):
     """One instance of a hazard, with the measured terms that prove it.
 
-    A view shows it with ``evidence_pixels_needed``, at 640 x 480, of ``evidence_parts``, and with
-    100 of the whole object.
+    A view shows it with ``evidence_pixels_needed``, at 640 x 480, of ``evidence_parts``, with 100
+    of the whole object, and with ``evidence_outdoors_needed`` of the outdoors seen through the
+    opening that the object fills.
     """
 
     id: str
@@ -184,6 +185,7 @@ class Anomaly(Record):
     evidence: dict[str, EvidenceValue]
     evidence_parts: tuple[str, ...]
     evidence_pixels_needed: int = Field(default=EVIDENCE_PIXELS, ge=1)
+    evidence_outdoors_needed: int = Field(default=0, ge=0)
     report: bool
     notify: Notify
     reason: str
@@ -268,10 +270,16 @@ class VisibleObject(Record):
 
 
 class ViewVisibility(Record):
-    """The objects one view shows, sorted by id."""
+    """The objects one view shows, sorted by id.
+
+    ``outdoors`` counts the pixels of nothing, which is what lies outdoors, that are seen through
+    openings of the outer walls, by the id of what fills the opening; those with any. None: an
+    older data set does not tell.
+    """
 
     view: int
     objects: tuple[VisibleObject, ...]
+    outdoors: dict[int, int] | None = None
 
 
 class AnomalyVisibility(Record):

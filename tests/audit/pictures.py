@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 
 import numpy as np
+import numpy.typing as npt
 from PIL import Image
 
 from tests.audit.dataset import Finding, Json, Scene
@@ -13,6 +15,9 @@ NEEDED_AT_VGA = 100
 #: What people look for in a picture to call a thing hazardous, where its models have such a part,
 #: and so many of its pixels at 640 x 480: a handle alone is no knife, wax alone no fire.
 SHOWN_BY = {"candle_on": ({"flame"}, 20), "sharp_object": ({"blade", "blades"}, 15)}
+#: A door's leaf shows when it is shut, too: what shows that it is open is the outdoors within the
+#: doorway, so many pixels of it at 640 x 480.
+SEEN_THROUGH = {"front_door_open": 500}
 #: So many views a home (what `sdgen build` takes) show every label.
 PROMISED_VIEWS = 8
 
@@ -24,10 +29,32 @@ def telling(label: Json, names: list[str]) -> tuple[list[str], int]:
     return (here, least) if here else (label["evidence_parts"], NEEDED_AT_VGA)
 
 
+def outdoors(scene: Scene, id: int, view: Json, ids: npt.NDArray[np.int64]) -> int:
+    """Pixels of nothing within the doorway that a door fills: within the outline that the middle of
+    its wall has in the picture."""
+    gap = next(o for o in scene.scene["home"]["openings"] if o["object_id"] == id)
+    middle = np.array(gap["center_m"])
+    across = np.array([1.0, 0.0, 0.0] if gap["along"] == "x" else [0.0, 1.0, 0.0])
+    sides = (across * gap["width_m"] / 2, np.array([0.0, 0.0, gap["height_m"]]))
+    pose, k = np.array(view["world_from_camera"]), np.array(view["K"])
+    low = middle - sides[0]
+    # The plane's own axes as the camera has them: one 3 x 3 system for all pixels.
+    plane = np.column_stack([2 * sides[0], sides[1], low - pose[:3, 3]])
+    to_plane = np.linalg.inv(k @ pose[:3, :3].T @ plane)
+    ys, xs = np.nonzero(ids == 0)
+    a, b, c = to_plane @ np.stack([xs, ys, np.ones(len(xs))])
+    share = np.stack([a / c, b / c])
+    # Depth along a pixel's ray is 1 / c: before the camera where it is positive.
+    return int(((share >= 0) & (share <= 1)).all(axis=0)[c > 0].sum())
+
+
 def visibility(scene: Scene) -> Iterator[Finding]:
     """Boxes and pixels of every object in every view, and the pixels that show each label."""
-    evidence: dict[str, list[tuple[int, int]]] = {a["id"]: [] for a in scene.labels["anomalies"]}
+    evidence: dict[str, list[tuple[int, int, int]]] = {
+        a["id"]: [] for a in scene.labels["anomalies"]
+    }
     told = {view["view"]: view["objects"] for view in scene.visibility["views"]}
+    through = {view["view"]: view.get("outdoors") for view in scene.visibility["views"]}
     size = 640 * 480
     for number, file in enumerate(scene.view_files):
         if not (file.parent / "instance.png").exists():
@@ -59,12 +86,24 @@ def visibility(scene: Scene) -> Iterator[Finding]:
             names = scene.things[id].json["parts"]
             wanted, _ = telling(label, names)
             of_parts = sum(count_of.get(id * 256 + names.index(part) + 1, 0) for part in wanted)
-            evidence[label["id"]].append((of_parts, pixels.get(id, 0)))
+            least_outdoors = SEEN_THROUGH.get(label["hazard"])
+            seen = 0
+            if least_outdoors is not None:
+                seen = outdoors(scene, id, json.loads(file.read_text("utf-8")), ids)
+                # Older data sets do not tell.
+                counts = through.get(number)
+                written = seen if counts is None else counts.get(str(id), 0)
+                if abs(seen - written) > 2:
+                    what = f"view {number}: {written} pixels of outdoors told"
+                    yield scene.found(scene.things[id], what, seen)
+            evidence[label["id"]].append((of_parts, pixels.get(id, 0), seen))
     share = size / (640 * 480)
     for label in scene.labels["anomalies"]:
         _, least = telling(label, scene.things[label["object_id"]].json["parts"])
         large = [seen for seen in evidence[label["id"]] if seen[1] >= NEEDED_AT_VGA * share]
-        shown = max((of_parts for of_parts, _ in large), default=0)
+        least_outdoors = SEEN_THROUGH.get(label["hazard"], 0) * share
+        open_wide = [seen for seen in large if seen[2] >= least_outdoors]
+        shown = max((of_parts for of_parts, _, _ in open_wide), default=0)
         # With fewer views than the promise is made for, the file says so.
         promised = scene.visibility["all_visible"] or len(scene.view_files) >= PROMISED_VIEWS
         if shown < least * share and promised:

@@ -199,6 +199,17 @@ def test_replacing_is_asked_for(tmp_path: Path) -> None:
             "\nrelation: ON\nevidence_parts: rim\nevidence_pixels: few\nanom",
             ":13: evidence_pixels: expected a whole number",
         ),
+        (
+            "\nrelation: ON\nanom",
+            "\nrelation: ON\nevidence_outdoors: 300\nanom",
+            ":12: evidence_outdoors: only through openings: every anomaly must be a 'set' of some "
+            "of door, front_door, window",
+        ),
+        (
+            "\nrelation: ON\nanom",
+            "\nrelation: ON\nevidence_outdoors: -1\nanom",
+            ":12: evidence_outdoors: -1 is not between 0 and 10000",
+        ),
         (", target: bookshelf", "", "remedy[0]: action put_on needs a target"),
         ("source: nobody in particular", "source:", "source: is empty: expected text"),
         ("source: nobody in particular", "source: [a, b]", "source: expected text, got a list"),

@@ -239,6 +239,7 @@ def test_the_catalogue_of_an_older_version_lacks_keys_and_is_read(tmp_path: Path
     written = json.loads(file.read_bytes())
     for hazard in written["hazards"]:
         del hazard["evidence_pixels"]
+        del hazard["evidence_outdoors"]
     file.write_text(json.dumps(written), encoding="utf-8")
     with pytest.raises(InputError, match="not the catalogue whose digest"):
         _ = Dataset(folder).catalog
@@ -246,3 +247,4 @@ def test_the_catalogue_of_an_older_version_lacks_keys_and_is_read(tmp_path: Path
     info["catalogue_sha256"] = canonical_sha256(written)
     info_file.write_text(json.dumps(info), encoding="utf-8")
     assert Dataset(folder).catalog.hazard("spill").evidence_pixels == 100
+    assert Dataset(folder).catalog.hazard("front_door_open").evidence_outdoors == 0

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.cameras.outdoors import outer_openings
 from sdgen.facts import Facts, unheld
 from sdgen.hazards.certify import certify, facts_of
 from sdgen.hazards.twin import undone
@@ -58,7 +59,8 @@ def test_a_hazard_is_made_proved_seen_and_undone(hazard, library, renderer):
     parts = part_names(scene)
     frames = list(render_frames(renderer, library, scene, bundle.cameras))
     size = (OPTIONS.width, OPTIONS.height)
-    best = next(f for f in frames if shows(view_visibility(f, parts), anomaly, *size))
+    outer = outer_openings(scene.home)
+    best = next(f for f in frames if shows(view_visibility(f, parts, outer), anomaly, *size))
     (after,) = render_frames(renderer, library, benign, [best.camera])
     changed = np.any(after.rgb.astype(int) != best.rgb.astype(int), axis=2)
     assert changed.sum() >= 100

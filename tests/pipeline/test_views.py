@@ -94,7 +94,8 @@ def test_a_hazard_that_no_view_can_show_is_not_tried_for(furnished):
 
 @pytest.mark.parametrize("index", [1, 5])
 def test_a_state_that_views_are_said_to_show_is_seen_once_it_is_set(catalog, library, index):
-    """Alone, with every other door as it stands: of each leaf that is opened, and as far."""
+    """Alone, with every other door as it stands: of each leaf that is opened, and as far; of a
+    front door, by what is seen through it."""
     spec = draw_spec(index, catalog, BuildOptions(seed=960))
     home = furnish_for(spec, 0, catalog, library)
     with Client() as client:
@@ -105,13 +106,17 @@ def test_a_state_that_views_are_said_to_show_is_seen_once_it_is_set(catalog, lib
             if item.category not in ("fridge", "stove", "front_door"):
                 continue
             state = "ON" if item.category == "stove" else "OPEN"
+            outdoors = 0
+            if item.category == "front_door":
+                outdoors = catalog.hazard("front_door_open").evidence_outdoors
+                assert outdoors > 0
             for changed in home.context.shows.set_to(item.id, state):
                 parts = state_parts(
                     library.info(item.asset), state, changed.variant, changed.joints
                 )
                 scene = home.scene(0, {**items, item.id: changed})
                 with RayWorld(library, scene, client.still) as world:
-                    marked = [Marked(item.id, parts)]
+                    marked = [Marked(item.id, parts, outdoors=outdoors)]
                     assert shows(library, scene, world.cast, home.views, marked).any()
                 tried += 1
     assert tried

@@ -8,8 +8,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
-from sdgen.scene import Anomaly, ViewVisibility, VisibleObject
-from sdgen.truth.visibility import all_visible, evidence_pixels_needed, measure_masks, shows
+from sdgen.cameras.pinhole import intrinsics, matrix4
+from sdgen.geometry import look_at
+from sdgen.scene import Anomaly, Camera, Opening, ViewVisibility, VisibleObject
+from sdgen.truth.visibility import (
+    all_visible,
+    evidence_pixels_needed,
+    measure_masks,
+    outdoors_seen,
+    shows,
+    visibility_of,
+)
 from sdgen.vocabulary import REFERENCE_SIZE
 
 from tests import toy
@@ -92,6 +101,88 @@ def anomaly(object_id: int, parts: tuple[str, ...] = ("body",), needed: int = 10
         "evidence_pixels_needed": needed,
     }
     return of.model_copy(update=changes)
+
+
+DOORWAY = Opening(
+    object_id=42,
+    kind="front_door",
+    room_ids=(100,),
+    center_m=(1.0, 4.0, 0.0),
+    along="x",
+    width_m=1.0,
+    height_m=2.0,
+)
+
+
+def looking_north(eye: tuple[float, float, float], size: tuple[int, int] = (640, 480)) -> Camera:
+    pose = look_at(eye, (eye[0], eye[1] + 1.0, eye[2]))
+    return (
+        toy.bundle(0)
+        .cameras[0]
+        .model_copy(
+            update={
+                "width": size[0],
+                "height": size[1],
+                "K": intrinsics(*size),
+                "world_from_camera": matrix4(pose),
+            }
+        )
+    )
+
+
+def test_outdoors_counts_what_is_nothing_within_the_opening_alone() -> None:
+    """A doorway of 1 m by 2 m, 4 m away, seen square on, with half of it shut by a leaf."""
+    camera = looking_north((1.0, 0.0, 1.0))
+    focal = camera.K[0][0]
+    nothing = np.zeros((480, 640), dtype=np.uint16)
+    seen = outdoors_seen(nothing, camera, [DOORWAY])
+    assert seen == {42: pytest.approx(focal / 4 * focal / 2, rel=0.02)}
+    half = nothing.copy()
+    half[:, :320] = 42
+    assert outdoors_seen(half, camera, [DOORWAY])[42] == pytest.approx(seen[42] / 2, rel=0.02)
+    # A pixel of nothing beside the doorway is a window's, and one behind the camera nobody's.
+    half[:, 320:420] = 42
+    assert (half == 0).any()
+    assert outdoors_seen(half, camera, [DOORWAY]) == {}
+    assert outdoors_seen(nothing, looking_north((1.0, 5.0, 1.0)), [DOORWAY]) == {}
+
+
+def test_outdoors_are_only_seen_through_openings_of_outer_walls() -> None:
+    made = toy.bundle(0)
+    frame = toy.frame(made, 0)
+    gone = replace(frame, instance=np.zeros_like(frame.instance))
+    inner = made.scene.home.openings[0]
+    outer = inner.model_copy(update={"room_ids": inner.room_ids[:1]})
+
+    def seen(opening: Opening) -> dict[int, int] | None:
+        home = made.scene.home.model_copy(update={"openings": (opening,)})
+        scene = made.scene.model_copy(update={"home": home})
+        size = frame.instance.shape[::-1]
+        return visibility_of(scene, (), [gone], *size).views[0].outdoors
+
+    assert seen(inner) == {}
+    assert list(seen(outer) or ()) == [inner.object_id]
+
+
+@pytest.mark.parametrize(
+    ("leaf", "outdoors", "size", "shown"),
+    [
+        (900, {1: 499}, (640, 480), False),
+        (900, {1: 500}, (640, 480), True),
+        (99, {1: 500}, (640, 480), False),
+        (900, {1: 125}, (320, 240), True),
+        (900, {1: 124}, (320, 240), False),
+        # Through another door, and of a data set that does not tell.
+        (900, {2: 900}, (640, 480), False),
+        (900, None, (640, 480), False),
+    ],
+)
+def test_an_open_door_shows_by_what_is_seen_through_it(
+    leaf: int, outdoors: dict[int, int] | None, size: tuple[int, int], shown: bool
+) -> None:
+    door = anomaly(1).model_copy(update={"evidence_outdoors_needed": 500})
+    seen = view({"body": leaf}).model_copy(update={"outdoors": outdoors})
+    assert shows(seen, door, *size) is shown
 
 
 def view(*parts: dict[str, int]) -> ViewVisibility:

@@ -202,6 +202,7 @@ EDITS: list[tuple[str, Edit, str, str]] = [
     ("visibility.json", _put("views.0.objects.0", "-"), "view", "objects.11: nothing stored"),
     ("visibility.json", _put("views.0.objects.0.fraction", 1.5), "view", "fraction 1.5"),
     ("visibility.json", _put("views.1", "-"), "view", "not one entry a view"),
+    ("visibility.json", _put("views.0.outdoors.42", 9), "view", "views[0].outdoors.42: 9 stored"),
     ("visibility.json", _put("anomalies.0.evidence_pixels.0", 9), "view", "evidence_pixels[0]"),
     ("visibility.json", _put("evidence_pixels_needed", 1), "view", "evidence_pixels_needed"),
     ("visibility.json", _put("all_visible", False), "view", "all_visible"),

@@ -9,7 +9,8 @@ from itertools import combinations
 import numpy as np
 
 from sdgen.cameras.cover import CANONICAL, near_count
-from sdgen.cameras.framing import Bools, glance_pixels
+from sdgen.cameras.framing import RAYS_SHARE, Bools, glance_pixels
+from sdgen.cameras.outdoors import looks_out, outer_opening
 from sdgen.cameras.parts import part_area, part_numbers, part_points
 from sdgen.cameras.sight import Cast, estimate_pixels, rectangle_pixels
 from sdgen.cameras.view import View
@@ -27,11 +28,13 @@ _ROUGH_GRID, _SURELY = 6, (0.3, 2.0)
 @dataclass(frozen=True)
 class Marked:
     """An anomaly or a near miss: its object, the parts that show it (empty = all), and how many
-    pixels of these do at the reference size."""
+    pixels of these, and of the outdoors through the opening that it fills, do at the reference
+    size."""
 
     object_id: int
     parts: tuple[str, ...] = ()
     pixels: int = EVIDENCE_PIXELS
+    outdoors: int = 0
 
 
 def shows(
@@ -48,6 +51,12 @@ def shows(
             needed = share * glance_pixels(part_area(library, item, parts))
             out[among, k] = _enough(
                 library, item, cast, [poses[view] for view in among], parts, needed
+            )
+        if one.outdoors:
+            among = np.flatnonzero(out[:, k])
+            opening = outer_opening(scene.home, item.id)
+            out[among, k] = looks_out(
+                cast, [poses[view] for view in among], opening, RAYS_SHARE * one.outdoors
             )
     return out
 

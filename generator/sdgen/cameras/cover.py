@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sdgen.cameras.framing import Bools, framed, glance_pixels
+from sdgen.cameras.framing import RAYS_SHARE, Bools, framed, glance_pixels
+from sdgen.cameras.outdoors import ROUGH, looks_out
 from sdgen.cameras.parts import part_area, part_numbers, part_points
 from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, Ints, estimate_pixels
 from sdgen.cameras.spots import SetTo
@@ -22,6 +23,8 @@ _MARGIN_PIXELS = 16
 #: Rays along a side of what is set to a state: few choose, many count in the end. It must show so
 #: many times what a glance needs, since other things will stand before it, and from no further.
 _GRID, _STATE_TIMES, _FAR_M = 5, 2.5, 5.0
+#: And of the outdoors so many times what rays must promise: little stands before a doorway.
+_OUTDOORS_TIMES = 1.5
 #: About so many points of a part tell whether something stands before it.
 _AT_REST = 16
 #: A ray that ends so near to a point has met what the point stands at, or nothing.
@@ -69,7 +72,11 @@ def states_shown(
         # One lucky ray of so few may stand for all that is needed.
         near = near[pixels >= needed]
         pixels = estimate_pixels(cast, list(poses[near]), points, one.item.id, numbers)
-        out[near, k] = pixels >= needed
+        near = near[pixels >= needed]
+        if one.outdoors:
+            outdoors = _OUTDOORS_TIMES * RAYS_SHARE * one.outdoors
+            near = near[looks_out(cast, list(poses[near]), one.opening, outdoors, ROUGH)]
+        out[near, k] = True
     return out
 
 

@@ -17,7 +17,8 @@ Bools = npt.NDArray[np.bool_]
 
 #: A view shows a thing when rays promise half as much again as is needed at the reference size:
 #: rays are few and pictures exact.
-PIXELS_NEEDED = 1.5 * EVIDENCE_PIXELS
+RAYS_SHARE = 1.5
+PIXELS_NEEDED = RAYS_SHARE * EVIDENCE_PIXELS
 #: Surface of a small thing, a mug or a bowl; larger ones must show more pixels.
 SMALL_M2 = 0.04
 #: Enough to tell a wardrobe: 45 x 45 pixels. More would refuse most views of it.

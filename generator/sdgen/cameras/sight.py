@@ -59,29 +59,36 @@ def pixel_rays(world_from_camera: Array, pixels: Array, reach_m: float) -> tuple
 
 
 def target_rays(
-    world_from_camera: Array, points_m: Array, grid: int = GRID
+    world_from_camera: Array,
+    points_m: Array,
+    grid: tuple[int, int] = (GRID, GRID),
+    beyond_m: float = _BEYOND_M,
 ) -> tuple[Array, Array, Array]:
-    """Rays over each picture's rectangle around ``points_m``, grid² a camera, for (N, 4, 4) poses.
+    """Rays over each picture's rectangle around ``points_m``, a ``grid`` (across, down) of them a
+    camera, for (N, 4, 4) poses.
 
     Origins and targets, (M, 3), and the pixels that each ray of a camera stands for, (N,); cameras
     whose picture the points are not in have no rays, and 0.
     """
     eyes, turns = world_from_camera[:, :3, 3], world_from_camera[:, :3, :3]
+    across, down = grid
     (left, right, top, bottom), depth = _rectangles(world_from_camera, points_m)
     shown = (right > left) & (bottom > top)
-    pixels = np.where(shown, (right - left) * (bottom - top), 0.0) / grid**2
+    pixels = np.where(shown, (right - left) * (bottom - top), 0.0) / (across * down)
     left, right, top, bottom = (side[shown, None, None] for side in (left, right, top, bottom))
-    reach = depth[shown, None, None] + _BEYOND_M
+    reach = depth[shown, None, None] + beyond_m
     k = np.asarray(intrinsics(WIDTH, HEIGHT))
-    steps = (np.arange(grid) + 0.5) / grid
-    local = np.empty((len(reach), grid, grid, 3))
+    steps = (np.arange(across) + 0.5) / across
+    steps_down = (np.arange(down)[:, None] + 0.5) / down
+    local = np.empty((len(reach), down, across, 3))
     local[..., 0] = (left + steps * (right - left) - k[0, 2]) / k[0, 0] * reach
-    local[..., 1] = (top + steps[:, None] * (bottom - top) - k[1, 2]) / k[1, 1] * reach
+    local[..., 1] = (top + steps_down * (bottom - top) - k[1, 2]) / k[1, 1] * reach
     local[..., 2] = reach
     ends = (
-        local.reshape(len(reach), grid**2, 3) @ turns[shown].transpose(0, 2, 1) + eyes[shown, None]
+        local.reshape(len(reach), across * down, 3) @ turns[shown].transpose(0, 2, 1)
+        + eyes[shown, None]
     )
-    return np.repeat(eyes[shown], grid**2, axis=0), ends.reshape(-1, 3), pixels
+    return np.repeat(eyes[shown], across * down, axis=0), ends.reshape(-1, 3), pixels
 
 
 def rectangle_pixels(world_from_camera: Sequence[Array], points_m: Array) -> Array:
@@ -123,7 +130,9 @@ def estimate_pixels(
 
     ``points_m`` are the parts' vertices. All rays go in one cast.
     """
-    origins, targets, pixels = target_rays(np.asarray(poses).reshape(-1, 4, 4), points_m, grid)
+    origins, targets, pixels = target_rays(
+        np.asarray(poses).reshape(-1, 4, 4), points_m, (grid, grid)
+    )
     if len(origins) == 0:
         return pixels
     hits = cast(origins, targets)

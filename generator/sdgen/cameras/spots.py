@@ -17,12 +17,13 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import in_state
+from sdgen.cameras.outdoors import outer_opening
 from sdgen.catalog.records import PlaceRecipe, Recipe, SetRecipe
 from sdgen.geometry import Array
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout, room_to_change
 from sdgen.library.states import state_parts
-from sdgen.scene import ObjectInstance, Room
+from sdgen.scene import ObjectInstance, Opening, Room
 from sdgen.seeding import Rng
 from sdgen.vocabulary import FLAT_M, OVERHEAD_M
 
@@ -65,11 +66,14 @@ class Wanted:
 
 @dataclass(frozen=True)
 class SetTo:
-    """An object of the home as it is once it is set to a state, and the parts that show that."""
+    """An object of the home as it is once it is set to a state, the parts that show that, and how
+    many pixels of the outdoors, at the reference size, through the ``opening`` that it fills."""
 
     item: ObjectInstance
     state: str
     parts: tuple[str, ...]
+    outdoors: int = 0
+    opening: Opening | None = None
 
 
 @dataclass(frozen=True)
@@ -111,6 +115,7 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     )
     expected = defaultdict(float, _everyday(context, layout))
     were_set: defaultdict[tuple[int, str], float] = defaultdict(float)
+    outdoors: defaultdict[tuple[int, str], int] = defaultdict(int)
     high: list[list[Recipe]] = []
     for hazard in context.catalog.hazards:
         high.append([one for one in hazard.lookalikes if _is_high(one)])
@@ -122,6 +127,8 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
                 expected[wanted] += worth * weight / total
             for key, weight in could_set.items():
                 were_set[key] += _STATES * worth * weight / total
+                if recipes is hazard.anomalies:
+                    outdoors[key] = max(outdoors[key], hazard.evidence_outdoors)
     placed = np.zeros(len(surfaces.points_m))
     for wanted, weight in expected.items():
         placed += weight * surfaces.share(wanted)
@@ -129,7 +136,7 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     rank = dict(zip(pieces, rng.permutation(len(pieces)).tolist(), strict=True))
     for recipes in high:
         placed += _HIGH * surfaces.few_of(recipes, _possible(recipes, context, layout)[0], rank)
-    ways = {key: list(_ways(context, layout, *key, rng)) for key in sorted(were_set)}
+    ways = {key: list(_ways(context, layout, *key, outdoors[key], rng)) for key in sorted(were_set)}
     likely = placed > 0
     weights = np.array(
         [
@@ -351,11 +358,12 @@ def _standing(layout: Layout) -> Iterator[BaseGeometry]:
 
 
 def _ways(
-    context: HomeContext, layout: Layout, object_id: int, state: str, rng: Rng
+    context: HomeContext, layout: Layout, object_id: int, state: str, outdoors: int, rng: Rng
 ) -> Iterator[SetTo]:
     """The object in a state, with room for it, by this leaf or that; nothing when a few draws find
     no room."""
     item, info = layout.items[object_id], layout.info(object_id)
+    opening = outer_opening(context.home, object_id)
     found: set[tuple[str, ...]] = set()
     for _ in range(_DRAWS):
         changed = item if state in item.states else in_state(item, info, state, rng)
@@ -364,4 +372,4 @@ def _ways(
         parts = state_parts(info, state, changed.variant, changed.joints)
         if parts not in found and room_to_change(layout, context.home, item, changed):
             found.add(parts)
-            yield SetTo(changed, state, parts)
+            yield SetTo(changed, state, parts, outdoors, opening)

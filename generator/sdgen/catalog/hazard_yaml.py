@@ -38,7 +38,7 @@ from sdgen.catalog.words import (
 )
 from sdgen.scene import Record
 from sdgen.strict import Expect, problem, refuse
-from sdgen.vocabulary import EVIDENCE_PIXELS, HOLDING, HoldingRelation, Urgency
+from sdgen.vocabulary import EVIDENCE_PIXELS, HOLDING, OPENINGS, HoldingRelation, Urgency
 
 #: The label each group carries, and its order in listings.
 LABELS: dict[Group, Label] = {
@@ -148,6 +148,7 @@ class HazardYaml(Record):
     evidence_state: State | None = None
     evidence_parts: PartNames = ()
     evidence_pixels: Annotated[int, between(1, 1000)] = EVIDENCE_PIXELS
+    evidence_outdoors: Annotated[int, between(0, 10_000)] = 0
     anomalies: Annotated[tuple[RecipeYaml, ...], Field(min_length=1), Expect("at least one recipe")]
     lookalikes: tuple[RecipeYaml, ...] = ()
     remedy: Annotated[tuple[RemedyYaml, ...], Field(min_length=1), Expect("at least one step")]
@@ -181,6 +182,14 @@ class HazardYaml(Record):
         ):
             text = f"of the whole thing {EVIDENCE_PIXELS} are needed: name its parts, too"
             yield problem(("evidence_pixels",), f"{text} (evidence_state or evidence_parts)")
+        fills = all(
+            isinstance(recipe, SetYaml) and set(recipe.set) <= {*OPENINGS}
+            for recipe in self.anomalies
+        )
+        if self.evidence_outdoors and not fills:
+            names = ", ".join(sorted(OPENINGS))
+            text = f"only through openings: every anomaly must be a 'set' of some of {names}"
+            yield problem(("evidence_outdoors",), text)
 
     def _placed(self) -> set[str]:
         """What its anomalies put there. None of it may also be set: the twin takes away the one

@@ -116,7 +116,9 @@ class Hazard(Record):
     """One class of the catalogue. ``never_silent``: no household may choose not to hear of it.
 
     A view shows it with ``evidence_pixels`` (at the reference size) of the parts that show its
-    state, or that are named so, and with ``EVIDENCE_PIXELS`` of the whole object.
+    state, or that are named so, and with ``EVIDENCE_PIXELS`` of the whole object; where
+    ``evidence_outdoors`` is above 0, with so many of what lies outdoors, seen through the opening
+    that the object fills, too.
     """
 
     id: str
@@ -134,6 +136,7 @@ class Hazard(Record):
     evidence_state: str | None = None
     evidence_parts: tuple[str, ...] = ()
     evidence_pixels: int = EVIDENCE_PIXELS
+    evidence_outdoors: int = 0
     anomalies: tuple[Recipe, ...]
     lookalikes: tuple[Recipe, ...] = ()
     remedy: tuple[RemedyRule, ...]

@@ -57,6 +57,7 @@ def anomaly_records(
                 evidence=evidence,
                 evidence_parts=parts,
                 evidence_pixels_needed=EVIDENCE_PIXELS if whole else hazard.evidence_pixels,
+                evidence_outdoors_needed=hazard.evidence_outdoors,
                 report=report,
                 notify=notify,
                 reason=reason,

@@ -125,7 +125,13 @@ def looked_at(
     """
     library, canonical = home.layout.library, home.views[:CANONICAL]
     marked = [
-        Marked(one.object_id, one.evidence_parts, one.evidence_pixels_needed) for one in anomalies
+        Marked(
+            one.object_id,
+            one.evidence_parts,
+            one.evidence_pixels_needed,
+            one.evidence_outdoors_needed,
+        )
+        for one in anomalies
     ]
     marked += [Marked(one.object_id) for one in lookalikes]
     with RayWorld(library, scene, client.still) as world:

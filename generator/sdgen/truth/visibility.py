@@ -8,10 +8,13 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.cameras.outdoors import outer_openings, passes
 from sdgen.scene import (
     Anomaly,
     AnomalyVisibility,
+    Camera,
     Frame,
+    Opening,
     Scene,
     ViewVisibility,
     Visibility,
@@ -79,8 +82,28 @@ def measure_masks(
     return out
 
 
-def view_visibility(frame: Frame, parts_of: Mapping[int, Sequence[str]]) -> ViewVisibility:
-    """The objects (structures left out) one frame shows, sorted by id."""
+def outdoors_seen(
+    instance: npt.NDArray[np.uint16], camera: Camera, openings: Sequence[Opening]
+) -> dict[int, int]:
+    """Pixels of nothing in a mask (H, W) that are seen through each of the openings, by the id of
+    what fills it; those with any."""
+    rows, columns = np.nonzero(instance == 0)
+    if len(rows) == 0:
+        return {}
+    k, pose = np.asarray(camera.K), np.asarray(camera.world_from_camera)
+    local = np.ones((len(rows), 3))
+    local[:, 0] = (columns - k[0, 2]) / k[0, 0]
+    local[:, 1] = (rows - k[1, 2]) / k[1, 1]
+    directions = local @ pose[:3, :3].T
+    counts = {o.object_id: int(passes(o, pose[:3, 3], directions).sum()) for o in openings}
+    return {key: counts[key] for key in sorted(counts) if counts[key]}
+
+
+def view_visibility(
+    frame: Frame, parts_of: Mapping[int, Sequence[str]], openings: Sequence[Opening] = ()
+) -> ViewVisibility:
+    """The objects (structures left out) one frame shows, sorted by id, and what it shows of the
+    outdoors through these openings."""
     objects = []
     for node_id, (box, pixels, parts) in measure_masks(
         frame.instance, frame.part, parts_of
@@ -97,7 +120,11 @@ def view_visibility(frame: Frame, parts_of: Mapping[int, Sequence[str]]) -> View
                 parts=parts,
             )
         )
-    return ViewVisibility(view=frame.camera.index, objects=tuple(objects))
+    return ViewVisibility(
+        view=frame.camera.index,
+        objects=tuple(objects),
+        outdoors=outdoors_seen(frame.instance, frame.camera, openings),
+    )
 
 
 def evidence_pixels(view: ViewVisibility, anomaly: Anomaly) -> int:
@@ -113,6 +140,9 @@ def evidence_pixels(view: ViewVisibility, anomaly: Anomaly) -> int:
 def shows(view: ViewVisibility, anomaly: Anomaly, width: int, height: int) -> bool:
     """True when a view shows what makes an anomaly one, and enough of the object beside."""
     needed = evidence_pixels_needed(width, height, anomaly.evidence_pixels_needed)
+    outdoors = evidence_pixels_needed(width, height, anomaly.evidence_outdoors_needed)
+    if (view.outdoors or {}).get(anomaly.object_id, 0) < outdoors:
+        return False
     whole = sum(item.pixels for item in view.objects if item.object_id == anomaly.object_id)
     return evidence_pixels(view, anomaly) >= needed and whole >= evidence_pixels_needed(
         width, height
@@ -135,7 +165,8 @@ def visibility_of(
 ) -> Visibility:
     """``visibility.json`` of a scene from its frames (consumed one at a time, kept by nobody)."""
     parts_of = part_names(scene)
-    views = tuple(view_visibility(frame, parts_of) for frame in frames)
+    openings = outer_openings(scene.home)
+    views = tuple(view_visibility(frame, parts_of, openings) for frame in frames)
     return assemble(views, anomalies, width, height)
 
 

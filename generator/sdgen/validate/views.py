@@ -8,6 +8,7 @@ from itertools import islice
 
 import numpy as np
 
+from sdgen.cameras.outdoors import outer_openings
 from sdgen.cameras.pinhole import FOV_X_RAD, intrinsics
 from sdgen.dataset import Dataset
 from sdgen.dataset.reader import SceneItem
@@ -15,7 +16,7 @@ from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import InputError
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Camera, Home, ViewVisibility
-from sdgen.truth.visibility import assemble, measure_masks, part_names
+from sdgen.truth.visibility import assemble, measure_masks, outdoors_seen, part_names
 from sdgen.validate.colours import Ids, Rgb, follows_mask
 from sdgen.validate.labels import known_ids
 from sdgen.validate.problems import SHOWN, Problem, differences
@@ -127,6 +128,13 @@ def _masks(item: SceneItem, view: ViewVisibility, ids: Ids) -> Iterator[Problem]
     path = f"views[{view.view}].objects"
     for text in islice(differences(stored, derived, path), SHOWN):
         yield Problem("view", f"{item.where('visibility.json')}: {text}")
+    if view.outdoors is not None:
+        openings = outer_openings(item.scene.home)
+        outdoors = outdoors_seen(ids, item.cameras[view.view], openings)
+        path = f"views[{view.view}].outdoors"
+        for text in islice(differences(view.outdoors, outdoors, path), SHOWN):
+            yield Problem("view", f"{item.where('visibility.json')}: {text}")
+    path = f"views[{view.view}].objects"
     listed = [thing.object_id for thing in view.objects]
     if listed != sorted(set(listed)):
         yield Problem("view", f"{item.where('visibility.json')}: {path}: not sorted by id")

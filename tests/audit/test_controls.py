@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.audit import pictures
 from tests.audit.checks import (
     BEYOND_REACH,
     CHECKS,
@@ -392,6 +393,53 @@ def test_a_candle_of_which_views_show_the_wax_alone_is_found(sample: Scene, alig
     told = CHECKS["pictures: masks and visibility"](draft.scene)
     found = [f for f in told if f.object_id == planted and "not shown" in f.what]
     assert bool(found) is not alight
+
+
+@pytest.mark.parametrize("leaf_is_enough", [True, False])
+def test_a_front_door_of_which_views_show_the_shut_leaf_alone_is_found(
+    leaf_is_enough: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its pixels would do, were it not for the outdoors."""
+    if leaf_is_enough:
+        monkeypatch.setattr(pictures, "SEEN_THROUGH", {})
+    for scene in DataSet(ROOT / "output" / "sample").scenes():
+        draft = Draft(scene)
+        door = draft.any("front_door")
+        seen = [o for view in scene.visibility["views"] for o in view["objects"]]
+        if max((o["pixels"] for o in seen if o["object_id"] == door.id), default=0) < 1000:
+            continue
+        draft.files["visibility"]["all_visible"] = True
+        draft.label(door.id, "front_door_open", evidence_parts=door.json["parts"])
+        told = CHECKS["pictures: masks and visibility"](draft.scene)
+        found = [f for f in told if f.object_id == door.id and "not shown" in f.what]
+        assert bool(found) is not leaf_is_enough
+        return
+    pytest.fail("no scene of the sample shows its front door")
+
+
+def test_the_outdoors_are_counted_within_the_doorway(sample: Scene) -> None:
+    """A doorway of 1 m by 2.1 m, seen square on from 3 m, in a picture of nothing and of half."""
+    gap = next(o for o in sample.scene["home"]["openings"] if o["kind"] == "front_door")
+    across = np.array([1.0, 0, 0] if gap["along"] == "x" else [0, 1.0, 0])
+    into = np.cross(across, [0, 0, 1.0])
+    pose = np.eye(4)
+    pose[:3, :3] = np.column_stack([across, [0, 0, -1], into])
+    pose[:3, 3] = np.array(gap["center_m"]) - 3 * into + [0, 0, 1.0]
+    focal = 450.0
+    view = {
+        "world_from_camera": pose.tolist(),
+        "K": [[focal, 0, 319.5], [0, focal, 239.5], [0, 0, 1]],
+    }
+    pose[:3, :3] = pose[:3, :3] @ np.diag([-1, 1, -1])
+    away = view | {"world_from_camera": pose.tolist()}
+    ids = np.zeros((480, 640), dtype=np.int64)
+    whole = pictures.outdoors(sample, gap["object_id"], view, ids)
+    top = min(gap["height_m"] - 1.0, 1.6)
+    assert whole == pytest.approx(gap["width_m"] * (1.0 + top) * (focal / 3) ** 2, rel=0.03)
+    ids[:, :320] = gap["object_id"]
+    half = pictures.outdoors(sample, gap["object_id"], view, ids)
+    assert half == pytest.approx(whole / 2, rel=0.03)
+    assert pictures.outdoors(sample, gap["object_id"], away, ids) == 0
 
 
 @pytest.mark.parametrize("name", HARMLESS)

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from sdgen.catalog.load import load_catalog
 from sdgen.cameras.outdoors import outer_openings
+from sdgen.catalog.load import load_catalog
 from sdgen.facts import Facts, unheld
 from sdgen.hazards.certify import certify, facts_of
 from sdgen.hazards.twin import undone

@@ -22,11 +22,12 @@ SEEN_THROUGH = {"front_door_open": 500}
 PROMISED_VIEWS = 8
 
 
-def telling(label: Json, names: list[str]) -> tuple[list[str], int]:
-    """The drawn parts that show a label, and how many of their pixels at 640 x 480 do."""
-    parts, least = SHOWN_BY.get(label["hazard"], (set(), 0))
+def telling(mark: Json, names: list[str]) -> tuple[list[str], int]:
+    """The drawn parts that show a label or a near miss, and how many of their pixels at 640 x 480
+    do."""
+    parts, least = SHOWN_BY.get(mark.get("hazard") or mark["near_miss_of"], (set(), 0))
     here = [name for name in names if name in parts]
-    return (here, least) if here else (label["evidence_parts"], NEEDED_AT_VGA)
+    return (here, least) if here else (mark.get("evidence_parts", names), NEEDED_AT_VGA)
 
 
 def outdoors(scene: Scene, id: int, view: Json, ids: npt.NDArray[np.int64]) -> int:
@@ -49,10 +50,10 @@ def outdoors(scene: Scene, id: int, view: Json, ids: npt.NDArray[np.int64]) -> i
 
 
 def visibility(scene: Scene) -> Iterator[Finding]:
-    """Boxes and pixels of every object in every view, and the pixels that show each label."""
-    evidence: dict[str, list[tuple[int, int, int]]] = {
-        a["id"]: [] for a in scene.labels["anomalies"]
-    }
+    """Boxes and pixels of every object in every view, and the pixels that show each label and
+    each near miss."""
+    marks = [*scene.labels["anomalies"], *scene.labels["lookalikes"]]
+    evidence: list[list[tuple[int, int, int]]] = [[] for _ in marks]
     told = {view["view"]: view["objects"] for view in scene.visibility["views"]}
     through = {view["view"]: view.get("outdoors") for view in scene.visibility["views"]}
     size = 640 * 480
@@ -81,30 +82,33 @@ def visibility(scene: Scene) -> Iterator[Finding]:
         for id in set(pixels) & scene.things.keys() - listed:
             yield scene.found(scene.things[id], f"view {number}: seen and not listed", pixels[id])
         count_of = dict(zip(pairs.tolist(), counts.tolist(), strict=True))
-        for label in scene.labels["anomalies"]:
-            id = label["object_id"]
+        for mark, seen in zip(marks, evidence, strict=True):
+            id = mark["object_id"]
             names = scene.things[id].json["parts"]
-            wanted, _ = telling(label, names)
+            wanted, _ = telling(mark, names)
             of_parts = sum(count_of.get(id * 256 + names.index(part) + 1, 0) for part in wanted)
-            least_outdoors = SEEN_THROUGH.get(label["hazard"])
-            seen = 0
+            # Near misses of an open front door are other leaves.
+            least_outdoors = SEEN_THROUGH.get(mark.get("hazard", ""))
+            beyond = 0
             if least_outdoors is not None:
-                seen = outdoors(scene, id, json.loads(file.read_text("utf-8")), ids)
+                beyond = outdoors(scene, id, json.loads(file.read_text("utf-8")), ids)
                 # Older data sets do not tell.
                 counts = through.get(number)
-                written = seen if counts is None else counts.get(str(id), 0)
-                if abs(seen - written) > 2:
+                written = beyond if counts is None else counts.get(str(id), 0)
+                if abs(beyond - written) > 2:
                     what = f"view {number}: {written} pixels of outdoors told"
-                    yield scene.found(scene.things[id], what, seen)
-            evidence[label["id"]].append((of_parts, pixels.get(id, 0), seen))
+                    yield scene.found(scene.things[id], what, beyond)
+            seen.append((of_parts, pixels.get(id, 0), beyond))
     share = size / (640 * 480)
-    for label in scene.labels["anomalies"]:
-        _, least = telling(label, scene.things[label["object_id"]].json["parts"])
-        large = [seen for seen in evidence[label["id"]] if seen[1] >= NEEDED_AT_VGA * share]
-        least_outdoors = SEEN_THROUGH.get(label["hazard"], 0) * share
-        open_wide = [seen for seen in large if seen[2] >= least_outdoors]
-        shown = max((of_parts for of_parts, _, _ in open_wide), default=0)
-        # With fewer views than the promise is made for, the file says so.
-        promised = scene.visibility["all_visible"] or len(scene.view_files) >= PROMISED_VIEWS
+    for mark, seen in zip(marks, evidence, strict=True):
+        thing = scene.things[mark["object_id"]]
+        _, least = telling(mark, thing.json["parts"])
+        least_outdoors = SEEN_THROUGH.get(mark.get("hazard", ""), 0) * share
+        large = [one for one in seen if one[1] >= NEEDED_AT_VGA * share]
+        shown = max((one[0] for one in large if one[2] >= least_outdoors), default=0)
+        # With fewer views than the promise is made for, the file says so of labels.
+        promised = len(scene.view_files) >= PROMISED_VIEWS
+        promised |= "hazard" in mark and scene.visibility["all_visible"]
         if shown < least * share and promised:
-            yield scene.found(scene.things[label["object_id"]], "label not shown", shown)
+            what = "label not shown" if "hazard" in mark else "near miss not shown"
+            yield scene.found(thing, what, shown)

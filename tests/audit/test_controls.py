@@ -442,6 +442,20 @@ def test_the_outdoors_are_counted_within_the_doorway(sample: Scene) -> None:
     assert pictures.outdoors(sample, gap["object_id"], away, ids) == 0
 
 
+def test_a_near_miss_of_which_views_show_the_handle_alone_is_found(
+    sample: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pictures, "PROMISED_VIEWS", 1)
+    draft = Draft(sample)
+    planted = labelled_candle(draft, alight=False)
+    draft.object(planted)["parts"][-1] = "blade"
+    draft.files["labels"]["anomalies"] = []
+    near_miss = {"object_id": planted, "near_miss_of": "sharp_object", "evidence": {}}
+    draft.files["labels"]["lookalikes"] = [near_miss]
+    told = [str(f) for f in CHECKS["pictures: masks and visibility"](draft.scene)]
+    assert [one for one in told if "near miss not shown" in one]
+
+
 @pytest.mark.parametrize("name", HARMLESS)
 def test_what_is_right_is_not_found(name: str, sample: Scene) -> None:
     draft = Draft(sample)

@@ -12,7 +12,7 @@ from sdgen.library.states import state_parts
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.physics.rays import RayWorld
-from sdgen.pipeline import make_scene
+from sdgen.pipeline import make_scene, overlook
 from sdgen.pipeline.overlook import out_of_view, overlooked
 from sdgen.pipeline.scene import furnish_for
 from sdgen.pipeline.spec import draw_spec
@@ -90,6 +90,27 @@ def test_a_hazard_that_no_view_can_show_is_not_tried_for(furnished):
     assert out_of_view(home, ("spill", "sharp_object")) is None
     object.__setattr__(home.context, "shows", furnished.context.shows)
     assert out_of_view(home, ("spill", "front_door_open")) is None
+
+
+def test_near_misses_are_marked_by_what_would_show_the_hazard(catalog, library, monkeypatch):
+    """A knife on a shelf whose handle alone shows is a near miss no more than it would be a hazard
+    on a table."""
+    asked = {}
+
+    def record(library, scene, cast, views, marked):
+        items = {item.id: item for item in scene.objects}
+        asked.update({(one.object_id, items[one.object_id].parts): one for one in marked})
+        return shows(library, scene, cast, views, marked)
+
+    monkeypatch.setattr(overlook, "shows", record)
+    made = make_scene(15, catalog, library, OPTIONS)
+    near = {one.object_id for one in made.anomalies.lookalikes if "sharp" in one.near_miss_of}
+    bladed = {one.object_id: one for (_, parts), one in asked.items() if "blade" in parts}
+    sharp = catalog.hazard("sharp_object")
+    assert near & set(bladed)
+    assert {(bladed[key].parts, bladed[key].pixels) for key in near & set(bladed)} == {
+        (("blade",), sharp.evidence_pixels)
+    }
 
 
 @pytest.mark.parametrize("index", [1, 5])

@@ -15,8 +15,16 @@ from sdgen.scene import Anomaly, Household, Lookalike, Remedy
 from sdgen.vocabulary import EVIDENCE_PIXELS
 
 
-def evidence_parts(facts: Facts, hazard: Hazard, object_id: int) -> tuple[str, ...]:
-    """Drawn parts that show the anomaly: those of the hazard's state or of its names, else all."""
+def evidence_of(facts: Facts, hazard: Hazard, object_id: int) -> tuple[tuple[str, ...], int]:
+    """Drawn parts that show an object to be an anomaly or a near miss, and how many of their pixels
+    do at the reference size: the parts of the hazard's state or of its names, else all."""
+    item = facts.bodies[object_id].item
+    parts = _evidence_parts(facts, hazard, object_id)
+    whole = set(parts) >= set(item.parts)
+    return parts, EVIDENCE_PIXELS if whole else hazard.evidence_pixels
+
+
+def _evidence_parts(facts: Facts, hazard: Hazard, object_id: int) -> tuple[str, ...]:
     body = facts.bodies[object_id]
     item = body.item
     if hazard.evidence_state is not None and hazard.evidence_state in facts.states(object_id):
@@ -39,8 +47,7 @@ def anomaly_records(
         item = facts.bodies[positive.object_id].item
         relation, target = _relation(hazard, facts, item.id)
         evidence = dict(positive.verdict.evidence)
-        parts = evidence_parts(facts, hazard, item.id)
-        whole = set(parts) >= set(item.parts)
+        parts, pixels = evidence_of(facts, hazard, item.id)
         report, notify, reason = decide(hazard, evidence, household, catalog.reach)
         records.append(
             Anomaly(
@@ -56,7 +63,7 @@ def anomaly_records(
                 room_id=item.room_id,
                 evidence=evidence,
                 evidence_parts=parts,
-                evidence_pixels_needed=EVIDENCE_PIXELS if whole else hazard.evidence_pixels,
+                evidence_pixels_needed=pixels,
                 evidence_outdoors_needed=hazard.evidence_outdoors,
                 report=report,
                 notify=notify,

@@ -53,7 +53,7 @@ def finish(
     facts, scene = proved.facts, proved.facts.scene
     anomalies = anomaly_records(proved.surveyed.positives, facts, catalog, spec.household)
     looked = looked_at(
-        home, scene, anomalies, proved.lookalikes, options, client, spec.lane("cameras")
+        home, facts, anomalies, proved.lookalikes, options, client, spec.lane("cameras")
     )
     if isinstance(looked, Rejection):
         return looked

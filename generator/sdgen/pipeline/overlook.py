@@ -18,13 +18,15 @@ from sdgen.cameras.seen import Seen
 from sdgen.cameras.spots import SetTo, spots_of
 from sdgen.cameras.view import CLEARANCE_M, clear, to_cameras
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
+from sdgen.facts import Facts
+from sdgen.hazards.labels import evidence_of
 from sdgen.hazards.placing import Injected
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.physics.rays import RayWorld
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.rejection import Rejection, reject
-from sdgen.scene import Anomaly, Camera, Scene
+from sdgen.scene import Anomaly, Camera
 from sdgen.seeding import Rng
 
 #: Outlines of where cameras may stand are this exact: plain overlays stumble over slivers.
@@ -111,7 +113,7 @@ class Looked:
 
 def looked_at(
     home: FurnishedHome,
-    scene: Scene,
+    facts: Facts,
     anomalies: Sequence[Anomaly],
     lookalikes: Sequence[Injected],
     options: BuildOptions,
@@ -121,9 +123,9 @@ def looked_at(
     """The scene as the home's views show it, all in place; rejected when they miss an anomaly.
 
     A near miss that they do not show is one thing among others, as an anomaly that they do not
-    show is none.
+    show is none: of a knife both must show the blade.
     """
-    library, canonical = home.layout.library, home.views[:CANONICAL]
+    library, canonical, scene = home.layout.library, home.views[:CANONICAL], facts.scene
     marked = [
         Marked(
             one.object_id,
@@ -133,7 +135,11 @@ def looked_at(
         )
         for one in anomalies
     ]
-    marked += [Marked(one.object_id) for one in lookalikes]
+    hazards = home.context.catalog.hazard
+    marked += [
+        Marked(one.object_id, *evidence_of(facts, hazards(one.hazard), one.object_id))
+        for one in lookalikes
+    ]
     with RayWorld(library, scene, client.still) as world:
         if not clear(world.cast, canonical).all():
             return reject("views", "blocked")

@@ -1,10 +1,13 @@
 """A made scene's cameras stand where a robot can, look at places, and decide nothing but once."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from sdgen.cameras.choice import Marked, shows
 from sdgen.cameras.cover import CANONICAL
 from sdgen.cameras.seen import Seen
+from sdgen.cameras.spots import spots_of
 from sdgen.facts import room_at
 from sdgen.hazards.candidates import candidates, weighted_order
 from sdgen.hazards.placing import inject_candidate
@@ -111,6 +114,28 @@ def test_near_misses_are_marked_by_what_would_show_the_hazard(catalog, library, 
     assert {(bladed[key].parts, bladed[key].pixels) for key in near & set(bladed)} == {
         (("blade",), sharp.evidence_pixels)
     }
+
+
+def test_nothing_opens_so_far_that_a_room_cannot_be_got_to(furnished, library):
+    """Where only a leaf's own sweep is left free, it is opened less far or not at all."""
+    context, layout = furnished.context, furnished.layout
+
+    def opened(context):
+        found = spots_of(context, layout, lane()).states
+        return {
+            one.item.id
+            for one in found
+            if one.state == "OPEN" and one.item.category in ("wardrobe", "fridge")
+        }
+
+    assert opened(context)
+    for one in spots_of(context, layout, lane()).states:
+        assert not context.cuts_off(one.item, library.info(one.item.asset))
+    # As if the whole home were so narrow that nothing were left beside an open leaf.
+    tight = replace(context, free=Polygon())
+
+    assert not opened(tight)
+    assert opened(replace(context, free=None)) == opened(context)
 
 
 @pytest.mark.parametrize("index", [1, 5])

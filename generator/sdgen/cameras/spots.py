@@ -360,8 +360,8 @@ def _standing(layout: Layout) -> Iterator[BaseGeometry]:
 def _ways(
     context: HomeContext, layout: Layout, object_id: int, state: str, outdoors: int, rng: Rng
 ) -> Iterator[SetTo]:
-    """The object in a state, with room for it, by this leaf or that; nothing when a few draws find
-    no room."""
+    """The object in a state, with room for it and past it into every room, by this leaf or that;
+    nothing when a few draws find none."""
     item, info = layout.items[object_id], layout.info(object_id)
     opening = outer_opening(context.home, object_id)
     found: set[tuple[str, ...]] = set()
@@ -370,6 +370,8 @@ def _ways(
         if changed is None or len(found) == _WAYS:
             return
         parts = state_parts(info, state, changed.variant, changed.joints)
-        if parts not in found and room_to_change(layout, context.home, item, changed):
+        if parts in found or not room_to_change(layout, context.home, item, changed):
+            continue
+        if changed.joints == item.joints or not context.cuts_off(changed, info):
             found.add(parts)
             yield SetTo(changed, state, parts, outdoors, opening)

@@ -12,13 +12,15 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.records import Catalog
-from sdgen.freespace import union
+from sdgen.facts import bodies_of
+from sdgen.freespace import ROBOT_RADIUS_M, union, unreachable_rooms
 from sdgen.geometry import Array
 from sdgen.home.layout import Bulk, Vec3Yaw
 from sdgen.home.reach import Reach
-from sdgen.library.records import Asset
+from sdgen.library.records import Asset, AssetInfo
 from sdgen.scene import Home, ObjectInstance, Zone
 from sdgen.seeding import Rng
+from sdgen.zones import floor_obstacles
 
 #: Which models a scene may use (its split decides): category -> models.
 Models = Callable[[str], tuple[Asset, ...]]
@@ -74,7 +76,8 @@ class HomeContext:
     """A furnished home's shell and zones, and the catalogue and models it may be filled from.
 
     ``shows`` tells where things can be seen, ``narrow`` is the floor of gaps that people may walk
-    through: what must keep off walkways keeps off these.
+    through: what must keep off walkways keeps off these. ``free`` is where a robot's middle can be
+    (None: anywhere).
     """
 
     home: Home
@@ -84,10 +87,26 @@ class HomeContext:
     reach: Reach
     shows: Shows = field(default_factory=Everything)
     narrow: BaseGeometry = field(default_factory=Polygon)
+    free: BaseGeometry | None = None
 
     def shows_at(self, bulk: Bulk, spot: Vec3Yaw) -> bool:
         """True when what fills this can be seen at a spot."""
         return self.shows.thing(bulk.corners(spot))
+
+    def leaves_free(self, item: ObjectInstance, info: AssetInfo) -> BaseGeometry:
+        """What is left of the free floor with a piece as it is, a leaf open across a way: nothing
+        in a home where one can be anywhere."""
+        grown = [
+            shape.buffer(ROBOT_RADIUS_M, quad_segs=2)
+            for shape in floor_obstacles(bodies_of([item], {info.id: info}))
+        ]
+        return (self.free or Polygon()).difference(union(grown))
+
+    def cuts_off(self, item: ObjectInstance, info: AssetInfo) -> bool:
+        """Whether some room could not be got to any more with a piece as it is."""
+        if self.free is None:
+            return False
+        return bool(unreachable_rooms(self.home, self.leaves_free(item, info)))
 
     def keeps_to_views(self, category: str, rng: Rng) -> bool:
         """Draws whether an everyday thing is to lie where it can be seen."""

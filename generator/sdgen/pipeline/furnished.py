@@ -197,6 +197,7 @@ def furnished_home(
             theirs,
             Reach(catalog, bodies),
             narrow=narrow_floor(home, bodies, properties),
+            free=free,
         ),
         layout=layout,
         free_space=rounded_rings(free),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from sdgen.cameras.choice import Marked, shows
 from sdgen.cameras.cover import states_shown
-from sdgen.cameras.outdoors import FINE, ROUGH, looks_out, outer_opening, passes
+from sdgen.cameras.outdoors import FINE, ROUGH, Rays, looks_out, outer_opening, passes
 from sdgen.cameras.spots import SetTo
 from sdgen.cameras.view import View
 from sdgen.library import Library
@@ -55,9 +55,9 @@ def test_rays_pass_through_an_opening_within_its_sides_and_ahead(along: str) -> 
     assert passes(opening, np.repeat(eye[None], 5, axis=0), 0.1 * directions).tolist() == found
 
 
-@pytest.mark.parametrize("grid", [ROUGH, FINE])
+@pytest.mark.parametrize("rays", [ROUGH, FINE])
 def test_rays_count_the_outdoors_within_the_opening_as_pictures_would(
-    library: Library, grid: tuple[int, int]
+    library: Library, rays: Rays
 ) -> None:
     """A tower of cubes, 0.2 m wide, shuts a fifth of the doorway."""
     tower = [thing(10 + k, "cube_01", (0.3, 2.0, 0.2 * k)) for k in range(10)]
@@ -67,7 +67,7 @@ def test_rays_count_the_outdoors_within_the_opening_as_pictures_would(
     with RayWorld(library, scene) as world:
         for square_metres, seen in ((1.5, True), (1.7, False)):
             needed = square_metres * PER_M**2
-            found = looks_out(world.cast, poses, DOORWAY, needed, grid)
+            found = looks_out(world.cast, poses, DOORWAY, needed, rays)
             assert found.tolist() == [seen, False]
         assert looks_out(world.cast, poses, None, 1).tolist() == [False, False]
         assert looks_out(world.cast, [], DOORWAY, 1).tolist() == []
@@ -88,7 +88,7 @@ def test_views_are_chosen_that_look_out_where_that_tells(library: Library) -> No
     scene = doorway_with(TABLE)
     opening = outer_opening(scene.home, 10)
     set_to = SetTo(scene.object(10), "OPEN", ("top", "legs"), 0, opening)
-    states = [replace(set_to, outdoors=outdoors) for outdoors in (0, 500, 40_000)]
+    states = [replace(set_to, outdoors=outdoors) for outdoors in (0, 500, 60_000)]
     above = View("near", np.array([0.0, 0.3, 1.7]), np.array([0.0, 2.0, 0.9]))
     with RayWorld(library, scene) as world:
         assert states_shown(library, [above], states, world.cast)[0].tolist() == [True, True, False]

@@ -24,7 +24,7 @@ _MARGIN_PIXELS = 16
 #: many times what a glance needs, since other things will stand before it, and from no further.
 _GRID, _STATE_TIMES, _FAR_M = 5, 2.5, 5.0
 #: And of the outdoors so many times what rays must promise: little stands before a doorway.
-_OUTDOORS_TIMES = 1.5
+_OUTDOORS_TIMES = 1.2
 #: About so many points of a part tell whether something stands before it.
 _AT_REST = 16
 #: A ray that ends so near to a point has met what the point stands at, or nothing.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,12 +12,20 @@ from sdgen.cameras.sight import Cast, target_rays
 from sdgen.geometry import Array
 from sdgen.scene import Home, Opening
 
-#: Rays across and down an opening's rectangle, to choose views and to count in the end: a door
-#: ajar is open by a slit from top to bottom, a twentieth of it.
-ROUGH, FINE = (48, 6), (96, 12)
-#: Rays end this far behind the opening: past a leaf that opens outwards, and in most homes past a
-#: wall of their own that stands there.
-_OUTSIDE_M = 4.0
+
+class Rays(NamedTuple):
+    """How an opening's rectangle is looked through: rays across and down it, and how far behind it
+    they end, metres."""
+
+    across: int
+    down: int
+    beyond_m: float
+
+
+#: A door ajar is open by a slit from top to bottom, a twentieth of its rectangle or less: many rays
+#: across tell. To choose views, past a leaf that opens outwards will do; to count in the end, past
+#: all walls of the home.
+ROUGH, FINE = Rays(64, 3, 2.0), Rays(96, 12, 25.0)
 
 
 def outer_openings(home: Home) -> tuple[Opening, ...]:
@@ -47,18 +56,18 @@ def looks_out(
     poses: Sequence[Array],
     opening: Opening | None,
     pixels: float,
-    grid: tuple[int, int] = FINE,
+    rays: Rays = FINE,
 ) -> Bools:
     """Which camera poses would see so many pixels, at 640x480, of the outdoors through an opening,
     (poses,); none through no opening."""
     if opening is None or not len(poses):
         return np.zeros(len(poses), dtype=np.bool_)
     cameras = np.asarray(poses).reshape(-1, 4, 4)
-    origins, ends, each = target_rays(cameras, _corners(opening), grid, _OUTSIDE_M)
+    origins, ends, each = target_rays(cameras, _corners(opening), rays[:2], rays.beyond_m)
     out = np.zeros(len(cameras))
     if len(origins):
         free = (cast(origins, ends).object_id == 0) & passes(opening, origins, ends - origins)
-        out[each > 0] = free.reshape(-1, grid[0] * grid[1]).sum(axis=1)
+        out[each > 0] = free.reshape(-1, rays.across * rays.down).sum(axis=1)
     return np.asarray(out * each >= pixels)
 
 

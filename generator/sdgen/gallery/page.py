@@ -20,6 +20,7 @@ from sdgen.errors import SdgenError
 from sdgen.gallery.drawing import draw_home
 from sdgen.gallery.pictures import depth_colours, mask_colours, small_png, thumbnail
 from sdgen.scene import Anomaly, EvidenceValue, Lookalike
+from sdgen.truth.visibility import shows
 
 INDEX = "index.html"
 STYLE = "style.css"
@@ -196,12 +197,19 @@ def _boxes(item: SceneItem, view: int) -> tuple[BoxOnView, ...]:
 
 
 def _best_views(item: SceneItem) -> dict[str, tuple[int, int]]:
-    """Per anomaly the view that shows most of its evidence, and how many pixels."""
+    """Per anomaly the view that shows most of its evidence, and how many pixels; first of those
+    that show it by all that is needed."""
     best = {}
+    labels = {anomaly.id: anomaly for anomaly in item.anomalies.anomalies}
+    size = (item.cameras[0].width, item.cameras[0].height) if item.cameras else (0, 0)
     for shown in item.visibility.anomalies:
-        if shown.evidence_pixels:
-            pixels = max(shown.evidence_pixels)
-            best[shown.anomaly_id] = (shown.evidence_pixels.index(pixels), pixels)
+        ranked = [
+            (shows(view, labels[shown.anomaly_id], *size), pixels, -view.view)
+            for view, pixels in zip(item.visibility.views, shown.evidence_pixels, strict=True)
+        ]
+        if ranked:
+            _, pixels, view = max(ranked)
+            best[shown.anomaly_id] = (-view, pixels)
     return best
 
 

@@ -313,6 +313,16 @@ def test_all_problems_come_at_once_in_order(tmp_path: Path) -> None:
             "switched_on: 0.5\n  mass_kg: [0.1, 1]",
             "switched_on: only what has the property HAS_SWITCH is ever on",
         ),
+        (
+            "mass_kg: [0.1, 1]",
+            "stands_open: 0.5\n  mass_kg: [0.1, 1]",
+            "stands_open: only furniture with the property CAN_OPEN",
+        ),
+        (
+            "mass_kg: [0.1, 1]",
+            "stands_open: 2\n  mass_kg: [0.1, 1]",
+            "stands_open: 2 is not between 0 and 1",
+        ),
         ("mass_kg: [0.1, 1]", "mass_kg: [2, 1]", "mass_kg: the first number (2) is above"),
         ("mass_kg: [0.1, 1]", "mass_kg: [0, 1]", "mass_kg: masses must be above 0"),
         ("mass_kg: [0.1, 1]", "mass_kg: 1", "mass_kg: expected a list of 2 numbers, got the"),

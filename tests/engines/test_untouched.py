@@ -25,6 +25,7 @@ def test_no_shipped_hazard_costs_the_trial_more_homes():
     [
         ("{category: door, state: OPEN}", "{set: door, state: OPEN}", True),
         ("{category: tv, state: ON}", "{set: tv, state: ON}", True),
+        ("{category: wardrobe, state: OPEN}", "{set: wardrobe, state: OPEN}", True),
         ("{category: dishwasher, state: OPEN}", "{set: dishwasher, state: OPEN}", False),
         ("{state: OPEN}", "{set: door, state: OPEN}", True),
         (

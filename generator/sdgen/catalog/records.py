@@ -177,7 +177,8 @@ class Holds(Record):
 
 
 class Category(Record):
-    """An object category. ``switched_on``: the share of its furniture that stands switched on.
+    """An object category. ``switched_on``: the share of its furniture that stands switched on;
+    ``stands_open``: the share that somebody left open, where it has room to.
 
     ``climb_m``: children climb on it and stand about so high above its bottom (a model's own
     surface near that height says how high); None: they do not.
@@ -199,6 +200,7 @@ class Category(Record):
     lives: tuple[Abode, ...] = ()
     kind: CategoryKind = "small"
     switched_on: float = 0.0
+    stands_open: float = 0.0
     climb_m: float | None = None
     at_most: AtMost = AtMost()
     alike: bool = False

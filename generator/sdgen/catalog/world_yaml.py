@@ -123,6 +123,7 @@ class CategoryYaml(Record):
     properties: Annotated[tuple[str, ...], names_of("property", 0, PROPERTIES)] = ()
     lives: tuple[AbodeYaml, ...] = ()
     switched_on: Annotated[float, between(0.0, 1.0)] = 0.0
+    stands_open: Annotated[float, between(0.0, 1.0)] = 0.0
     # Nobody steps up higher than a kitchen counter.
     climb_m: Annotated[float, between(0.05, 1.2)] | None = None
     at_most: Annotated[AtMost, Expect("{room: number, home: number}")] = AtMost()
@@ -143,6 +144,9 @@ class CategoryYaml(Record):
             refuse(problem(("mass_kg",), "masses must be above 0"))
         if self.switched_on and "HAS_SWITCH" not in self.properties:
             refuse(problem(("switched_on",), "only what has the property HAS_SWITCH is ever on"))
+        if self.stands_open and not (self.kind == "furniture" and "CAN_OPEN" in self.properties):
+            text = "only furniture with the property CAN_OPEN is ever left open by it"
+            refuse(problem(("stands_open",), text))
         if self.holds is not None and self.kind != "small":
             text = "only small things hold others by it; for furniture see 'clutter' of rooms.yaml"
             refuse(problem(("holds",), text))

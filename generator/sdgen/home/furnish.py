@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 from shapely.geometry import Polygon
@@ -11,17 +12,19 @@ from shapely.geometry import Polygon
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.home_shape import frame_size
 from sdgen.catalog.records import Catalog, Category, FurnitureItem, HomeSpec, RoomSpec
+from sdgen.facts import bodies_of
 from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_quat
 from sdgen.home.anchors import BACK_GAP_M
 from sdgen.home.blocks import Block
-from sdgen.home.context import Models
-from sdgen.home.layout import Intent, Layout, within_room
+from sdgen.home.context import HomeContext, Models
+from sdgen.home.layout import Intent, Layout, room_to_change, within_room
 from sdgen.home.ways import stand_of, way_of
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import FLAT_M, OPENINGS, PRESSED_M
+from sdgen.vocabulary import DOORS, FLAT_M, OPENINGS, PRESSED_M
+from sdgen.zones import swing_blocked
 
 #: Of the pieces a drawn home marks optional, so many stand: chosen by eye, for variety.
 OPTIONAL_SHARE = 0.75
@@ -203,14 +206,39 @@ def stand_in(item: ObjectInstance, asset: AssetInfo, catalog: Catalog, rng: Rng)
 def may_stand(
     item: ObjectInstance, asset: AssetInfo, category: Category
 ) -> Iterator[tuple[str, ...]]:
-    """The states that homes leave an opening or a piece in: see :func:`fill_openings` and
-    :func:`stand_in`."""
+    """The states that homes leave an opening or a piece in: see :func:`fill_openings`,
+    :func:`stand_in` and :func:`leave_open`."""
     states = at_rest(item, asset).states
     yield states
-    if _stands_open(category.name, asset):
+    if _stands_open(category.name, asset) or category.stands_open:
         yield tuple("OPEN" if s == "CLOSED" else s for s in states)
     if category.switched_on:
         yield tuple("ON" if s == "OFF" else s for s in states)
+
+
+def leave_open(layout: Layout, context: HomeContext, rng: Rng) -> HomeContext:
+    """Open what people left open of a furnished home, as often as its category says, where it has
+    room to and a way past it is left; the context with the floor that is free then.
+
+    Zones and free space stay those of the home as nobody left it.
+    """
+    doors = bodies_of(
+        [item for item in layout.items.values() if item.category in DOORS], layout.library.infos
+    )
+    for item in list(layout.items.values()):
+        share = context.catalog.category(item.category).stands_open
+        if not share or rng.random() >= share:
+            continue
+        info = layout.info(item.id)
+        opened = in_state(item, info, "OPEN", rng)
+        if opened is None or not room_to_change(layout, context.home, item, opened):
+            continue
+        if context.cuts_off(opened, info):
+            continue
+        if not swing_blocked([*doors, *bodies_of([opened], layout.library.infos)]):
+            layout.put(opened)
+            context = replace(context, free=context.leaves_free(opened, info))
+    return context
 
 
 def put_piece(

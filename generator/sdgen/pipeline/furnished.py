@@ -15,7 +15,7 @@ from sdgen.geometry import Vec2
 from sdgen.hazards.certify import facts_of
 from sdgen.home.arrange import furnish_by_rules
 from sdgen.home.context import HomeContext, Models
-from sdgen.home.furnish import fill_openings, furnish_as_drawn
+from sdgen.home.furnish import fill_openings, furnish_as_drawn, leave_open
 from sdgen.home.generate import generate_home
 from sdgen.home.layout import Layout
 from sdgen.home.reach import Reach
@@ -184,21 +184,22 @@ def furnished_home(
     in_doorway = doorway_blocked(home, bodies)
     if in_doorway:
         return reject("home", "in_doorway", category=layout.items[in_doorway[0]].category)
-    start = random_point(free, rng)
+    context = HomeContext(
+        home,
+        derive_zones(home, bodies, free, properties),
+        catalog,
+        theirs,
+        Reach(catalog, bodies),
+        narrow=narrow_floor(home, bodies, properties),
+        free=free,
+    )
+    context = leave_open(layout, context, rng)
+    start = random_point(context.free or free, rng)
     room = None if start is None else room_at(home.rooms, *start)
     if start is None or room is None:
         return reject("home", "no_free_floor")
-    zones = derive_zones(home, bodies, free, properties)
     return FurnishedHome(
-        context=HomeContext(
-            home,
-            zones,
-            catalog,
-            theirs,
-            Reach(catalog, bodies),
-            narrow=narrow_floor(home, bodies, properties),
-            free=free,
-        ),
+        context=context,
         layout=layout,
         free_space=rounded_rings(free),
         agent_start=_agent_start(start, room, rng),

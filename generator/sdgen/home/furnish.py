@@ -210,10 +210,13 @@ def may_stand(
     :func:`stand_in` and :func:`leave_open`."""
     states = at_rest(item, asset).states
     yield states
-    if _stands_open(category.name, asset) or category.stands_open:
-        yield tuple("OPEN" if s == "CLOSED" else s for s in states)
-    if category.switched_on:
-        yield tuple("ON" if s == "OFF" else s for s in states)
+    opened = (
+        {"CLOSED": "OPEN"} if _stands_open(category.name, asset) or category.stands_open else {}
+    )
+    lit = {"OFF": "ON"} if category.switched_on else {}
+    for changed in (opened, lit, opened | lit):
+        if changed:
+            yield tuple(sorted(changed.get(state, state) for state in states))
 
 
 def leave_open(layout: Layout, context: HomeContext, rng: Rng) -> HomeContext:

@@ -17,7 +17,7 @@ from sdgen.seeding import Rng
 CANDIDATES_TRIED = 20
 #: Of the hazards, this many have a near miss in a scene, so that having one says little.
 LOOKALIKE_SHARE = 0.85
-LOOKALIKE_CANDIDATES_TRIED = 12
+LOOKALIKE_CANDIDATES_TRIED = 30
 #: The check that fails where all that a recipe could set is in that state from the start.
 ALREADY_SET = "already_set"
 

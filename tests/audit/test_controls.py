@@ -503,26 +503,29 @@ def test_classes_that_their_objects_names_tell_are_found(
     assert not any("sharp_object" in str(one) for one in few)
 
 
+def emptied(sample: Scene, category: str, state: str, relation: str) -> tuple[Draft, int]:
+    """The sample's home with the first piece of a category in a state and nothing on or in it, and
+    that piece's id."""
+    draft = Draft(sample)
+    piece = next(o for o in draft.files["scene"]["objects"] if o["category"] == category)
+    piece["states"] = [state]
+    edges = draft.files["graph"]["edges"]
+    edges[:] = [e for e in edges if e["to_id"] != piece["id"] or e["relation_type"] != relation]
+    return draft, piece["id"]
+
+
 def with_fridge(sample: Scene, state: str, things: int) -> Scene:
     """The sample's home with its fridge in a state and so many things in it."""
-    draft = Draft(sample)
-    fridge = next(o for o in draft.files["scene"]["objects"] if o["category"] == "fridge")
-    fridge["states"] = [state]
-    edges = draft.files["graph"]["edges"]
-    edges[:] = [e for e in edges if e["to_id"] != fridge["id"] or e["relation_type"] != "INSIDE"]
+    draft, fridge = emptied(sample, "fridge", state, "INSIDE")
     for id in list(sample.things)[:things]:
-        draft.edge(id, "INSIDE", fridge["id"])
+        draft.edge(id, "INSIDE", fridge)
     return draft.scene
 
 
 def with_stove(sample: Scene, state: str, on_it: str) -> Scene:
     """The sample's home with its stove in a state and one thing on it."""
-    draft = Draft(sample)
-    stove = next(o for o in draft.files["scene"]["objects"] if o["category"] == "stove")
-    stove["states"] = [state]
-    edges = draft.files["graph"]["edges"]
-    edges[:] = [e for e in edges if e["to_id"] != stove["id"] or e["relation_type"] != "ON"]
-    draft.put(on_it, draft.open_floor(), on=stove["id"])
+    draft, stove = emptied(sample, "stove", state, "ON")
+    draft.put(on_it, draft.open_floor(), on=stove)
     return draft.scene
 
 

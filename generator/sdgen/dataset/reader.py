@@ -18,7 +18,7 @@ from sdgen.dataset.images import read_gray, read_rgb
 from sdgen.dataset.opening import open_info, read_manifest, refuse_incomplete
 from sdgen.dataset.records import VISIBILITY_FILE, ManifestEntry
 from sdgen.dataset.scene_folder import view_folder
-from sdgen.dataset.text import read_bytes, read_lines, read_record
+from sdgen.dataset.text import read_bytes, read_lines, read_record, to_record
 from sdgen.errors import InputError, did_you_mean
 from sdgen.library.records import AssetInfo
 from sdgen.scene import (
@@ -229,7 +229,7 @@ class Dataset(Sequence[SceneItem]):
     def catalog(self) -> Catalog:
         """The catalogue the build used. Raises InputError for another one: labels would not follow
         from it."""
-        catalog = read_record(Catalog, self.path / "catalogue.json", "catalogue.json")
+        catalog = to_record(Catalog, self._catalogue, "catalogue.json")
         if not self.partial and self.catalogue_sha256 != self.info.catalogue_sha256:
             raise InputError(["catalogue.json: not the catalogue whose digest dataset.json has"])
         return catalog
@@ -238,11 +238,14 @@ class Dataset(Sequence[SceneItem]):
     def catalogue_sha256(self) -> str:
         """Digest of ``catalogue.json`` as it was written: one of an older version lacks keys that
         its record has by now. Raises InputError."""
-        text = read_bytes(self.path / "catalogue.json", "catalogue.json")
         try:
-            return canonical_sha256(json.loads(text))
+            return canonical_sha256(json.loads(self._catalogue))
         except ValueError as error:
             raise InputError([f"catalogue.json: {error}"]) from None
+
+    @cached_property
+    def _catalogue(self) -> bytes:
+        return read_bytes(self.path / "catalogue.json", "catalogue.json")
 
     @cached_property
     def infos(self) -> Mapping[str, AssetInfo]:

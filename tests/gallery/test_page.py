@@ -13,7 +13,7 @@ from sdgen.dataset import Dataset
 from sdgen.errors import InputError, SdgenError
 from sdgen.gallery import write_gallery
 from sdgen.gallery.drawing import draw_home
-from sdgen.gallery.pictures import depth_colours, mask_colours
+from sdgen.gallery.pictures import depth_colours, mask_colours, thumbnail
 from sdgen.validate import validate
 
 from tests import toy
@@ -95,6 +95,25 @@ def test_the_index_lists_hazards(page: Path) -> None:
     assert text.count('class="card"') == 4
     assert text.count("no hazard</span>") == 1
     assert 'data-hazards="refrigerated_food_out sharp_object stove_on"' in text
+
+
+def test_a_scenes_cover_is_the_view_that_shows_its_hazards(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d")
+    index = write_gallery(Dataset(path), path / "view").index
+    item = Dataset(path)[3]
+    first, second = (thumbnail(item.rgb(view)) for view in (0, 1))
+    assert first != second
+    assert (index.parent / "000003/thumb.jpg").read_bytes() == first
+    file = path / "scenes/000003/visibility.json"
+    data = json.loads(file.read_text(encoding="utf-8"))
+    one, other = data["views"]
+    one["objects"], other["objects"] = other["objects"], one["objects"]
+    for shown in data["anomalies"]:
+        shown["evidence_pixels"].reverse()
+    file.write_text(json.dumps(data), encoding="utf-8")
+    write_gallery(Dataset(path), path / "view")
+    assert (index.parent / "000003/thumb.jpg").read_bytes() == second
+    assert (index.parent / "000000/thumb.jpg").is_file()
 
 
 def test_the_page_leaves_the_data_set_sound(page: Path) -> None:

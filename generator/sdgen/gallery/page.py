@@ -129,7 +129,7 @@ def _write(
         write_output(folder / INDEX, text.encode("utf-8"))
         thumb = item.entry.views > 0 and item.rgb_path(0) is not None
         if thumb:
-            write_output(folder / "thumb.jpg", thumbnail(item.rgb(0)))
+            write_output(folder / "thumb.jpg", thumbnail(item.rgb(_cover(item))))
         cards.append({"item": item, "thumb": thumb})
         if on_scene is not None:
             on_scene(k + 1, len(items))
@@ -211,6 +211,19 @@ def _best_views(item: SceneItem) -> dict[str, tuple[int, int]]:
             _, pixels, view = max(ranked)
             best[shown.anomaly_id] = (-view, pixels)
     return best
+
+
+def _cover(item: SceneItem) -> int:
+    """The view that stands for a scene: it shows most anomalies and, of several that do, most of
+    their evidence. The first where there is nothing to show."""
+    pixels = [0] * item.entry.views
+    for shown in item.visibility.anomalies:
+        pixels = [a + b for a, b in zip(pixels, shown.evidence_pixels, strict=True)]
+    labels = item.anomalies.anomalies
+    size = (item.cameras[0].width, item.cameras[0].height)
+    views = item.visibility.views
+    many = [sum(shows(view, label, *size) for label in labels) for view in views]
+    return max(range(item.entry.views), key=lambda k: (many[k], pixels[k], -k))
 
 
 def _evidence(record: Anomaly | Lookalike) -> str:

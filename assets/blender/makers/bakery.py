@@ -134,7 +134,12 @@ def sandwich_bread(
                 (width * 0.15, length * y, height * z)
                 for y, z in ((-0.62, 0.5), (-0.48, 0.3), (-0.3, 0.95), (0.1, 1.0), (0.35, 0.8))
             ]
-            spots.append((width * 0.45, 0, height * 0.5))
+            spots += [
+                (side_x * width * 0.5, length * y, height * z)
+                for side_x in (-1, 1)
+                for y, z in ((-0.25, 0.5), (0.05, 0.6), (0.32, 0.45))
+            ]
+            spots.append((0, length * 0.5, height * 0.55))
             c, f = (
                 mouldy(side, side.mix(0.25, c, "6b5a3a"), spots, 0.032, o),
                 mouldy(face, f, spots, 0.03, o),

@@ -111,6 +111,7 @@ def bread_served(form="baguette", tone="golden", seed=0) -> Model:
         spots = [
             (0.02, y, 0.05, k) for y, k in ((-0.14, 1.0), (-0.02, 0.9), (0.1, 1.1), (0.17, 0.6))
         ]
+        spots += [(x, y, 0.026, 0.8) for x, y in ((-0.033, -0.08), (-0.033, 0.06), (0.033, 0.02))]
         slashes = [(y, 0.011, 1.4) for y in (-0.14, -0.07, 0.0, 0.07, 0.14)]
         mat = crust(rotten, tones, 0.036, spots, o, 0, 0.055, slashes)
         return [long_loaf(length, 0.068, 0.055, mat, 14, 10, 3.2).turn(rz=0.4)]
@@ -150,6 +151,9 @@ def bread_served(form="baguette", tone="golden", seed=0) -> Model:
             (-0.04, 0.08, 0.06),
             (-0.01, -0.08, 0.07, 0.9),
             (0.03, 0.02, 0.1, 0.7),
+            (-0.09, -0.03, 0.045),
+            (0.02, 0.095, 0.04, 0.9),
+            (0.06, -0.07, 0.04, 0.9),
         ]
         mat = crust(rotten, tones, 0.045, spots, o, 0, 0.1, [(0, 0.009, 0.0), (0.0, 0.009, 30.0)])
         return [bun(0.1, 0.1, mat, 18)]
@@ -194,6 +198,10 @@ def bread_served(form="baguette", tone="golden", seed=0) -> Model:
             (0.03, 0.07, 0.1),
             (-0.03, -0.02, 0.1, 0.9),
             (0.055, 0.08, 0.03, 0.7),
+            (-0.055, -0.07, 0.055),
+            (-0.055, 0.07, 0.06, 0.9),
+            (0.0, 0.12, 0.06, 0.9),
+            (0.02, -0.12, 0.06),
         ]
         wave = film.math("SINE", film.math("MULTIPLY", film.axis(1), 420.0))
         c = film.mix(film.remap(wave, -0.4, 0.7), "b07a3c", "e4c088")

@@ -45,10 +45,12 @@ def cake(form="layer", kind="cream", radius=0.11, height=0.085, seed=0) -> Model
     r, h = radius, height
     if form == "piece":
         spots = [
-            (0.045, 0.0, h, 0.8),
-            (-0.02, 0.02, h * 0.6, 0.9),
-            (-0.02, -0.04, h * 0.4, 0.8),
-            (0, 0, h, 0.6),
+            (0.0, -0.005, h),
+            (-0.02, -0.04, h, 0.8),
+            (0.025, -0.012, h * 0.5),
+            (-0.022, 0.01, h * 0.5),
+            (-0.022, -0.048, h * 0.45, 0.9),
+            (0.022, 0.045, h * 0.6, 0.7),
         ]
     elif form == "loaf":
         spots = [
@@ -64,6 +66,9 @@ def cake(form="layer", kind="cream", radius=0.11, height=0.085, seed=0) -> Model
             (-r * 0.4, r * 0.5, h, 0.9),
             (0.0, -r * 0.65, h, 0.8),
             (r * 0.6, r * 0.75, h * 0.6, 0.8),
+            (-r * 0.9, -r * 0.3, h * 0.55),
+            (-r * 0.3, r * 0.9, h * 0.5, 0.9),
+            (r * 0.1, -r * 0.95, h * 0.6),
         ]
 
     def aged(m: Material, c, rotten: bool, size=0.036) -> Material:

@@ -57,6 +57,9 @@ def cheese_served(form="wheel", seed=0) -> Model:
             (-0.05, 0.01, h),
             (0.03, 0.045, 0.03, 0.9),
             (0, -0.06, h, 0.7),
+            (-0.085, -0.03, 0.035),
+            (-0.045, 0.075, 0.03, 0.9),
+            (-0.02, -0.085, 0.025, 0.8),
         ]
         outer = rind(rotten, "e0a024", spots, o)
         inner = paste(rotten, "f6d458", spots, o)
@@ -68,6 +71,8 @@ def cheese_served(form="wheel", seed=0) -> Model:
             (0.036, -0.04, 0.03, 0.9),
             (0, 0.0, 0.07),
             (-0.01, -0.05, 0.07, 0.8),
+            (-0.036, 0.035, 0.045),
+            (-0.036, -0.03, 0.03, 0.9),
         ]
         mesh = box(
             0.075, 0.15, 0.07, mat=paste(rotten, "f6d050", spots, o, 0.026), bevel_width=0.003
@@ -93,10 +98,12 @@ def cheese_served(form="wheel", seed=0) -> Model:
     def red_half(rotten: bool) -> list[Mesh]:
         r = 0.062
         spots = [
-            (0.03, 0.02, 0.045),
-            (-0.02, -0.03, 0.045, 0.9),
-            (0.055, -0.01, 0.02),
-            (0.0, 0.03, 0.04, 0.6),
+            (0.0, 0.02, 0.104),
+            (0.055, 0.025, 0.06),
+            (-0.055, 0.022, 0.065),
+            (0.0, 0.06, 0.05, 0.9),
+            (0.035, -0.048, 0.065),
+            (-0.035, -0.048, 0.06, 0.9),
         ]
         wax = rind(rotten, "b81c22", spots, o)
         ball = ellipsoid((r, r, r * 0.85), (0, 0, r * 0.85), 16, 10, wax)
@@ -117,6 +124,8 @@ def cheese_served(form="wheel", seed=0) -> Model:
             (-0.03, 0.01, h, 0.9),
             (0.045, -0.02, 0.02, 0.9),
             (0.02, 0.02, 0.02, 0.6),
+            (-0.05, -0.02, 0.022, 0.8),
+            (-0.01, 0.052, 0.024, 0.8),
         ]
         outer = rind(rotten, "f2ede0", spots, o, 0.03)
         mesh = missing_piece(outer, paste(rotten, "f4dc8c", spots, o, 0.024, 0.0), r, h, 1.0, 0.5)

@@ -147,18 +147,6 @@ PLIERS = {
         [(-0.008, 0.008), (-0.028, 0.016), (-0.062, 0.023), (-0.1, 0.019), (-0.115, 0.022)],
         16,
     ),
-    "cutter": (
-        [
-            (-0.012, 0.0),
-            (-0.013, 0.0135),
-            (0.0, 0.0185),
-            (0.014, 0.0165),
-            (0.027, 0.006),
-            (0.029, 0.0),
-        ],
-        [(-0.008, 0.01), (-0.026, 0.018), (-0.06, 0.024), (-0.09, 0.02), (-0.104, 0.023)],
-        20,
-    ),
     "pincers": (
         [
             (-0.01, 0.002),
@@ -255,7 +243,7 @@ def pliers(kind: str, colour: str) -> Model:
         [(0, 0), (0.0085, 0), (0.007, 0.003), (0, 0.0034)], 12, mat=metal("c3c7cb", "7a8086")
     )
     groups[0].append(pin.move(z=0.0125))
-    titles = {"needle": "needle-nose pliers", "cutter": "side cutters", "pincers": "pincers"}
+    titles = {"needle": "needle-nose pliers", "pincers": "pincers"}
     return lying(titles.get(kind, f"{kind} pliers"), groups, 0.22)
 
 
@@ -279,7 +267,7 @@ MODELS = {
         [
             ("combination", "#d8202c"),
             ("needle", "#1f5fb0"),
-            ("cutter", "#e8781c"),
+            ("needle", "#e8781c"),
             ("pump", "#c8202c"),
             ("pincers", "#1c1c20"),
             ("slip", "#f2c21e"),

@@ -92,7 +92,8 @@ def serve(fruit: Fruit, form="one", kind="", seed=0, size=1.0, texture=128) -> M
     kind = kind or next(iter(fruit.skins))
     r, zc = fruit.r, fruit.middle
     many = form in ("pair", "three", "pile", "row", "five", "net", "tray", "wedges", "crowd")
-    spots = lying_patches(fruit) if fruit.lies else patches(r, zc * 0.95, seed)
+    lies = fruit.lies and form != "upright"
+    spots = lying_patches(fruit) if lies else patches(r, zc * 0.95, seed)
     mid = fruit.height / 2
     if fruit.along:
         inner = [(r * 0.35, 0, mid + r * 0.4, 0.75), (-r * 0.45, 0, mid - r * 0.45, 0.6)]

@@ -53,7 +53,8 @@ AT_MOST_OFF_M = 0.4
 #: judgement; large adults turn sideways).
 SINGLE_FILE_M, SQUEEZED_M = 1.0, 0.35
 #: Chairs stand at a table, are drawn back and got at over so much floor about it: their depth and
-#: a hand's breadth (by eye, of our models).
+#: a hand's breadth (by eye, of our models). Feet are set down as far from a bed: people who saw
+#: pictures took what lay beside one for something to trip over.
 SEATED_M = 0.6
 #: Strips narrower than twice this are where two shapes nearly meet: nobody walks along them.
 SLIVER_M = 0.05
@@ -122,11 +123,11 @@ def _before(
 
 
 def narrow(
-    outline: Polygon, standing: Sequence[BaseGeometry], sat_at: Sequence[BaseGeometry]
+    outline: Polygon, standing: Sequence[BaseGeometry], got_at: Sequence[BaseGeometry]
 ) -> BaseGeometry:
     """Floor of a room that people use whether or not a way leads there: the middles of gaps that
     they pass in single file, between pieces of furniture (their outlines: ``standing``) or one and
-    a wall, and where they sit down at tables (``sat_at``).
+    a wall, and where they sit down at tables and get out of bed (``got_at``).
     """
     corners = shapely.get_coordinates(outline)
     walls = shapely.linestrings(np.stack([corners[:-1], corners[1:]], axis=1))
@@ -137,7 +138,7 @@ def narrow(
     passed = shapely.distance(shapes[first], shapes[second]) >= SQUEEZED_M
     near = shapely.buffer(shapes, SINGLE_FILE_M / 2, quad_segs=2)
     middles = shapely.intersection(near[first[passed]], near[second[passed]])
-    seats = shapely.buffer(list(sat_at), SEATED_M, quad_segs=2)
+    seats = shapely.buffer(list(got_at), SEATED_M, quad_segs=2)
     return shapely.union_all([*middles, *seats]).intersection(outline)
 
 

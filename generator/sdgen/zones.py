@@ -116,17 +116,16 @@ def _standing_in(shape: BaseGeometry, bodies: Iterable[Body]) -> tuple[int, ...]
     )
 
 
-def narrow_floor(
-    home: Home, furniture: Sequence[Body], properties: Mapping[str, Collection[str]]
-) -> BaseGeometry:
-    """Floor of all rooms that is used, on a way or not: see :func:`~sdgen.walkways.narrow`."""
+def narrow_floor(home: Home, furniture: Sequence[Body], got_at: Collection[str]) -> BaseGeometry:
+    """Floor of all rooms that is used, on a way or not: see :func:`~sdgen.walkways.narrow`.
+
+    ``got_at`` are the categories that people sit down at or get out of: tables and beds.
+    """
     found = []
     for room in home.rooms:
         here = [body for body in furniture if body.item.room_id == room.id]
-        tables = [b for b in here if "SAT_AT" in properties.get(b.item.category, ())]
-        found.append(
-            narrow(Polygon(room.polygon_m), floor_obstacles(here), floor_obstacles(tables))
-        )
+        about = [body for body in here if body.item.category in got_at]
+        found.append(narrow(Polygon(room.polygon_m), floor_obstacles(here), floor_obstacles(about)))
     return union(found)
 
 

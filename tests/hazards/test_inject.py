@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import PlaceRecipe
+from sdgen.facts import bodies_of
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import IN_THE_WAY_M, inject_candidate
@@ -17,7 +18,8 @@ from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection
 from sdgen.seeding import lane
-from shapely.geometry import box
+from sdgen.walkways import SEATED_M
+from shapely.geometry import Polygon, box
 
 from tests.shipped import shipped_library
 
@@ -155,6 +157,16 @@ def test_what_is_to_be_in_nobodys_way_keeps_off_narrow_floor(home):
         assert bool(clutter) is some
         assert any(on_floor(aside, context)) is some
         assert any(on_floor(in_the_way, context))
+
+
+def test_nothing_is_put_aside_where_people_get_out_of_bed(home):
+    sleeps = {category.name for category in CATALOG.categories if category.sleeps}
+    beds = [item for item in home.layout.items.values() if item.category in sleeps]
+    assert beds
+    for bed in bodies_of(beds, LIBRARY.infos):
+        (room,) = (r for r in home.context.home.rooms if r.id == bed.item.room_id)
+        beside = bed.footprint.buffer(0.9 * SEATED_M).intersection(Polygon(room.polygon_m))
+        assert beside.difference(home.context.narrow).area < 0.01 * beside.area
 
 
 def test_a_recipe_leaves_out_models_that_come_in_a_state(home):

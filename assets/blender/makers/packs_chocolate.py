@@ -205,7 +205,7 @@ def choc_stack(tone: str) -> Model:
     )
 
 
-MILK = {"kind": "MILK", "ground": "#e8def4", "band": "#5a2a84", "brand": "Alpina"}
+MILK = {"kind": "MILK", "ground": "#f0dcb0", "band": "#7a4424", "brand": "Alpina"}
 
 DARK = {"kind": "DARK", "ground": "#e8d8b0", "band": "#4a1f10", "brand": "Cacaoro"}
 

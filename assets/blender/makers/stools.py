@@ -44,7 +44,7 @@ def bench(
             (depth, length, height - seat - 0.008), (0, 0, seat), cloth, 0.04, 0.008, 0.02
         )
         asm.add("body", cover)
-        asm.solid("body", (-hx + 0.01, -hy + 0.01, seat), (hx - 0.01, hy - 0.01, height - 0.002))
+        asm.solid("body", (-hx + 0.01, -hy + 0.01, seat), (hx - 0.01, hy - 0.01, height + 0.002))
         for x in (-hx + 0.045, hx - 0.045):
             asm.board("body", (x - 0.01, -hy + 0.09, z - 0.05), (x + 0.01, hy - 0.09, z), along)
     else:

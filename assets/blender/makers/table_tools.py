@@ -202,9 +202,9 @@ MODELS = {
         7,
         [
             {"form": "table"},
-            {"form": "table", "handle": "#b3302c"},
+            {"form": "salad"},
             {"form": "cake", "material": "brass"},
-            {"form": "table", "handle": "#3a2414"},
+            {"form": "picnic", "material": "plastic", "colour": "#7ab648"},
             {"form": "picnic", "material": "plastic", "colour": "#f4f2ec"},
             {"form": "set"},
             {"form": "salad", "material": "wood"},

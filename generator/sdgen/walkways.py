@@ -53,8 +53,8 @@ AT_MOST_OFF_M = 0.4
 #: judgement; large adults turn sideways).
 SINGLE_FILE_M, SQUEEZED_M = 1.0, 0.35
 #: Chairs stand at a table, are drawn back and got at over so much floor about it: their depth and
-#: a hand's breadth (by eye, of our models). Feet are set down as far from a bed: people who saw
-#: pictures took what lay beside one for something to trip over.
+#: a hand's breadth (by eye, of our models). Feet are set down as far from a seat or a bed:
+#: people who saw pictures took what lay beside one for something to trip over.
 SEATED_M = 0.6
 #: Strips narrower than twice this are where two shapes nearly meet: nobody walks along them.
 SLIVER_M = 0.05
@@ -127,7 +127,7 @@ def narrow(
 ) -> BaseGeometry:
     """Floor of a room that people use whether or not a way leads there: the middles of gaps that
     they pass in single file, between pieces of furniture (their outlines: ``standing``) or one and
-    a wall, and where they sit down at tables and get out of bed (``got_at``).
+    a wall, and where they sit down at tables or on seats and get out of bed (``got_at``).
     """
     corners = shapely.get_coordinates(outline)
     walls = shapely.linestrings(np.stack([corners[:-1], corners[1:]], axis=1))

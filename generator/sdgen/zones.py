@@ -119,7 +119,8 @@ def _standing_in(shape: BaseGeometry, bodies: Iterable[Body]) -> tuple[int, ...]
 def narrow_floor(home: Home, furniture: Sequence[Body], got_at: Collection[str]) -> BaseGeometry:
     """Floor of all rooms that is used, on a way or not: see :func:`~sdgen.walkways.narrow`.
 
-    ``got_at`` are the categories that people sit down at or get out of: tables and beds.
+    ``got_at`` are the categories that people sit down at or on or get out of: tables, seats
+    and beds.
     """
     found = []
     for room in home.rooms:

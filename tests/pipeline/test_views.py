@@ -106,14 +106,14 @@ def test_near_misses_are_marked_by_what_would_show_the_hazard(catalog, library, 
         return shows(library, scene, cast, views, marked)
 
     monkeypatch.setattr(overlook, "shows", record)
-    made = make_scene(15, catalog, library, OPTIONS)
-    near = {one.object_id for one in made.anomalies.lookalikes if "sharp" in one.near_miss_of}
-    bladed = {one.object_id: one for (_, parts), one in asked.items() if "blade" in parts}
-    sharp = catalog.hazard("sharp_object")
-    assert near & set(bladed)
-    assert {(bladed[key].parts, bladed[key].pixels) for key in near & set(bladed)} == {
-        (("blade",), sharp.evidence_pixels)
-    }
+    held_to = set()
+    for index in range(6):
+        asked.clear()
+        made = make_scene(index, catalog, library, OPTIONS)
+        near = {one.object_id for one in made.anomalies.lookalikes if "sharp" in one.near_miss_of}
+        bladed = {one.object_id: one for (_, parts), one in asked.items() if "blade" in parts}
+        held_to |= {(bladed[key].parts, bladed[key].pixels) for key in near & set(bladed)}
+    assert held_to == {(("blade",), catalog.hazard("sharp_object").evidence_pixels)}
 
 
 def test_nothing_opens_so_far_that_a_room_cannot_be_got_to(furnished, library):
@@ -125,7 +125,9 @@ def test_nothing_opens_so_far_that_a_room_cannot_be_got_to(furnished, library):
         return {
             one.item.id
             for one in found
-            if one.state == "OPEN" and one.item.category in ("wardrobe", "fridge")
+            if one.state == "OPEN"
+            and one.item.category in ("wardrobe", "fridge")
+            and "OPEN" not in layout.items[one.item.id].states  # left open by habit
         }
 
     assert opened(context)

@@ -233,12 +233,12 @@ MODELS = {
         [
             {"form": "turner", "head": "steel", "handle": BLACK},
             {"form": "turner", "head": BLACK, "handle": BLACK},
-            {"form": "scraper", "head": "#d8342c", "handle": "wood"},
+            {"form": "turner", "head": "#d8342c", "handle": "#d8342c"},
             {"form": "wooden", "head": "wood", "handle": "wood"},
-            {"form": "scraper", "head": "#e8c23a", "handle": BLACK},
+            {"form": "fish", "head": BLACK, "handle": BLACK},
             {"form": "burger", "head": "steel", "handle": "#8a4a22"},
             {"form": "fish", "head": "steel", "handle": "#2d5f8a"},
-            {"form": "scraper", "head": "#3aa0a8", "handle": "#f2efe6"},
+            {"form": "turner", "head": "#3aa0a8", "handle": "#3aa0a8"},
         ],
     ),
 }

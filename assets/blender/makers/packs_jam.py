@@ -208,7 +208,7 @@ MODELS = {
                 "paper": "#fbf4e4",
                 "cover": "#c8202c",
             },
-            {"shape": "tall", "fruit": "ORANGE", "lid": "gold", "paper": "#fffaf0"},
+            {"shape": "squat", "fruit": "ORANGE", "lid": "#c8202c", "paper": "#fffaf0"},
             {
                 "shape": "squat",
                 "fruit": "STRAWBERRY",

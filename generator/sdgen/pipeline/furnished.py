@@ -184,7 +184,11 @@ def furnished_home(
     in_doorway = doorway_blocked(home, bodies)
     if in_doorway:
         return reject("home", "in_doorway", category=layout.items[in_doorway[0]].category)
-    got_at = {c.name for c in catalog.categories if c.sleeps or "SAT_AT" in c.properties}
+    got_at = {
+        c.name
+        for c in catalog.categories
+        if not {"SAT_AT", "SITTABLE", "LIEABLE"}.isdisjoint(c.properties)
+    }
     context = HomeContext(
         home,
         derive_zones(home, bodies, free, properties),

@@ -44,6 +44,8 @@ USED = frozenset(
         "WATER_SOURCE",
     }
 )
+#: And of those that they sit down at or on, or get out of: feet are set down all about them.
+GOT_AT = frozenset({"LIEABLE", "SAT_AT", "SITTABLE"})
 #: Who uses a piece stands so far before it: the middle of a body 0.5 m across, an arm bent.
 BEFORE_M = ROBOT_RADIUS_M + 0.15
 #: A side whose standing place is further from free floor than this is against a wall or a table.

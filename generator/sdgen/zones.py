@@ -35,7 +35,7 @@ from sdgen.vocabulary import (
     OVERHEAD_M,
     ZoneKind,
 )
-from sdgen.walkways import OPEN_FLOOR_M, narrow, used, walked
+from sdgen.walkways import GOT_AT, OPEN_FLOOR_M, narrow, used, walked
 
 #: How far a doorway's zone reaches into each room: a stride, and most of a leaf's sweep.
 DOORWAY_DEPTH_M = 0.6
@@ -116,17 +116,16 @@ def _standing_in(shape: BaseGeometry, bodies: Iterable[Body]) -> tuple[int, ...]
     )
 
 
-def narrow_floor(home: Home, furniture: Sequence[Body], got_at: Collection[str]) -> BaseGeometry:
-    """Floor of all rooms that is used, on a way or not: see :func:`~sdgen.walkways.narrow`.
-
-    ``got_at`` are the categories that people sit down at or on or get out of: tables, seats
-    and beds.
-    """
+def narrow_floor(
+    home: Home, furniture: Sequence[Body], properties: Mapping[str, Collection[str]]
+) -> BaseGeometry:
+    """Floor of all rooms that is used, on a way or not: see :func:`~sdgen.walkways.narrow`."""
     found = []
     for room in home.rooms:
         here = [body for body in furniture if body.item.room_id == room.id]
-        about = [body for body in here if body.item.category in got_at]
-        found.append(narrow(Polygon(room.polygon_m), floor_obstacles(here), floor_obstacles(about)))
+        about = [b for b in here if not GOT_AT.isdisjoint(properties.get(b.item.category, ()))]
+        outline = Polygon(room.polygon_m)
+        found.append(narrow(outline, floor_obstacles(here), floor_obstacles(about)))
     return union(found)
 
 

@@ -93,8 +93,8 @@ def visibility(scene: Scene) -> Iterator[Finding]:
             if least_outdoors is not None:
                 beyond = outdoors(scene, id, json.loads(file.read_text("utf-8")), ids)
                 # Older data sets do not tell.
-                counts = through.get(number)
-                written = beyond if counts is None else counts.get(str(id), 0)
+                stated = through.get(number)
+                written = beyond if stated is None else stated.get(str(id), 0)
                 if abs(beyond - written) > 2:
                     what = f"view {number}: {written} pixels of outdoors told"
                     yield scene.found(scene.things[id], what, beyond)

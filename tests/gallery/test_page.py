@@ -116,6 +116,16 @@ def test_a_scenes_cover_is_the_view_that_shows_its_hazards(tmp_path: Path) -> No
     assert (index.parent / "000000/thumb.jpg").is_file()
 
 
+def test_views_that_visibility_leaves_out_are_told(tmp_path: Path) -> None:
+    path = toy.build(tmp_path / "d")
+    file = path / "scenes/000003/visibility.json"
+    data = json.loads(file.read_text(encoding="utf-8"))
+    data["anomalies"][0]["evidence_pixels"].pop()
+    file.write_text(json.dumps(data), encoding="utf-8")
+    with pytest.raises(InputError, match=r"000003.*see sdgen validate"):
+        write_gallery(Dataset(path), path / "view")
+
+
 def test_the_page_leaves_the_data_set_sound(page: Path) -> None:
     assert validate(page.parent.parent) == []
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from urllib.parse import quote
@@ -27,6 +27,9 @@ STYLE = "style.css"
 #: How the style begins: it is written first and shows that a folder is a page of ours, which may
 #: be written over, finished or not.
 MARK = b"/* sdgen view */"
+
+#: By anomaly and view, whether all that is needed shows, and its evidence's pixels.
+SeenIn = Mapping[str, list[tuple[bool, int]]]
 
 
 @dataclass(frozen=True)
@@ -110,6 +113,8 @@ def _write(
         refuse_links(folder, "folder")
         folder.mkdir(exist_ok=True)
         with derived_from(data, item):
+            shown = _seen_in(item)
+            cover = _cover(shown, item.entry.views)
             text = page.render(
                 item=item,
                 index=k,
@@ -124,12 +129,12 @@ def _write(
                     {a.object_id for a in item.anomalies.lookalikes},
                 ),
                 category={thing.id: thing.category for thing in item.scene.objects},
-                best=_best_views(item),
+                best=_best_views(shown),
             )
         write_output(folder / INDEX, text.encode("utf-8"))
         thumb = item.entry.views > 0 and item.rgb_path(0) is not None
         if thumb:
-            write_output(folder / "thumb.jpg", thumbnail(item.rgb(_cover(item))))
+            write_output(folder / "thumb.jpg", thumbnail(item.rgb(cover)))
         cards.append({"item": item, "thumb": thumb})
         if on_scene is not None:
             on_scene(k + 1, len(items))
@@ -196,34 +201,39 @@ def _boxes(item: SceneItem, view: int) -> tuple[BoxOnView, ...]:
     return tuple(sorted(out, key=lambda box: (order.index(box.kind), -box.width * box.height)))
 
 
-def _best_views(item: SceneItem) -> dict[str, tuple[int, int]]:
+def _seen_in(item: SceneItem) -> SeenIn:
+    """Per anomaly, view by view: whether all that is needed shows, and its evidence's pixels."""
+    labels = {anomaly.id: anomaly for anomaly in item.anomalies.anomalies}
+    size = (item.cameras[0].width, item.cameras[0].height) if item.cameras else (0, 0)
+    return {
+        seen.anomaly_id: [
+            (shows(view, labels[seen.anomaly_id], *size), pixels)
+            for view, pixels in zip(item.visibility.views, seen.evidence_pixels, strict=True)
+        ]
+        for seen in item.visibility.anomalies
+    }
+
+
+def _best_views(shown: SeenIn) -> dict[str, tuple[int, int]]:
     """Per anomaly the view that shows most of its evidence, and how many pixels; first of those
     that show it by all that is needed."""
     best = {}
-    labels = {anomaly.id: anomaly for anomaly in item.anomalies.anomalies}
-    size = (item.cameras[0].width, item.cameras[0].height) if item.cameras else (0, 0)
-    for shown in item.visibility.anomalies:
-        ranked = [
-            (shows(view, labels[shown.anomaly_id], *size), pixels, -view.view)
-            for view, pixels in zip(item.visibility.views, shown.evidence_pixels, strict=True)
-        ]
-        if ranked:
-            _, pixels, view = max(ranked)
-            best[shown.anomaly_id] = (-view, pixels)
+    for anomaly_id, views in shown.items():
+        if views:
+            view = max(range(len(views)), key=lambda k: (*views[k], -k))
+            best[anomaly_id] = (view, views[view][1])
     return best
 
 
-def _cover(item: SceneItem) -> int:
+def _cover(shown: SeenIn, views: int) -> int:
     """The view that stands for a scene: it shows most anomalies and, of several that do, most of
     their evidence. The first where there is nothing to show."""
-    pixels = [0] * item.entry.views
-    for shown in item.visibility.anomalies:
-        pixels = [a + b for a, b in zip(pixels, shown.evidence_pixels, strict=True)]
-    labels = item.anomalies.anomalies
-    size = (item.cameras[0].width, item.cameras[0].height)
-    views = item.visibility.views
-    many = [sum(shows(view, label, *size) for label in labels) for view in views]
-    return max(range(item.entry.views), key=lambda k: (many[k], pixels[k], -k))
+
+    def value(k: int) -> tuple[int, int, int]:
+        seen = [of_views[k] for of_views in shown.values()]
+        return sum(whole for whole, _ in seen), sum(pixels for _, pixels in seen), -k
+
+    return max(range(views), key=value, default=0)
 
 
 def _evidence(record: Anomaly | Lookalike) -> str:

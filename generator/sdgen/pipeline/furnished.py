@@ -184,18 +184,13 @@ def furnished_home(
     in_doorway = doorway_blocked(home, bodies)
     if in_doorway:
         return reject("home", "in_doorway", category=layout.items[in_doorway[0]].category)
-    got_at = {
-        c.name
-        for c in catalog.categories
-        if not {"SAT_AT", "SITTABLE", "LIEABLE"}.isdisjoint(c.properties)
-    }
     context = HomeContext(
         home,
         derive_zones(home, bodies, free, properties),
         catalog,
         theirs,
         Reach(catalog, bodies),
-        narrow=narrow_floor(home, bodies, got_at),
+        narrow=narrow_floor(home, bodies, properties),
         free=free,
     )
     context = leave_open(layout, context, rng)

@@ -84,16 +84,17 @@ def portrait(
     return frame.rgb
 
 
-def portrait_camera(points_m: Array, size: int) -> Camera:
-    """A camera in front, to the side and above, that shows all of ``points_m`` (N, 3)."""
+def portrait_camera(points_m: Array, size: int, yaw_rad: float = YAW_RAD) -> Camera:
+    """A camera in front, to the side (by ``yaw_rad``) and above, that shows all of ``points_m``
+    (N, 3)."""
     low, high = points_m.min(axis=0), points_m.max(axis=0)
     extents = high - low
     flat = extents[2] < _FLAT * max(extents[0], extents[1])
     pitch = _PITCH_FLAT_RAD if flat else _PITCH_RAD
     back = np.array(
         [
-            math.cos(YAW_RAD) * math.cos(pitch),
-            math.sin(YAW_RAD) * math.cos(pitch),
+            math.cos(yaw_rad) * math.cos(pitch),
+            math.sin(yaw_rad) * math.cos(pitch),
             math.sin(pitch),
         ]
     )

@@ -125,16 +125,15 @@ def _masks(item: SceneItem, view: ViewVisibility, ids: Ids) -> Iterator[Problem]
         for node_id, (box, pixels, parts) in found.items()
         if node_id in parts_of
     }
-    path = f"views[{view.view}].objects"
-    for text in islice(differences(stored, derived, path), SHOWN):
+    path = f"views[{view.view}]"
+    for text in islice(differences(stored, derived, f"{path}.objects"), SHOWN):
         yield Problem("view", f"{item.where('visibility.json')}: {text}")
     if view.outdoors is not None:
         openings = outer_openings(item.scene.home)
         outdoors = outdoors_seen(ids, item.cameras[view.view], openings)
-        path = f"views[{view.view}].outdoors"
-        for text in islice(differences(view.outdoors, outdoors, path), SHOWN):
+        for text in islice(differences(view.outdoors, outdoors, f"{path}.outdoors"), SHOWN):
             yield Problem("view", f"{item.where('visibility.json')}: {text}")
-    path = f"views[{view.view}].objects"
+    path += ".objects"
     listed = [thing.object_id for thing in view.objects]
     if listed != sorted(set(listed)):
         yield Problem("view", f"{item.where('visibility.json')}: {path}: not sorted by id")

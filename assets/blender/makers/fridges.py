@@ -12,6 +12,8 @@ from .joinery import SHOWS, Assembly, bar_handle, drawer_box, hinge, open_closed
 
 Offset = tuple[float, float, float]
 LINER, LAMP = (1.3, 1.3, 1.33, 1.0), (1.7, 1.7, 1.7, 1.0)
+#: The box of a freezer drawer, a part of its own: hidden while the drawer is shut.
+BOX = "freezer_box"
 
 
 def tub(asm: Assembly, x: tuple, y: tuple, z: tuple, shell, liner, wall: float) -> None:
@@ -79,10 +81,12 @@ def _racks(asm: Assembly, part: str, x: float, y: tuple, heights, mat) -> None:
 def _finished(asm: Assembly, title: str, mass: float, joints: dict, supports, containers) -> Model:
     settings = {name: {"joint": name} for name in joints}
     states = []
-    for name in joints:  # the door alone seen from behind does not tell: evidence is the inside
+    for name in joints:  # a front alone, seen from outside, does not tell: evidence is the inside
         slides = joints[name].type == "prismatic"
         shut, opened = open_closed(name, name, *((0.01, 0.12) if slides else (0.03, SHOWS)))
-        states += [shut, opened | {"parts": [name if slides else "interior"]}]
+        states += [shut, opened | {"parts": [BOX, "interior"] if slides else ["interior"]}]
+        if slides:
+            settings[BOX] = {"joint": name, "rgba": LINER}
     return Model(
         title=title,
         parts=asm.parts(**settings, interior={"rgba": LINER}, lamp={"rgba": LAMP}),
@@ -134,9 +138,9 @@ def wide_fridge(
             (back + 0.02, -half + wall + 0.02, foot + wall + 0.03),
             (front_x + 0.001, half - wall - 0.02, 0.46),
         )
-        drawer_box(asm, "freezer_door", low, high, plain("#dfe9ee", 0.03))
-        leaf = (front_x + 0.012, -half + 0.001, foot + 0.003), (outer, half - 0.001, share - 0.003)
-        asm.board("freezer_door", *leaf, shell, 0.01, segments=2)
+        drawer_box(asm, BOX, low, high, plain("#dfe9ee", 0.03))
+        leaf = (-half + 0.001, half - 0.001), (foot + 0.003, share - 0.003)
+        _leaf(asm, "freezer_door", front_x, *leaf, shell, liner, seal)
         bar_handle(asm, "freezer_door", outer, 0, share - 0.07, 0.6, grip, False, 0.05, 0.011)
         joints["freezer_door"] = Joint("prismatic", (0, 0, 0.3), (1, 0, 0), 0.0, 0.42)
         low_y, high_y = low[1] + 0.014, high[1] - 0.014
@@ -148,14 +152,12 @@ def wide_fridge(
                 low[2] + 0.008,
                 0.3,
                 "freezer",
-                "freezer_door",
+                BOX,
             )
         )
         center = ((low[0] + high[0]) / 2, 0.0, low[2] + 0.17)
         containers.append(
-            Container(
-                "freezer", center, (0.5, high_y - low_y, 0.32), "freezer_door", "freezer_door"
-            )
+            Container("freezer", center, (0.5, high_y - low_y, 0.32), BOX, "freezer_door")
         )
     else:
         leaves = {

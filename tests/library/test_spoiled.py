@@ -14,8 +14,9 @@ from sdgen.render.portraits import portrait_camera
 
 from tests.shipped import shipped_library
 
-#: So much of what is seen of it differs plainly from its fresh self, on the worst side.
-LEAST = 0.05
+#: So much of what is seen of it differs plainly from its fresh self, on the worst side. Models are
+#: made to show 0.15; another renderer may draw a hundredth less.
+LEAST = 0.14
 SIDES, PIXELS = 8, 128
 #: Sum of the differences of red, green and blue (0 to 255 each): brown on yellow, grey on brown.
 PLAIN = 75

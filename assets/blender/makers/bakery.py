@@ -19,12 +19,13 @@ from makers.spoilage import MOULD, MOULD_GREEN, SPOILED, on_table
 
 
 def mouldy(m: Material, colour, spots, size: float, offset):
-    """White-green patches around some points."""
+    """White-green patches around some points (x, y, z[, scale]); scale makes a patch larger."""
     fuzz = m.math(
         "MULTIPLY", m.math("SUBTRACT", m.noise(4 / size, 4, 0.7, offset=offset), 0.5), size * 1.4
     )
-    for spot in spots:
-        near = m.math("ADD", m.distance(spot), fuzz)
+    for x, y, z, *scale in spots:
+        away = m.distance((x, y, z))
+        near = m.math("ADD", m.math("DIVIDE", away, scale[0]) if scale else away, fuzz)
         colour = m.mix(m.remap(near, size * 0.75, size, 1, 0), colour, "7c7a5a")
         colour = m.mix(m.remap(near, size * 0.55, size * 0.7, 1, 0), colour, MOULD)
         colour = m.mix(m.remap(near, size * 0.3, size * 0.5, 1, 0), colour, MOULD_GREEN)
@@ -71,6 +72,11 @@ def loaf(
                     (width * 0.38, length * 0.1, height * 0.6),
                     (width * 0.2, -length * 0.25, height * 0.85),
                     (0, length * 0.3, height * 0.9),
+                    (-width * 0.42, -length * 0.06, height * 0.55, 1.2),
+                    (-width * 0.3, length * 0.26, height * 0.65, 0.9),
+                    (-width * 0.2, -length * 0.33, height * 0.7),
+                    (width * 0.1, length * 0.47, height * 0.4, 0.9),
+                    (width * 0.05, -length * 0.47, height * 0.35, 0.9),
                 ],
                 0.035,
                 o,
@@ -130,16 +136,27 @@ def sandwich_bread(
         )
         f = face.mix(edge, holes, light)
         if rot:
+            # the top, both sides, the cut end, then the slices
             spots = [
-                (width * 0.15, length * y, height * z)
-                for y, z in ((-0.62, 0.5), (-0.48, 0.3), (-0.3, 0.95), (0.1, 1.0), (0.35, 0.8))
+                (width * x, length * y, height * z, scale)
+                for x, y, z, scale in (
+                    (0.2, -0.26, 1.0, 1.1),
+                    (-0.25, 0.02, 1.0, 0.9),
+                    (0.22, 0.3, 1.0, 1.3),
+                    (-0.3, 0.42, 0.95, 0.8),
+                    (0.5, -0.2, 0.65, 1.2),
+                    (0.5, 0.04, 0.3, 0.8),
+                    (0.5, 0.27, 0.45, 1.3),
+                    (-0.5, -0.16, 0.4, 1.1),
+                    (-0.5, 0.2, 0.65, 1.4),
+                    (-0.5, 0.42, 0.25, 0.8),
+                    (0.05, 0.5, 0.55, 1.3),
+                    (0.2, -0.62, 0.5, 1.2),
+                    (-0.25, -0.48, 0.3, 1.0),
+                    (0.5, -0.52, 0.6, 1.0),
+                    (-0.5, -0.58, 0.55, 1.0),
+                )
             ]
-            spots += [
-                (side_x * width * 0.5, length * y, height * z)
-                for side_x in (-1, 1)
-                for y, z in ((-0.25, 0.5), (0.05, 0.6), (0.32, 0.45))
-            ]
-            spots.append((0, length * 0.5, height * 0.55))
             c, f = (
                 mouldy(side, side.mix(0.25, c, "6b5a3a"), spots, 0.032, o),
                 mouldy(face, f, spots, 0.03, o),

@@ -202,6 +202,8 @@ def bread_served(form="baguette", tone="golden", seed=0) -> Model:
             (-0.055, 0.07, 0.06, 0.9),
             (0.0, 0.12, 0.06, 0.9),
             (0.02, -0.12, 0.06),
+            (-0.055, 0.1, 0.03, 0.9),
+            (-0.04, 0.085, 0.1, 0.8),
         ]
         wave = film.math("SINE", film.math("MULTIPLY", film.axis(1), 420.0))
         c = film.mix(film.remap(wave, -0.4, 0.7), "b07a3c", "e4c088")
@@ -343,49 +345,31 @@ def croissant(form="one", bend=1.5, drizzle=False, seed=0) -> Model:
         period = length * (0.9 if b > 0.05 else 1.0) / (rings // 2)
         return [crescent(b, length, width, coat(rotten, period), 7 if coarse else 9, rings)]
 
+    def plate() -> list[Mesh]:
+        profile = [(0, 0), (0.05, 0), (0.055, 0.003), (0.1, 0.013), (0.1, 0.017), (0.054, 0.008)]
+        return [lathe([*profile, (0, 0.008)], 22, mat=plain("f2f1ec", 0.03))]
+
+    def basket() -> list[Mesh]:
+        weave = Material()
+        c = weave.mix(weave.remap(weave.noise(60, 2, offset=o), 0.35, 0.65), "a8743a", "c8965a")
+        w = weave.math("SINE", weave.math("MULTIPLY", weave.axis(2), 520.0))
+        weave.colour(weave.mix(weave.remap(w, 0.2, 0.6, 0, 0.7), c, "6a4420"))
+        profile = [(0, 0), (0.085, 0), (0.118, 0.055), (0.122, 0.062), (0.112, 0.06), (0.08, 0.008)]
+        return [lathe([*profile, (0, 0.008)], 18, mat=weave).scale(0.85, 1.15, 1)]
+
     def shape(rotten: bool) -> list[Mesh]:
         if form == "pair":
             return spread(one(rotten, True), [(0.045, -0.02, 0, 0.2), (-0.035, 0.03, 0, 2.9)])
         if form == "plate":
-            plate = lathe(
-                [
-                    (0, 0),
-                    (0.05, 0),
-                    (0.055, 0.003),
-                    (0.1, 0.013),
-                    (0.1, 0.017),
-                    (0.054, 0.008),
-                    (0, 0.008),
-                ],
-                22,
-                mat=plain("f2f1ec", 0.03),
-            )
-            return [plate, *spread(one(rotten, True), [(0.03, 0, 0.007, 0.1)])]
+            return spread(one(rotten, True), [(0.03, 0, 0.007, 0.1)])
         if form == "basket":
-            weave = Material()
-            c = weave.mix(weave.remap(weave.noise(60, 2, offset=o), 0.35, 0.65), "a8743a", "c8965a")
-            w = weave.math("SINE", weave.math("MULTIPLY", weave.axis(2), 520.0))
-            weave.colour(weave.mix(weave.remap(w, 0.2, 0.6, 0, 0.7), c, "6a4420"))
-            bowl = lathe(
-                [
-                    (0, 0),
-                    (0.085, 0),
-                    (0.118, 0.055),
-                    (0.122, 0.062),
-                    (0.112, 0.06),
-                    (0.08, 0.008),
-                    (0, 0.008),
-                ],
-                18,
-                mat=weave,
-            ).scale(0.85, 1.15, 1)
             places = [
                 (0.04, -0.05, 0.042, 0.2),
                 (-0.04, 0.0, 0.042, 2.9),
                 (0.045, 0.06, 0.042, -0.2),
             ]
             places.append((0.01, 0.01, 0.08, 1.3))
-            return [bowl, *spread(one(rotten, True), places)]
+            return spread(one(rotten, True), places)
         if form == "three":
             places = [(0.07, -0.01, 0, 0.15), (0, 0.01, 0, 0.0), (-0.07, 0, 0, -0.12)]
             return spread(one(rotten, True), places)
@@ -399,4 +383,5 @@ def croissant(form="one", bend=1.5, drizzle=False, seed=0) -> Model:
     }
     mass = {"pair": 0.12, "three": 0.18, "plate": 0.4, "basket": 0.45}.get(form, 0.06)
     pieces = footed if form in ("pair", "three") else one_hull
-    return baked_good(title.get(form, "croissant"), shape, mass, pieces, 128)
+    dish = {"plate": plate, "basket": basket}.get(form)
+    return baked_good(title.get(form, "croissant"), shape, mass, pieces, 128, dish)

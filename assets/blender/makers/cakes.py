@@ -71,6 +71,22 @@ def cake(form="layer", kind="cream", radius=0.11, height=0.085, seed=0) -> Model
             (r * 0.1, -r * 0.95, h * 0.6),
         ]
 
+    if form == "opened":
+        spots += [
+            (-r * 0.65, -r * 0.1, h, 0.9),
+            (r * 0.7, -r * 0.7, h * 0.5, 1.1),
+            (-r * 0.72, r * 0.68, h * 0.45),
+            (-r * 0.55, -r * 0.82, h * 0.55, 0.9),
+        ]
+    elif form == "square":
+        spots += [
+            (-r * 0.45, -r * 0.35, h, 0.9),
+            (r * 0.35, r * 0.75, h, 0.8),
+            (-r * 0.72, r * 0.1, h * 0.5, 0.9),
+            (r * 0.72, -r * 0.5, h * 0.5),
+            (-r * 0.1, r * 0.9, h * 0.5, 0.8),
+        ]
+
     def aged(m: Material, c, rotten: bool, size=0.036) -> Material:
         return m.colour(rot(m, c, size, spots, o, "54482e", 0.25) if rotten else c)
 

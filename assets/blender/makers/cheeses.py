@@ -73,6 +73,8 @@ def cheese_served(form="wheel", seed=0) -> Model:
             (-0.01, -0.05, 0.07, 0.8),
             (-0.036, 0.035, 0.045),
             (-0.036, -0.03, 0.03, 0.9),
+            (0.012, 0.075, 0.045),
+            (-0.012, -0.075, 0.03),
         ]
         mesh = box(
             0.075, 0.15, 0.07, mat=paste(rotten, "f6d050", spots, o, 0.026), bevel_width=0.003
@@ -129,6 +131,10 @@ def cheese_served(form="wheel", seed=0) -> Model:
         ]
         outer = rind(rotten, "f2ede0", spots, o, 0.03)
         mesh = missing_piece(outer, paste(rotten, "f4dc8c", spots, o, 0.024, 0.0), r, h, 1.0, 0.5)
+        return [mesh.move(z=0.005)]
+
+    def round_box() -> list[Mesh]:
+        """The camembert's box, its lid leaning on it."""
         wood = plain("d8b47c", 0.12, 90)
         base = lathe(
             [(0, 0), (0.066, 0), (0.066, 0.018), (0.062, 0.018), (0.062, 0.005), (0, 0.005)],
@@ -145,19 +151,11 @@ def cheese_served(form="wheel", seed=0) -> Model:
         project_label(lid, label(image), "+z", (0, 0), (0.136, 0.136), 0.8)
         lid.keep_pattern().turn(ry=1.05).move(-0.065, -0.01)
         lid.move(z=-lid.v[:, 2].min())
-        return [base, mesh.move(z=0.005), lid]
+        return [base, lid]
 
     def cubes(rotten: bool) -> list[Mesh]:
         spots = [(0.01, 0.004, 0.02), (-0.006, 0.01, 0.01, 0.9)]
         mat = paste(rotten, "f6ce4a", spots, o, 0.014, 0.26)
-        wood = Material()
-        c = wood.mix(
-            wood.remap(wood.noise(1, 3, offset=o, stretch=(90, 9, 90)), 0.4, 0.62),
-            "c89a5c",
-            "a8783c",
-        )
-        wood.colour(c)
-        board = box(0.13, 0.2, 0.014, mat=wood, bevel_width=0.003)
         cube = box(0.024, 0.024, 0.022, mat=mat)
         wedge = extrude(
             [(0, -0.03), (0.075, -0.012), (0.075, 0.012), (0, 0.03)],
@@ -176,11 +174,20 @@ def cheese_served(form="wheel", seed=0) -> Model:
         ]
         places = [(x, y, 0.014, 0.7 * i) for i, (x, y) in enumerate(grid)]
         return [
-            board,
             wedge,
             *spread([cube], places),
             *spread([cube], [(0.018, -0.045, 0.036, 0.4)]),
         ]
+
+    def board() -> list[Mesh]:
+        wood = Material()
+        c = wood.mix(
+            wood.remap(wood.noise(1, 3, offset=o, stretch=(90, 9, 90)), 0.4, 0.62),
+            "c89a5c",
+            "a8783c",
+        )
+        wood.colour(c)
+        return [box(0.13, 0.2, 0.014, mat=wood, bevel_width=0.003)]
 
     shapes = {
         "wheel": (wheel, "wheel of cheese with a piece cut out", 1.1),
@@ -192,4 +199,5 @@ def cheese_served(form="wheel", seed=0) -> Model:
     }
     shape, title, mass = shapes[form]
     size = 256 if form == "soft" else 128
-    return baked_good(title, shape, mass, footed if form == "red" else one_hull, size)
+    dish = {"soft": round_box, "cubes": board}.get(form)
+    return baked_good(title, shape, mass, footed if form == "red" else one_hull, size, dish)

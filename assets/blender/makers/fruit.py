@@ -195,6 +195,8 @@ def avocado(size=1.0, cut=False, seed=0) -> Model:
         (-r * 0.3, -r * 0.9, -0.014 * s),
         (r * 0.7, -r * 0.4, 0.012 * s, 0.8),
     ]
+    if not cut:  # the blunt end, and beside it
+        spots += [(-r * 0.1, r * 0.35, -0.044 * s), (-r * 0.85, r * 0.1, -0.026 * s, 0.8)]
     outline = [
         (0, -0.046),
         (0.017, -0.043),

@@ -343,20 +343,31 @@ def baked_good(
     mass: float,
     pieces: Callable[[list[Mesh]], list[np.ndarray]] = footed,
     texture_size: int = 256,
+    dish: Callable[[], list[Mesh]] | None = None,
 ) -> Model:
-    """A model fresh and mouldy: `shape(rotten)`."""
+    """A model fresh and mouldy: `shape(rotten)`.
+
+    What it is served on, if anything, stays as it is and shows nothing: `dish` stands on z = 0, a
+    part of its own.
+    """
     fresh, rotten = shape(False), shape(True)
-    on_table(fresh, rotten)
+    under = {}
+    if dish:
+        served = dish()
+        under["dish"] = Part(served, collision=footed(served))
+    else:
+        on_table(fresh, rotten)
     return Model(
         title=title,
         mass=mass,
         friction=0.7,
         texture_size=texture_size,
         parts={
+            **under,
             "body": Part(fresh, collision=pieces(fresh)),
             "body_rotten": Part(rotten, collision=pieces(rotten)),
         },
-        variants={"default": ["body"], "rotten": ["body_rotten"]},
+        variants={"default": [*under, "body"], "rotten": [*under, "body_rotten"]},
         states=SPOILED,
         smooth_deg=55,
     )

@@ -4,7 +4,16 @@ import pytest
 import shapely
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape
-from sdgen.walkways import OPEN_FLOOR_M, SEATED_M, WALKWAY_HALF_M, narrow, used, walked
+from sdgen.walkways import (
+    OPEN_FLOOR_M,
+    SEATED_M,
+    USED_FROM_M,
+    WALKWAY_HALF_M,
+    front,
+    narrow,
+    used,
+    walked,
+)
 from sdgen.zones import doorway_point, floor_obstacles
 from shapely.geometry import Point, Polygon, box
 
@@ -110,3 +119,17 @@ def test_where_people_sit_down_at_a_table_is_no_place_to_put_things_aside():
     assert found.contains(Point(3, 2.5 + SEATED_M - 0.05))
     assert not found.contains(Point(3, 2.5 + SEATED_M + 0.05))
     assert not narrow(ROOM, [table], []).contains(Point(3, 2.6))
+
+
+def test_before_what_is_used_is_no_place_to_put_things_aside():
+    """Over all its width: the way to it leads to its middle alone."""
+    (stove,) = bodies_of(
+        [toy.thing(10, "stove_01", (2.2, 2.0, 0), yaw=1.570796, fixed=True)], toy.infos()
+    )
+    width, depth = stove.info.extents_m[1], stove.info.extents_m[0]
+    floor = front(stove)
+    assert floor.area == pytest.approx(width * USED_FROM_M)
+    for side in (-0.45, 0.0, 0.45):
+        assert floor.contains(Point(2.2 + side * width, 2.0 + depth / 2 + 0.05))
+        assert not floor.contains(Point(2.2 + side * width, 2.0 - depth / 2 - 0.05))
+    assert narrow(ROOM, [], [], [floor]).contains(Point(2.2, 2.0 + depth / 2 + 0.3))

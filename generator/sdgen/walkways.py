@@ -58,6 +58,9 @@ SINGLE_FILE_M, SQUEEZED_M = 1.0, 0.35
 #: a hand's breadth (by eye, of our models). Feet are set down as far from a seat or a bed:
 #: people who saw pictures took what lay beside one for something to trip over.
 SEATED_M = 0.6
+#: Who opens, switches or fills a piece stands so far before it, somewhere along its width, and who
+#: comes home about the front door: a drawer's depth, or a step aside (a judgement).
+USED_FROM_M = 0.5
 #: Strips narrower than twice this are where two shapes nearly meet: nobody walks along them.
 SLIVER_M = 0.05
 
@@ -125,11 +128,15 @@ def _before(
 
 
 def narrow(
-    outline: Polygon, standing: Sequence[BaseGeometry], got_at: Sequence[BaseGeometry]
+    outline: Polygon,
+    standing: Sequence[BaseGeometry],
+    got_at: Sequence[BaseGeometry],
+    used_from: Sequence[BaseGeometry] = (),
 ) -> BaseGeometry:
     """Floor of a room that people use whether or not a way leads there: the middles of gaps that
     they pass in single file, between pieces of furniture (their outlines: ``standing``) or one and
-    a wall, and where they sit down at tables or on seats and get out of bed (``got_at``).
+    a wall; where they sit down at tables or on seats and get out of bed (``got_at``); and where
+    they stand to use things (``used_from``).
     """
     corners = shapely.get_coordinates(outline)
     walls = shapely.linestrings(np.stack([corners[:-1], corners[1:]], axis=1))
@@ -141,7 +148,15 @@ def narrow(
     near = shapely.buffer(shapes, SINGLE_FILE_M / 2, quad_segs=2)
     middles = shapely.intersection(near[first[passed]], near[second[passed]])
     seats = shapely.buffer(list(got_at), SEATED_M, quad_segs=2)
-    return shapely.union_all([*middles, *seats]).intersection(outline)
+    return shapely.union_all([*middles, *seats, *used_from]).intersection(outline)
+
+
+def front(body: Body) -> BaseGeometry:
+    """The floor before a piece of furniture from which it is used, as wide as it is."""
+    half_x, half_y = body.info.extents_m[0] / 2, body.info.extents_m[1] / 2
+    far = half_x + USED_FROM_M
+    ring = [(half_x, -half_y, 0.0), (far, -half_y, 0.0), (far, half_y, 0.0), (half_x, half_y, 0.0)]
+    return Polygon(apply(body.world_from_object, ring)[:, :2])
 
 
 class _Ways:

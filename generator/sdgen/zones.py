@@ -35,7 +35,7 @@ from sdgen.vocabulary import (
     OVERHEAD_M,
     ZoneKind,
 )
-from sdgen.walkways import GOT_AT, OPEN_FLOOR_M, narrow, used, walked
+from sdgen.walkways import GOT_AT, OPEN_FLOOR_M, USED_FROM_M, front, narrow, used, walked
 
 #: How far a doorway's zone reaches into each room: a stride, and most of a leaf's sweep.
 DOORWAY_DEPTH_M = 0.6
@@ -124,9 +124,15 @@ def narrow_floor(
     for room in home.rooms:
         here = [body for body in furniture if body.item.room_id == room.id]
         about = [b for b in here if not GOT_AT.isdisjoint(properties.get(b.item.category, ()))]
+        before = [front(body) for body in used(here, properties)]
         outline = Polygon(room.polygon_m)
-        found.append(narrow(outline, floor_obstacles(here), floor_obstacles(about)))
-    return union(found)
+        found.append(narrow(outline, floor_obstacles(here), floor_obstacles(about), before))
+    by_front_door = [
+        opening_rectangle(opening, HALF_WALL_M).buffer(USED_FROM_M)
+        for opening in home.openings
+        if opening.kind == "front_door"
+    ]
+    return union([*found, *by_front_door])
 
 
 def derive_zones(

@@ -4,9 +4,11 @@ from collections import Counter
 from dataclasses import replace
 
 import pytest
+import shapely
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import PlaceRecipe
 from sdgen.facts import bodies_of
+from sdgen.freespace import opening_rectangle
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import IN_THE_WAY_M, inject_candidate
@@ -18,7 +20,7 @@ from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection
 from sdgen.seeding import lane
-from sdgen.walkways import SEATED_M
+from sdgen.walkways import SEATED_M, front
 from shapely.geometry import Polygon, box
 
 from tests.shipped import shipped_library
@@ -120,12 +122,12 @@ def test_a_state_that_all_have_already_is_named(home, rooms, cause):
 
 
 def test_hazards_lie_no_nearer_to_walls_than_clutter_does(home, monkeypatch):
-    """Or a thing in the angle of wall and floor would be known for one that a recipe put there."""
+    """Or what lies nowhere in particular would be known by where it is."""
     spot_on_floor, asked = Layout.spot_on_floor, []
 
-    def record(layout, asset, area, outline, rng, **more):
-        asked.append((area, outline))
-        return spot_on_floor(layout, asset, area, outline, rng, **more)
+    def record(layout, asset, ground, *more):
+        asked.append(ground)
+        return spot_on_floor(layout, asset, ground, *more)
 
     monkeypatch.setattr(Layout, "spot_on_floor", record)
     add_clutter(home.layout.copy(), home.context, lane(3, 0, "clutter"))
@@ -133,8 +135,10 @@ def test_hazards_lie_no_nearer_to_walls_than_clutter_does(home, monkeypatch):
     for k in range(8):
         inject(["spill"], home.layout.copy(), home.context, False, lane(3, k, "inject"))
     assert 0 < by_clutter < len(asked)
-    for area, outline in asked:
-        assert area.difference(outline.buffer(-FLOOR_OFF_WALLS_M)).area < 1e-9
+    anywhere = [ground for ground in asked if ground.area is not None]
+    assert anywhere
+    for ground in anywhere:
+        assert ground.area.difference(ground.outline.buffer(-FLOOR_OFF_WALLS_M)).area < 1e-9
 
 
 def test_what_is_to_be_in_nobodys_way_keeps_off_narrow_floor(home):
@@ -166,6 +170,18 @@ def test_nothing_is_put_aside_where_people_get_out_of_bed_or_sit_down(home):
         (room,) = (r for r in home.context.home.rooms if r.id == piece.item.room_id)
         beside = piece.footprint.buffer(0.9 * SEATED_M).intersection(Polygon(room.polygon_m))
         assert beside.difference(home.context.narrow).area < 0.01 * beside.area
+
+
+def test_nothing_is_put_aside_before_furniture_or_about_the_front_door(home):
+    used_ones = [i for i in home.layout.items.values() if i.category in ("wardrobe", "stove")]
+    (door,) = [o for o in home.context.home.openings if o.kind == "front_door"]
+    floors = [front(piece) for piece in bodies_of(used_ones, LIBRARY.infos)]
+    assert floors
+    floors.append(opening_rectangle(door, 0.1).buffer(0.35))
+    for floor in floors:
+        inside = shapely.union_all([Polygon(r.polygon_m) for r in home.context.home.rooms])
+        there = floor.intersection(inside)
+        assert there.difference(home.context.narrow).area < 0.01 * there.area
 
 
 def test_a_recipe_leaves_out_models_that_come_in_a_state(home):

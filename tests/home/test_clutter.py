@@ -42,7 +42,7 @@ def _cluttered(home: str, seed: int) -> Layout:
 
 def _homes() -> Iterator[Layout]:
     for home in ("three_room_flat_2", "apartment_1", "country_house_3"):
-        for seed in range(3):
+        for seed in range(5):
             yield _cluttered(home, seed)
 
 

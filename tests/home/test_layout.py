@@ -7,6 +7,7 @@ import pytest
 from sdgen.actions import at_rest, in_state
 from sdgen.facts import Body
 from sdgen.geometry import quat_from_yaw
+from sdgen.home.ground import Ground
 from sdgen.home.layout import Intent, Layout, at_spot, corners_of
 from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import lane
@@ -88,10 +89,11 @@ def test_floor_spots_keep_to_their_area(layout):
     put(layout, "coffee_table", 1, 1)
     area, avoid = box(0, 0, 3, 3), box(0, 0, 1.5, 3)
     outline = box(0.5, -1, 2.5, 4)
+    ground = Ground(outline, area, keep_share=0.7, avoid=avoid)
     ball = LIBRARY.by_category("toy_ball")[0]
     rng = lane(0, 3, "layout")
     for _ in range(20):
-        spot = layout.spot_on_floor(ball, area, outline, rng, keep_share=0.7, avoid=avoid)
+        spot = layout.spot_on_floor(ball, ground, rng)
         if spot is not None:
             print_ = Polygon(corners_of(ball, spot[0][0], spot[0][1], spot[1]))
             assert outline.covers(print_)
@@ -103,7 +105,8 @@ def test_floor_spots_touch_nothing_of_what_they_must_keep_off(layout):
     area, off = box(0, 0, 3, 3), box(0, 0, 1.5, 3)
     crate = LIBRARY.by_category("cardboard_box")[0]
     rng = lane(0, 3, "layout")
-    spots = [layout.spot_on_floor(crate, area, area, rng, off=off) for _ in range(20)]
+    ground = Ground(area, area, off=off)
+    spots = [layout.spot_on_floor(crate, ground, rng) for _ in range(20)]
     found = [spot for spot in spots if spot is not None]
     assert found
     for (x, y, _), yaw in found:
@@ -146,7 +149,7 @@ def test_what_is_looked_at_on_the_floor_faces_no_wall():
     for category, faces_in in (("laptop", True), ("backpack", False)):
         asset, before = LIBRARY.by_category(category)[0], []
         for _ in range(60):
-            spot = layout.spot_on_floor(asset, room, room, rng)
+            spot = layout.spot_on_floor(asset, Ground(room, room), rng)
             (x, y, _), yaw = spot
             ray = LineString([(x, y), (x + 9 * math.cos(yaw), y + 9 * math.sin(yaw))])
             before.append(ray.intersection(room).length)
@@ -165,7 +168,7 @@ def test_shards_lie_on_what_they_are_put_on_every_one_of_them(layout, on_floor):
         bulk = layout.bulk_of(thing)
         for _ in range(8):
             if on_floor:
-                spot = layout.spot_on_floor(asset, floor, floor, rng, bulk=bulk)
+                spot = layout.spot_on_floor(asset, Ground(floor, floor), rng, bulk)
             else:
                 spot = layout.spot_on_object(asset, table, "ON", rng, bulk=bulk)
             if spot is None:

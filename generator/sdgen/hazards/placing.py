@@ -6,8 +6,6 @@ from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import partial
 
-from shapely.geometry import Polygon
-
 from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
@@ -17,7 +15,6 @@ from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
-from sdgen.vocabulary import ZONE_KEEP_SHARE
 
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
@@ -233,26 +230,9 @@ def _place_on_floor(
     ]
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
-        outline = Polygon(room.polygon_m)
-        area = context.floor(room.id, recipe.avoid_zones)
-        keep_share, avoid, off = 0.0, None, context.off(recipe.avoid_zones)
-        if recipe.zone:
-            area = context.zone_shape(recipe.zone, room.id).intersection(area)
-            keep_share = ZONE_KEEP_SHARE
-        elif recipe.avoid_zones:
-            avoid = context.zone_shape(recipe.avoid_zones)
+        ground = context.ground(room.id, recipe.avoid_zones, recipe.zone)
         for _ in range(SPOTS_TRIED):
-            spot = layout.spot_on_floor(
-                asset,
-                area,
-                outline,
-                rng,
-                keep_share=keep_share,
-                avoid=avoid,
-                bulk=bulk,
-                off=off,
-                gap_m=gap_m,
-            )
+            spot = layout.spot_on_floor(asset, ground, rng, bulk, gap_m)
             if spot is None:
                 break
             if context.shows_at(bulk, spot):

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
-from shapely.geometry import Polygon
 
 from sdgen.catalog.records import Abode, Category
 from sdgen.geometry import Array
@@ -293,14 +292,12 @@ def _place_on_floor(
     if picked is None:
         return
     asset, _ = picked
-    outline = Polygon(room.polygon_m)
-    area, keep_clear = context.floor(room.id, KEEP_CLEAR), context.zone_shape(KEEP_CLEAR)
-    off = context.off(KEEP_CLEAR)
+    ground = context.ground(room.id, KEEP_CLEAR)
     must_show = context.keeps_to_views(asset.category, rng)
     if must_show and not context.shows.anything_on(room.id):
         return
     for _ in range(SPOTS_TRIED):
-        spot = layout.spot_on_floor(asset, area, outline, rng, avoid=keep_clear, off=off)
+        spot = layout.spot_on_floor(asset, ground, rng)
         if spot is None:
             return
         if must_show and not context.shows_at(Bulk(asset.extents_m), spot):

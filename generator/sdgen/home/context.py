@@ -15,11 +15,13 @@ from sdgen.catalog.records import Catalog
 from sdgen.facts import bodies_of
 from sdgen.freespace import ROBOT_RADIUS_M, union, unreachable_rooms
 from sdgen.geometry import Array
+from sdgen.home.ground import ASIDE_M, Ground, walls_of
 from sdgen.home.layout import Bulk, Vec3Yaw
 from sdgen.home.reach import Reach
 from sdgen.library.records import Asset, AssetInfo
 from sdgen.scene import Home, ObjectInstance, Zone
 from sdgen.seeding import Rng
+from sdgen.vocabulary import ZONE_KEEP_SHARE
 from sdgen.zones import floor_obstacles
 
 #: Which models a scene may use (its split decides): category -> models.
@@ -75,9 +77,9 @@ class Everything:
 class HomeContext:
     """A furnished home's shell and zones, and the catalogue and models it may be filled from.
 
-    ``shows`` tells where things can be seen, ``narrow`` is the floor of gaps that people may walk
-    through: what must keep off walkways keeps off these. ``free`` is where a robot's middle can be
-    (None: anywhere).
+    ``shows`` tells where things can be seen, ``narrow`` is the floor that people use though no way
+    leads there: what must keep off walkways keeps off it. ``standing`` is what the furniture stands
+    on, ``free`` where a robot's middle can be (None: anywhere).
     """
 
     home: Home
@@ -87,6 +89,7 @@ class HomeContext:
     reach: Reach
     shows: Shows = field(default_factory=Everything)
     narrow: BaseGeometry = field(default_factory=Polygon)
+    standing: BaseGeometry = field(default_factory=Polygon)
     free: BaseGeometry | None = None
 
     def shows_at(self, bulk: Bulk, spot: Vec3Yaw) -> bool:
@@ -122,26 +125,37 @@ class HomeContext:
             s.id for s in self.home.structures if s.category == "floor" and s.room_id == room_id
         )
 
-    def floor(self, room_id: int, clear_of: Sequence[str] = ()) -> BaseGeometry:
-        """Where things on a room's floor may have their middle, clear of zones of these kinds;
-        computed once a home."""
-        key = (tuple(clear_of), room_id)
-        if key not in self._floors:
-            room = next(room for room in self.home.rooms if room.id == room_id)
-            inner = shapely.polygons(room.polygon_m).buffer(-FLOOR_OFF_WALLS_M)
-            if clear_of:
-                inner = inner.difference(self.zone_shape(clear_of))
-            off = self.off(clear_of)
-            self._floors[key] = inner if off is None else inner.difference(off)
-        return self._floors[key]
+    def floor(self, room_id: int) -> BaseGeometry:
+        """Where things on a room's floor may have their middle."""
+        return self._outline(room_id).buffer(-FLOOR_OFF_WALLS_M)
 
-    def off(self, clear_of: Sequence[str]) -> BaseGeometry | None:
-        """What nothing touches that is to be clear of zones of these kinds: the ``narrow`` floor,
-        if ways are among them."""
-        return self.narrow if "walkway" in clear_of else None
+    def ground(
+        self, room_id: int, clear_of: Sequence[str] = (), within: Sequence[str] = ()
+    ) -> Ground:
+        """The floor of a room that takes things which are to be clear of zones of some kinds, or
+        mostly within some; computed once a home. What is to keep off walkways is put aside."""
+        key = (room_id, tuple(clear_of), tuple(within))
+        if key not in self._grounds:
+            self._grounds[key] = self._ground(*key)
+        return self._grounds[key]
+
+    def _ground(self, room_id: int, clear_of: Sequence[str], within: Sequence[str]) -> Ground:
+        outline, avoid = self._outline(room_id), self.zone_shape(clear_of)
+        if "walkway" in clear_of and not within:
+            taken = [avoid, self.narrow, self.standing.buffer(ASIDE_M[1], join_style="mitre")]
+            walls = walls_of(outline).difference(union(taken))
+            return Ground(outline, None, walls, avoid=avoid, off=self.narrow)
+        area = self.floor(room_id).difference(avoid)
+        if not within:
+            return Ground(outline, area, avoid=avoid)
+        area = area.intersection(self.zone_shape(within, room_id))
+        return Ground(outline, area, keep_share=ZONE_KEEP_SHARE)
+
+    def _outline(self, room_id: int) -> Polygon:
+        return Polygon(next(room.polygon_m for room in self.home.rooms if room.id == room_id))
 
     @cached_property
-    def _floors(self) -> dict[tuple[tuple[str, ...], int], BaseGeometry]:
+    def _grounds(self) -> dict[tuple[int, tuple[str, ...], tuple[str, ...]], Ground]:
         return {}
 
     def zone_shape(self, kinds: Sequence[str], room_id: int | None = None) -> BaseGeometry:

@@ -15,11 +15,11 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
-from shapely.geometry import LineString, Point, Polygon
+from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import at_rest
-from sdgen.freespace import Pieces, opening_rectangle
+from sdgen.freespace import opening_rectangle
 from sdgen.geometry import (
     Array,
     Vec2,
@@ -31,6 +31,8 @@ from sdgen.geometry import (
     yaw_of,
 )
 from sdgen.home.blocks import NOBODY, Block, Table, blocks_of
+from sdgen.home.ground import Ground
+from sdgen.home.headings import FRONT_SPREAD_RAD, random_yaw
 from sdgen.home.surfaces import PlacingSurface, placing_surfaces
 from sdgen.home.ways import Ways
 from sdgen.library import Library
@@ -39,7 +41,7 @@ from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
 from sdgen.scene import Home, ObjectInstance, Opening, Pose
 from sdgen.seeding import Rng
-from sdgen.vocabulary import HALF_WALL_M, OPENINGS, ZONE_AVOID_SHARE
+from sdgen.vocabulary import HALF_WALL_M, OPENINGS
 
 #: Things start this far above what they stand on: a contact at the start would push them.
 DROP_M = 0.001
@@ -50,15 +52,6 @@ FLOOR_GAP_M = 0.03
 #: Spots drawn for a thing on one target; of 2,100 spots found two fifths were the first, one in a
 #: hundred the twelfth.
 TRIES = 12
-#: By eye: so often a thing lies square to what is under it, give or take so many radians (about
-#: 5 degrees, nobody measures); otherwise any way round.
-SQUARE_CHANCE, SQUARE_SPREAD_RAD = 0.6, 0.08
-#: What is looked at has its front the way that of its support faces, give or take so many radians
-#: (17 degrees): by eye, a photo or a clock turned a little to where people sit or lie.
-FRONT_SPREAD_RAD = 0.3
-#: What stands on the floor to be looked at has so much of it free before it, metres: somebody sits
-#: or kneels there.
-SEEN_FROM_M = 0.65
 #: Left above a thing on a shelf: a hand gets it in and out.
 HEADROOM_LEFT_M = 0.015
 #: What may reach into a wall: less than physics calls a penetration.
@@ -266,49 +259,24 @@ class Layout:
     def spot_on_floor(
         self,
         asset: AssetInfo,
-        area: BaseGeometry,
-        outline: Polygon,
+        ground: Ground,
         rng: Rng,
-        keep_share: float = 0.0,
-        avoid: BaseGeometry | None = None,
         bulk: Bulk | None = None,
-        off: BaseGeometry | None = None,
         gap_m: float = FLOOR_GAP_M,
     ) -> Vec3Yaw | None:
-        """A free spot on the floor with its centre in ``area``, all within the outline, ``gap_m``
-        from what stands there.
+        """A free spot on this floor, ``gap_m`` from what stands there.
 
-        At least ``keep_share`` of the footprint lies in ``area``, at most ``ZONE_AVOID_SHARE`` in
-        ``avoid``, none in ``off``. ``bulk`` is what the thing fills, if it is not at rest.
+        ``bulk`` is what the thing fills, if it is not at rest.
         """
         bulk = bulk or Bulk(asset.extents_m)
-        shapely.prepare(area)
-        shapely.prepare(outline)
-        for shape in (avoid, off):
-            if shape is not None:
-                shapely.prepare(shape)
-        pieces = Pieces(area)
+        looked_at = asset.category in self.fronted
         for _ in range(TRIES):
-            point = pieces.random_point(rng)
-            yaw = random_yaw(rng)
-            if point is None:
+            drawn_at = ground.draw(bulk.size_m, looked_at, rng)
+            if drawn_at is None:
                 return None
-            if asset.category in self.fronted and _faces_wall(outline, point, yaw):
-                yaw += math.pi
-                if _faces_wall(outline, point, yaw):
-                    continue
+            point, yaw = drawn_at
             print_ = shapely.polygons(_ring(bulk.size_m, *point, yaw))
-            if not outline.covers(print_):
-                continue
-            if keep_share and print_.intersection(area).area < keep_share * print_.area:
-                continue
-            if (
-                avoid is not None
-                and avoid.intersects(print_)
-                and print_.intersection(avoid).area > ZONE_AVOID_SHARE * print_.area
-            ):
-                continue
-            if off is not None and off.intersects(print_):
+            if not ground.takes(print_, point, yaw, looked_at):
                 continue
             if self.fits([space_at(bulk.size_m, (*point, 0.0), yaw, gap_m)]):
                 return (*bulk.origin(point, yaw), 0.0), yaw
@@ -349,13 +317,6 @@ def at_spot(
     return item.model_copy(update={"pose": pose, "room_id": room_id})
 
 
-def random_yaw(rng: Rng, square_to: float = 0.0) -> float:
-    """A heading: people put things roughly square to what is under them, or any way round."""
-    if rng.random() < SQUARE_CHANCE:
-        return float(square_to + rng.integers(4) * math.pi / 2 + rng.normal(0.0, SQUARE_SPREAD_RAD))
-    return float(rng.uniform(-math.pi, math.pi))
-
-
 def _inward(yaw: float, target: ObjectInstance, point: Vec2) -> float:
     """The heading of what stands on ``target`` turned the same way off its front, but towards its
     middle: at the end of a chest, nothing looks at the wall beside it."""
@@ -363,13 +324,6 @@ def _inward(yaw: float, target: ObjectInstance, point: Vec2) -> float:
     dx, dy = point[0] - target.pose.position_m[0], point[1] - target.pose.position_m[1]
     left = math.cos(front) * dy - math.sin(front) * dx
     return front - math.copysign(yaw - front, left)
-
-
-def _faces_wall(outline: Polygon, point: Vec2, yaw: float) -> bool:
-    """Whether what stands at a point of a room looks at a wall that is near."""
-    x, y = point
-    ahead = Point(x + SEEN_FROM_M * math.cos(yaw), y + SEEN_FROM_M * math.sin(yaw))
-    return not outline.covers(LineString([(x, y), ahead]))
 
 
 def room_to_change(

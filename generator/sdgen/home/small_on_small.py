@@ -17,7 +17,8 @@ from shapely.geometry.base import BaseGeometry
 
 from sdgen.freespace import Pieces
 from sdgen.geometry import Array, Vec2, apply, yaw_of
-from sdgen.home.layout import DROP_M, Layout, Vec3Yaw, random_yaw, space_at
+from sdgen.home.headings import random_yaw
+from sdgen.home.layout import DROP_M, Layout, Vec3Yaw, space_at
 from sdgen.library.drawn import Drawn, drawn
 from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance

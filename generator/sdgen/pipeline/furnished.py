@@ -10,7 +10,7 @@ from sdgen.cameras.view import View
 from sdgen.catalog.records import Catalog, HomeMix, HomeSpec
 from sdgen.errors import UsageError
 from sdgen.facts import Facts, bodies_of, room_at
-from sdgen.freespace import free_shape, random_point, rounded_rings, unreachable_rooms
+from sdgen.freespace import free_shape, random_point, rounded_rings, union, unreachable_rooms
 from sdgen.geometry import Vec2
 from sdgen.hazards.certify import facts_of
 from sdgen.home.arrange import furnish_by_rules
@@ -174,7 +174,8 @@ def furnished_home(
     home = _sorted(home)
     # By id, as anyone has it who reads the scene: a union's last digits depend on the order.
     bodies = bodies_of([layout.items[k] for k in sorted(layout.items)], library.infos)
-    free = free_shape(home, floor_obstacles(bodies))
+    obstacles = floor_obstacles(bodies)
+    free = free_shape(home, obstacles)
     cut_off = unreachable_rooms(home, free)
     if cut_off:
         return reject("home", "room_cut_off", category=cut_off[0].type)
@@ -191,6 +192,7 @@ def furnished_home(
         theirs,
         Reach(catalog, bodies),
         narrow=narrow_floor(home, bodies, properties),
+        standing=union(obstacles),
         free=free,
     )
     context = leave_open(layout, context, rng)

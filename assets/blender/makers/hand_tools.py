@@ -147,6 +147,18 @@ PLIERS = {
         [(-0.008, 0.008), (-0.028, 0.016), (-0.062, 0.023), (-0.1, 0.019), (-0.115, 0.022)],
         16,
     ),
+    "flat": (  # broad, square-ended jaws; short handles, nearly shut
+        [
+            (-0.011, 0.0),
+            (-0.011, 0.0125),
+            (0.004, 0.0145),
+            (0.014, 0.0105),
+            (0.06, 0.008),
+            (0.06, 0),
+        ],
+        [(-0.008, 0.009), (-0.022, 0.013), (-0.05, 0.0115), (-0.082, 0.0105), (-0.1, 0.0135)],
+        5,
+    ),
     "pincers": (
         [
             (-0.01, 0.002),
@@ -179,6 +191,14 @@ PLIERS = {
     ),
 }
 
+#: Where the jaws are grooved: the first groove, the step to the next, how many.
+TEETH = {
+    "combination": (0.026, 0.004, 4),
+    "slip": (0.026, 0.004, 4),
+    "needle": (0.04, 0.008, 5),
+    "flat": (0.026, 0.0055, 6),
+}
+
 
 def pliers_half(kind: str, side: int, steel, grip) -> list[Mesh]:
     """One half: the jaw on one side of the pivot, its handle on the other."""
@@ -193,8 +213,8 @@ def pliers_half(kind: str, side: int, steel, grip) -> list[Mesh]:
     bare = tube(path[: cut + 1], radii[: cut + 1], 6, mat=steel, up=(0, 0, 1.0))
     sleeve = tube(path[cut:], radii[cut:] * 1.12, 7, mat=grip, up=(0, 0, 1.0))
     teeth = []
-    if kind in ("combination", "slip", "needle"):
-        start, step, count = (0.026, 0.004, 4) if kind != "needle" else (0.04, 0.008, 5)
+    if kind in TEETH:
+        start, step, count = TEETH[kind]
         dark = plain("4a4f55", 0.0)
         for k in range(count):
             line_k = box(0.0012, 0.0045, 0.0114, (start + step * k, side * 0.0022, -0.0002), dark)
@@ -243,7 +263,7 @@ def pliers(kind: str, colour: str) -> Model:
         [(0, 0), (0.0085, 0), (0.007, 0.003), (0, 0.0034)], 12, mat=metal("c3c7cb", "7a8086")
     )
     groups[0].append(pin.move(z=0.0125))
-    titles = {"needle": "needle-nose pliers", "pincers": "pincers"}
+    titles = {"needle": "needle-nose pliers", "flat": "flat-nose pliers", "pincers": "pincers"}
     return lying(titles.get(kind, f"{kind} pliers"), groups, 0.22)
 
 
@@ -267,7 +287,7 @@ MODELS = {
         [
             ("combination", "#d8202c"),
             ("needle", "#1f5fb0"),
-            ("needle", "#e8781c"),
+            ("flat", "#e8781c"),
             ("pump", "#c8202c"),
             ("pincers", "#1c1c20"),
             ("slip", "#f2c21e"),

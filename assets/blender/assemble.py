@@ -20,6 +20,7 @@ import numpy as np
 import trimesh
 import yaml
 from compact import compact
+from scipy.spatial import ConvexHull, QhullError
 from sdgen.library.meshes import read_glb
 from sdgen.library.poses import resting_poses
 from sdgen.library.records import Asset
@@ -28,6 +29,8 @@ from sdgen.library.shape import centre_of_mass, corners_of
 ASSETS = Path(__file__).resolve().parent.parent
 RECORDS = ASSETS.parent / "build" / "assets"
 MAX_VERTICES = 32
+#: A corner that stands out of the hull of the others by less is not needed, metres.
+STANDS_OUT_M = 0.0003
 HEAD = "# Written by blender/assemble.py; see README.md for the fields.\n"
 
 
@@ -110,22 +113,27 @@ def part_mesh(glb: Path, name: str) -> trimesh.Trimesh:
     return mesh
 
 
-def simplify_hull(points: np.ndarray) -> np.ndarray:
-    """The corners of the convex hull, thinned to those that carry its shape."""
-    points = np.asarray(points, float)
-    hull = trimesh.convex.convex_hull(points).vertices
-    if len(hull) <= MAX_VERTICES:
-        return hull
-    chosen = [int(hull[:, 0].argmin())]  # extremes along the axes first, then farthest points
-    for axis in range(3):
-        chosen += [int(hull[:, axis].argmin()), int(hull[:, axis].argmax())]
-    chosen = list(dict.fromkeys(chosen))
-    distance = np.min([np.linalg.norm(hull - hull[i], axis=1) for i in chosen], axis=0)
-    while len(chosen) < MAX_VERTICES:
-        k = int(distance.argmax())
-        chosen.append(k)
-        distance = np.minimum(distance, np.linalg.norm(hull - hull[k], axis=1))
-    return hull[sorted(chosen)]
+def simplify_hull(points: np.ndarray, steep: float = 1.0) -> np.ndarray:
+    """The corners of the convex hull, thinned to those that carry its shape; heights count
+    ``steep`` times as much."""
+    full = trimesh.convex.convex_hull(np.asarray(points, float)).vertices
+    if len(full) <= MAX_VERTICES:
+        return full
+    hull = full * (1.0, 1.0, steep)
+    ends = [pick for axis in hull.T for pick in (int(axis.argmin()), int(axis.argmax()))]
+    first = np.linalg.norm(hull - hull[ends[0]], axis=1).argsort()[::-1]
+    chosen = list(dict.fromkeys([*ends, *first[:2].tolist()]))
+    while len(chosen) < MAX_VERTICES:  # the one that stands out most of the hull of those before
+        try:
+            planes = ConvexHull(hull[chosen]).equations
+        except QhullError:  # flat so far
+            chosen.append(next(k for k in first.tolist() if k not in chosen))
+            continue
+        out = (hull @ planes[:, :3].T + planes[:, 3]).max(axis=1)
+        if out.max() < STANDS_OUT_M:
+            break
+        chosen.append(int(out.argmax()))
+    return full[sorted(chosen)]
 
 
 def decompose(mesh: trimesh.Trimesh) -> list[np.ndarray]:
@@ -159,8 +167,9 @@ COMPLETE = (
 
 
 def hull_pieces(entry: dict, collision: dict) -> list[dict]:
-    """Convex pieces of all parts, as the hulls file holds them."""
+    """Convex pieces of all parts, as the hulls file holds them; what is padded is laid already."""
     pieces = []
+    padded = [s for s in entry["supports"] if cushions.is_padded(entry["category"], s)]
     for part, wish in collision.items():
         if wish == "none":
             continue
@@ -170,8 +179,13 @@ def hull_pieces(entry: dict, collision: dict) -> list[dict]:
             found = decompose(part_mesh(built_mesh(entry), part))
         else:
             found = [np.array(p) for p in wish]
+        own = [s for s in padded if s["part"] == part]
+        if own:
+            names = entry["variants"]["default"]
+            drawn = np.concatenate([part_mesh(built_mesh(entry), name).triangles for name in names])
+            found = [piece for points in found for piece in cushions.capped(drawn, points, own)]
         for points in found:
-            corners = np.round(simplify_hull(points), 4)
+            corners = np.round(simplify_hull(points, cushions.STEEP if own else 1.0), 4)
             # Slices of a lying thing can be flat: nothing to stand on.
             if np.linalg.matrix_rank(corners - corners[0], tol=1e-3) == 3:
                 piece = {"part": part, "vertices_m": corners.tolist()}
@@ -181,7 +195,8 @@ def hull_pieces(entry: dict, collision: dict) -> list[dict]:
 
 def hulls_text(entry: dict, collision: dict) -> str:
     """The hulls file of a model; kept in the build folder, for decomposing takes seconds."""
-    key = geometry_digest(built_mesh(entry)) + json.dumps(collision, sort_keys=True)
+    wishes = json.dumps([collision, entry["supports"]], sort_keys=True)
+    key = geometry_digest(built_mesh(entry)) + wishes
     kept = RECORDS / "hulls" / f"{hashlib.sha256(key.encode()).hexdigest()}.json"
     if not kept.exists():
         pieces = hull_pieces(entry, collision)
@@ -238,14 +253,13 @@ def lay_on_cushions(entries: dict[str, dict]) -> None:
     """Lay the supports of what is padded on what is drawn; done to those done before, nothing."""
     known: dict[str, list[dict]] = {}
     for entry in entries.values():
-        if entry["category"] not in cushions.SOFT:
-            continue
-        asset = Asset.model_validate(entry)
         out = []
         for support in entry["supports"]:
-            roomy = (support["headroom_m"] or np.inf) >= cushions.HEADROOM_M
             key = entry["mesh"] + repr(support)
-            if support["container"] is None and roomy and key not in known:
+            if cushions.is_padded(entry["category"], support) and key not in known:
+                asset = Asset.model_validate(
+                    {k: v for k, v in entry.items() if k in Asset.model_fields}
+                )
                 meshes = read_glb(ASSETS / entry["mesh"], asset)
                 drawn = corners_of([meshes[part] for part in entry["variants"]["default"]])
                 known[key] = cushions.laid(drawn, support)
@@ -325,6 +339,7 @@ def main() -> int:
         for asset_id in store_meshes(built, entries):
             failures += 1
             print(f"FAILED {asset_id}: its mesh was rebuilt under another skin; build it, too")
+        lay_on_cushions(built)
         for asset_id, entry in built.items():
             try:
                 collision = entry.pop("collision")

@@ -14,11 +14,14 @@ from shapely.geometry import Polygon, box
 #: What is padded; of other furniture the tops are level, or meant as they are (grates, slats).
 SOFT = (
     *("armchair", "bar_stool", "bench", "chair", "office_chair", "ottoman", "sofa"),
-    *("bed", "child_bed", "crib"),
+    *("bed", "child_bed", "crib", "shoe_rack", "stool"),
 )
 #: What is drawn may be so much below a support and above it, metres: a gap of a centimetre is seen
 #: (tests/audit), a cushion gives way by half of that.
-BELOW_M, ABOVE_M = 0.0085, 0.004
+BELOW_M, ABOVE_M = 0.0085, 0.0025
+#: The piece that carries follows what bulges, and stays so much over it, metres: a small thing at
+#: the edge of a cushion then lies as near to it as in its middle, and nothing rolls off.
+LIFT_M = 0.003
 #: What was laid is not laid again: cells then lie elsewhere, metres.
 SLACK_M = 0.0005
 #: Levels tried, and cells looked at, metres.
@@ -29,8 +32,21 @@ HEADROOM_M = 0.5
 DEEP_M = 0.06
 #: Round outlines are tried drawn in by so much, metres.
 INWARD_M = (0.0, 0.01, 0.02, 0.03, 0.04)
+#: Corners this near the highest one make a piece's top; it carries what lies on it with so much of
+#: its area; heights are looked at in steps, metres.
+LEVEL_M, CARRIED, SAMPLE_M = 0.001, 0.8, 0.015
+#: Where its corners are thinned, heights count so much more than what is seen from above.
+STEEP = 5.0
 #: Another rectangle is worth having with this share of the first one's area; none is narrower.
 SHARE, NARROW_M = 0.35, 0.12
+#: A sofa has three cushions; what needs more rectangles is tufted, and lies better on one.
+MOST = 3
+
+
+def is_padded(category: str, support: dict) -> bool:
+    """Whether a support (as the manifest has it) is one of a cushion or a mattress."""
+    roomy = (support["headroom_m"] or np.inf) >= HEADROOM_M
+    return category in SOFT and support["container"] is None and roomy
 
 
 def heights(triangles: np.ndarray, points: np.ndarray, low: float, high: float) -> np.ndarray:
@@ -80,6 +96,8 @@ def _rectangles(mask: np.ndarray) -> list[tuple[int, int, int, int]]:
         if not area or (out and area < SHARE * (out[0][1] - out[0][0]) * (out[0][3] - out[0][2])):
             return out
         out.append((r0, r1, c0, c1))
+        if len(out) == MOST:
+            return out
         mask[r0:r1, c0:c1] = False
 
 
@@ -124,6 +142,45 @@ def _drawn_in(
         if inside.any() and good[inside].all() and isinstance(smaller, Polygon):
             return smaller
     return None
+
+
+def capped(triangles: np.ndarray, points: np.ndarray, supports: list[dict]) -> list[np.ndarray]:
+    """Convex pieces in place of one (its corners, (N, 3)) whose top carries padded supports: flat
+    where the drawn triangles (M, 3, 3) are nearly as high as the support, falling with them at its
+    edges. One for each support; the piece itself where it carries none."""
+    top = float(points[:, 2].max())
+    level = points[points[:, 2] > top - LEVEL_M]
+    outline = shapely.convex_hull(shapely.multipoints(level[:, :2]))
+    own = []
+    for support in supports:
+        shape = Polygon(support["polygon_m"])
+        if abs(support["z_m"] - top) < DEEP_M / 2:
+            own += [support] * bool(outline.intersection(shape).area > CARRIED * shape.area)
+    if not own:
+        return [points]
+    x0, y0, x1, y1 = outline.bounds
+    xs, ys = (
+        np.linspace(a, b, max(2, round((b - a) / SAMPLE_M)) + 1) for a, b in ((x0, x1), (y0, y1))
+    )
+    grid = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
+    ring = np.array(outline.exterior.coords)[:-1]
+    spots = np.concatenate([grid[shapely.intersects_xy(outline, grid[:, 0], grid[:, 1])], ring])
+    shapes = [Polygon(s["polygon_m"]) for s in own]
+    nearest = np.argmin([shapely.distance(s, shapely.points(spots)) for s in shapes], axis=0)
+    out = []
+    for k, support in enumerate(own):
+        mine, z_m = spots[nearest == k], support["z_m"]
+        z = heights(triangles, mine, z_m - DEEP_M, z_m + DEEP_M / 2)
+        drawn = np.isfinite(z)
+        within = shapely.intersects_xy(shapes[k], mine[:, 0], mine[:, 1]) & drawn
+        if len(own) == 1 and (z[within] > z_m - LIFT_M).all():
+            return [points]  # as good as level: reading it brings it to the support
+        carries = np.column_stack([mine[drawn], np.minimum(z[drawn] + LIFT_M, z_m)])
+        under = points[points[:, 2] <= top - LEVEL_M]
+        if len(own) > 1:
+            under = np.column_stack([mine[drawn], np.full(drawn.sum(), points[:, 2].min())])
+        out.append(np.concatenate([carries, under]))
+    return out
 
 
 def _named(support: dict, k: int, z_m: float, shape: Polygon) -> dict:

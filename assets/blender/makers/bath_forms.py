@@ -278,14 +278,16 @@ def oval_tub(
         "slipper": "slipper bathtub on claw feet",
         "corner": "short deep bathtub, boxed in",
     }
-    flat = (0.62 * hx, 0.62 * hy)
+    # the rectangle within the level floor, an oval of the loft's last ring
+    last, share = ring(0.68, floor, power, inset), 2 ** (-1 / power)
+    flat = (float(last[:, 0].max()) * share, float(last[:, 1].max()) * share)
     return Model(
         title=names[style] + ("" if colour == "#f4f5f3" else ", coloured outside"),
         parts=asm.parts(water={"rgba": WET}),
         mass=70.0,
         variants=switch["variants"],
         states=switch["states"],
-        supports=[surface("floor", (-flat[0], -flat[1]), flat, floor, None, "tub", margin=0.03)],
+        supports=[surface("floor", (-flat[0], -flat[1]), flat, floor, None, "tub")],
         containers=[
             Container("tub", (0, 0, (floor + height) / 2), (1.5 * hx, 1.6 * hy, height - floor))
         ],

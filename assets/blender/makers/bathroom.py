@@ -220,7 +220,10 @@ def bathtub(
         asm.add("body", lathe(knob, 10, mat=metal).move(x, y, 0))
     stream(asm, 0, y + 0.135, height + 0.12, floor, 0.016)
     switch = switched(asm, "water")
-    inside = (width - 0.26, length - 0.34)
+    # the rectangle within the level floor, an oval of the loft's last ring
+    grow, power = (0.19, 4.0) if panelled else (0.2, 3.0)
+    share = 2 ** (-1 / power)
+    inside = ((width - 2 * grow) * share, (length - 2 * grow) * share)
     return Model(
         title="bathtub, boxed in" if panelled else "free-standing bathtub",
         parts=asm.parts(water={"rgba": (1.15, 1.15, 1.15, 1.0)}),

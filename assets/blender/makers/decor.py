@@ -97,12 +97,12 @@ def trash_bin(
         [(r0, 0.0), (radius, height)], [(r0 - t, 0.0), (radius - t, height)], 10
     ):
         asm.piece("body", piece)
-    asm.piece("body", cylinder_piece(r0, 0, 0.016))
+    asm.piece("body", cylinder_piece(r0, 0, 0.018))
     return Model(
         title="open bin",
         parts=asm.parts(),
         mass=1.4,
-        supports=[Support("floor", 0.016, round_polygon(r0 - 0.02, 12), "body", None, "inside")],
+        supports=[Support("floor", 0.018, round_polygon(r0 - 0.02, 12), "body", None, "inside")],
         containers=[
             Container("inside", (0, 0, height / 2 + 0.01), (1.35 * r0, 1.35 * r0, height - 0.02))
         ],

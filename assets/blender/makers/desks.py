@@ -130,7 +130,9 @@ def desk_metal(
         case.board((-0.045, 0.045), (y - 0.033, y + 0.033), (0.03, 0.4), iron, 0.003)
         case.board((-0.034, 0.034), (y - 0.024, y + 0.024), (0.4, z1), bright, 0.002)
         case.board((x[0] + 0.06, x[1] - 0.06), (y - 0.03, y + 0.03), (z1 - 0.03, z1), iron)
-    case.board((-0.03, 0.03), (-half + 0.2, half - 0.2), (z1 - 0.045, z1 - 0.005), iron)
+    # the beam between the columns stops at the drawer's case
+    for y in ((-half + 0.2, -half + 0.3), (-half + 0.72, half - 0.2)):
+        case.board((-0.03, 0.03), y, (z1 - 0.045, z1 - 0.005), iron)
     y, deep, z0 = (-half + 0.3, -half + 0.72), (-0.2, x[1] - 0.04), z1 - 0.1
     case.carcass(deep, y, (z0, z1), outside=iron)
     case.drawer("drawer", deep, y, (z0, z1), pull_at=0.8)

@@ -80,10 +80,11 @@ def top_loader(colour: str = "#f3f4f3", width: float = 0.68, offset: Offset = (0
     asm.board("body", (x0, -half, height - 0.03), (x0 + deck, half, height), shell, 0.004)
     asm.board("body", (x0 + 0.02, -half + 0.02, 0), (x1 - 0.03, half - 0.02, 0.022), dark)
     # tub rim and drum: open above, with an agitator
-    r = min(half - wall - 0.012, 0.235)
+    r, floor = min(half - wall - 0.012, 0.235), 0.2005
     cx = 0.02 + (0.02 if broad else 0.0)
-    drum = [(0, 0.2), (r, 0.2), (r, height - 0.06), (r - 0.006, height - 0.06)]
-    drum += [(r - 0.012, height - 0.09), (r - 0.012, 0.212), (0, 0.212)]
+    # its floor as good as level with that of the case, which shows where nobody sees the drum's
+    drum = [(0, 0.19), (r, 0.19), (r, height - 0.06), (r - 0.006, height - 0.06)]
+    drum += [(r - 0.012, height - 0.09), (r - 0.012, floor), (0, floor)]
     perforated = _perforated(1, 0.0, r)
     asm.add("body", lathe(drum, 22, mat=perforated, weight=0.6).move(cx, 0, 0))
     collar = (x0 + deck, -half + wall, height - 0.062), (cx - r + 0.02, half - wall, height - 0.05)
@@ -99,7 +100,7 @@ def top_loader(colour: str = "#f3f4f3", width: float = 0.68, offset: Offset = (0
         ribs = lathe(fin, 12, mat=plain("#dfe4e8", 0.03), rib=lambda k, i: 1 if i % 3 else 1.3)
         asm.add("body", ribs.move(cx, 0, 0))
         asm.solid("body", (cx - 0.04, -0.04, 0.21), (cx + 0.04, 0.04, 0.62))
-    asm.solid("body", (x0 + wall, -half + wall, 0.06), (x1 - wall, half - wall, 0.212))
+    asm.solid("body", (x0 + wall, -half + wall, 0.06), (x1 - wall, half - wall, floor))
     # lid, hinged behind
     lid = (
         (x0 + deck + 0.002, -half + 0.012, height - 0.022),
@@ -140,7 +141,7 @@ def top_loader(colour: str = "#f3f4f3", width: float = 0.68, offset: Offset = (0
         if broad
         else ((cx - inner, -inner), (cx + inner, inner))
     )
-    center = ((low[0] + high[0]) / 2, 0.0, 0.212 + 0.3)
+    center = ((low[0] + high[0]) / 2, 0.0, floor + 0.3)
     tone = "white" if colour == "#f3f4f3" else "grey"
     return Model(
         title=f"{tone} top-loading washing machine{'' if broad else ', slim'}",
@@ -150,7 +151,7 @@ def top_loader(colour: str = "#f3f4f3", width: float = 0.68, offset: Offset = (0
         joints={"door": joint},
         states=states,
         supports=[
-            surface("drum_floor", low, high, 0.212, 0.6, "inside"),
+            surface("drum_floor", low, high, floor, 0.6, "inside"),
             surface("top", lid[0][:2], lid[1][:2], lid_top, part="door", margin=0.02),
         ],
         containers=[

@@ -195,7 +195,7 @@ def high_chair(
                 0.012,
             )
             asm.add("body", pad)
-            top = seat_z + 0.035
+            top = seat_z + 0.0375
         else:
             path = np.array(
                 [(-0.17 * math.cos(q), 0.19 * math.sin(q)) for q in np.linspace(-2.3, 2.3, 15)]

@@ -164,6 +164,16 @@ def dumbbell_random(rng: np.random.Generator) -> dict:
     return {"style": "hex", "length": 0.22, "colour": "#2a2c30", "layout": "one"}
 
 
+def _deck_pieces(points: np.ndarray, kicked: bool) -> list[np.ndarray]:
+    """One piece for a flat deck; apart from it what is bent up at its ends, where it is."""
+    if not kicked:
+        return [points]
+    half = float(points[:, 0].max())
+    cuts = ((-1.0, -0.6), (-0.65, 0.65), (0.6, 1.0))
+    x = points[:, 0] / half
+    return [points[(x > a - 0.01) & (x < b + 0.01)] for a, b in cuts]
+
+
 def skateboard(length: float, ground: str, accent: str, wheel: str, pose: str, shape: str) -> Model:
     """A skateboard: 'popsicle' (both ends bent up), 'long' (flat, pointed nose) or 'penny' (short,
     one coloured plastic, a tail); on its 'wheels' or on its 'back'."""
@@ -237,7 +247,7 @@ def skateboard(length: float, ground: str, accent: str, wheel: str, pose: str, s
             )
     if shape != "popsicle":  # flat: one piece for the whole deck
         wheels = [p for p in pieces if np.ptp(p[:, 0]) < 0.07]
-        pieces = [*wheels, *solids([deck])]
+        pieces = [*wheels, *_deck_pieces(deck.v, kicked=shape == "penny")]
     supports = [Support("deck", z0 + thick + 0.002, rectangle(length * 0.6, width - 0.04))]
     if pose != "wheels":
         for mesh in meshes:
@@ -246,8 +256,6 @@ def skateboard(length: float, ground: str, accent: str, wheel: str, pose: str, s
         pieces = [p * [1, -1, -1] - [0, 0, low] for p in pieces]
         for mesh in meshes:
             mesh.move(z=-low)
-        if shape != "popsicle":
-            pieces[-1:] = solids([deck])
         supports = []
     return Model(
         "skateboard",

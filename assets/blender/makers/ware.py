@@ -15,6 +15,9 @@ from makers.breakage import BROKEN
 
 Outline = list[tuple[float, float]]
 
+#: Rings of a wall follow its outline as near as this, metres: a third of the gap that is seen.
+BEND_M = 0.003
+
 DIRTY = [{"state": "DIRTY", "variants": ["dirty"], "parts": ["remains"]}]
 FULL = [{"state": "FULL", "variants": ["full"], "parts": ["filling"]}]
 WARE_STATES = [*BROKEN, *DIRTY]
@@ -47,10 +50,17 @@ def wall_profile(
 
 
 def wall_pieces(outer: Outline, wall: float, floor: float, n: int = 8) -> list[np.ndarray]:
-    """Convex pieces of a vessel that leave its inside free."""
-    picks = sorted({0, len(outer) // 2, len(outer) - 1})
+    """Convex pieces of a vessel that leave its inside free: rings where its wall bends."""
+    points = np.array(outer)
+    picks = {0, len(outer) - 1}
+    while True:  # the wall's farthest point from the rings so far begins another
+        ends = sorted(picks)
+        off = np.abs(np.interp(points[:, 1], points[ends, 1], points[ends, 0]) - points[:, 0])
+        if off.max() <= BEND_M:
+            break
+        picks.add(int(off.argmax()))
     pieces = [cylinder_piece(outer[0][0], 0, floor, 12, r_at(outer, floor))]
-    for a, b in pairwise(picks):
+    for a, b in pairwise(sorted(picks)):
         (ra, za), (rb, zb) = outer[a], outer[b]
         within = [(max(ra - wall, 0.002), max(za, 0)), (max(rb - wall, 0.002), zb)]
         pieces += ring_pieces([(ra, za), (rb, zb)], within, n)

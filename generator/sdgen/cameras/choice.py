@@ -8,21 +8,17 @@ from itertools import combinations
 
 import numpy as np
 
+from sdgen.cameras.counted import shows_pixels
 from sdgen.cameras.cover import CANONICAL, near_count
 from sdgen.cameras.framing import RAYS_SHARE, Bools, glance_pixels
 from sdgen.cameras.outdoors import looks_out, outer_opening
-from sdgen.cameras.parts import part_area, part_numbers, part_points
-from sdgen.cameras.sight import Cast, estimate_pixels, rectangle_pixels
-from sdgen.cameras.view import View
-from sdgen.geometry import Array
+from sdgen.cameras.parts import part_area
+from sdgen.cameras.sight import Cast
+from sdgen.cameras.view import View, poses_of
 from sdgen.library import Library
-from sdgen.scene import ObjectInstance, Scene
+from sdgen.scene import Scene
 from sdgen.seeding import Rng
 from sdgen.vocabulary import EVIDENCE_PIXELS
-
-#: Few rays tell what surely shows too little or enough, in shares of what is needed; of the rest,
-#: and where one of the few would stand for the lower share alone, many count the pixels.
-_ROUGH_GRID, _SURELY = 6, (0.3, 2.0)
 
 
 @dataclass(frozen=True)
@@ -41,7 +37,7 @@ def shows(
     library: Library, scene: Scene, cast: Cast, views: Sequence[View], marked: Sequence[Marked]
 ) -> Bools:
     """Which view shows which marked thing, all contents in place, (views, marked)."""
-    poses = [view.world_from_camera for view in views]
+    poses = poses_of(views)
     out = np.zeros((len(views), len(marked)), dtype=np.bool_)
     for k, one in enumerate(marked):
         item = scene.object(one.object_id)
@@ -49,15 +45,11 @@ def shows(
         for parts, share in _asked(one):
             among = np.flatnonzero(out[:, k])
             needed = share * glance_pixels(part_area(library, item, parts))
-            out[among, k] = _enough(
-                library, item, cast, [poses[view] for view in among], parts, needed
-            )
+            out[among, k] = shows_pixels(library, item, cast, poses[among], parts, needed)
         if one.outdoors:
             among = np.flatnonzero(out[:, k])
             opening = outer_opening(scene.home, item.id)
-            out[among, k] = looks_out(
-                cast, [poses[view] for view in among], opening, RAYS_SHARE * one.outdoors
-            )
+            out[among, k] = looks_out(cast, list(poses[among]), opening, RAYS_SHARE * one.outdoors)
     return out
 
 
@@ -67,27 +59,6 @@ def _asked(one: Marked) -> Iterator[tuple[tuple[str, ...], float]]:
     yield one.parts, one.pixels / EVIDENCE_PIXELS
     if one.pixels < EVIDENCE_PIXELS:
         yield (), 1.0
-
-
-def _enough(
-    library: Library,
-    item: ObjectInstance,
-    cast: Cast,
-    poses: Sequence[Array],
-    parts: tuple[str, ...],
-    needed: float,
-) -> Bools:
-    """Which poses show so many pixels of these parts of an object, (poses,)."""
-    points = part_points(library, item, parts)
-    numbers = part_numbers(library, item, parts)
-    rough = estimate_pixels(cast, poses, points, item.id, numbers, _ROUGH_GRID)
-    coarse = rectangle_pixels(poses, points) > _SURELY[0] * needed * _ROUGH_GRID**2
-    out = np.asarray(~coarse & (rough >= _SURELY[1] * needed))
-    unsure = coarse | (rough >= _SURELY[0] * needed) & ~out
-    for view in np.flatnonzero(unsure).tolist():
-        pixels = estimate_pixels(cast, [poses[view]], points, item.id, numbers)
-        out[view] = pixels[0] >= needed
-    return out
 
 
 def pick(

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from sdgen.cameras.counted import shows_pixels
 from sdgen.cameras.framing import RAYS_SHARE, Bools, framed, glance_pixels
 from sdgen.cameras.outdoors import ROUGH, looks_out
-from sdgen.cameras.parts import part_area, part_numbers, part_points
-from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, Ints, estimate_pixels
+from sdgen.cameras.parts import part_area, part_points
+from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, Ints
 from sdgen.cameras.spots import SetTo
 from sdgen.cameras.view import View, poses_of
 from sdgen.geometry import Array
@@ -20,9 +21,9 @@ from sdgen.seeding import Rng
 _DEPTH_M = (0.45, 3.0)
 #: A thing's middle is this far from the picture's edges: 8 cm at 1.2 m, so that it is not cut off.
 _MARGIN_PIXELS = 16
-#: Rays along a side of what is set to a state: few choose, many count in the end. It must show so
-#: many times what a glance needs, since other things will stand before it, and from no further.
-_GRID, _STATE_TIMES, _FAR_M = 5, 2.5, 5.0
+#: What is set to a state must show so many times what a glance needs, since other things will stand
+#: before it, and from no further; views of which few rays promise less than that are not needed.
+_STATE_TIMES, _FAR_M, _TOO_LITTLE = 2.5, 5.0, 1.0
 #: And of the outdoors so many times what rays must promise: little stands before a doorway.
 _OUTDOORS_TIMES = 1.2
 #: About so many points of a part tell whether something stands before it.
@@ -65,14 +66,10 @@ def states_shown(
     out = np.zeros((len(poses), len(states)), dtype=np.bool_)
     for k, one in enumerate(states):
         points = part_points(library, one.item, one.parts)
-        numbers = part_numbers(library, one.item, one.parts)
         needed = _STATE_TIMES * glance_pixels(part_area(library, one.item, one.parts))
         near = _toward(poses, points.mean(axis=0), one.item.id, cast)
-        pixels = estimate_pixels(cast, list(poses[near]), points, one.item.id, numbers, _GRID)
-        # One lucky ray of so few may stand for all that is needed.
-        near = near[pixels >= needed]
-        pixels = estimate_pixels(cast, list(poses[near]), points, one.item.id, numbers)
-        near = near[pixels >= needed]
+        enough = shows_pixels(library, one.item, cast, poses[near], one.parts, needed, _TOO_LITTLE)
+        near = near[enough]
         if one.outdoors:
             outdoors = _OUTDOORS_TIMES * RAYS_SHARE * one.outdoors
             near = near[looks_out(cast, list(poses[near]), one.opening, outdoors, ROUGH)]

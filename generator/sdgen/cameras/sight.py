@@ -91,9 +91,10 @@ def target_rays(
     return np.repeat(eyes[shown], across * down, axis=0), ends.reshape(-1, 3), pixels
 
 
-def rectangle_pixels(world_from_camera: Sequence[Array], points_m: Array) -> Array:
-    """Pixels of each picture's rectangle around ``points_m``, (N,); 0 where they are not in it."""
-    sides, _ = _rectangles(np.asarray(world_from_camera).reshape(-1, 4, 4), points_m)
+def rectangle_pixels(world_from_camera: Array, points_m: Array) -> Array:
+    """Pixels of each picture's rectangle around ``points_m``, (N,), for (N, 4, 4) poses; 0 where
+    they are not in it."""
+    sides, _ = _rectangles(world_from_camera, points_m)
     left, right, top, bottom = sides
     return np.maximum(right - left, 0.0) * np.maximum(bottom - top, 0.0)
 
@@ -120,7 +121,7 @@ def _rectangles(
 
 def estimate_pixels(
     cast: Cast,
-    poses: Sequence[Array],
+    poses: Sequence[Array] | Array,
     points_m: Array,
     object_id: int,
     parts: Ints,

@@ -73,6 +73,24 @@ def test_rays_count_the_outdoors_within_the_opening_as_pictures_would(
         assert looks_out(world.cast, [], DOORWAY, 1).tolist() == []
 
 
+@pytest.mark.parametrize("slit_m", [0.014, 0.02, 0.026])
+def test_few_rays_count_a_slit_as_many_do(library: Library, slit_m: float) -> None:
+    """Two walls of cubes leave a slit in the doorway, somewhere between two columns of rays."""
+    walls = [
+        thing(10 + 10 * k + n, "cube_01", (x, 2.0, 0.2 * n))
+        for k, x in enumerate((-0.4, -0.2, 0.0, 0.2 + slit_m, 0.4 + slit_m))
+        for n in range(10)
+    ]
+    with RayWorld(library, doorway_with(*walls)) as world:
+        poses = [VIEW.world_from_camera]
+        rough, fine = (
+            [bool(looks_out(world.cast, poses, DOORWAY, n, rays)[0]) for n in range(50, 8000, 50)]
+            for rays in (ROUGH, FINE)
+        )
+    assert sum(fine)
+    assert 0.9 * sum(fine) <= sum(rough) <= 1.1 * sum(fine)
+
+
 def test_what_fills_an_opening_shows_by_the_outdoors_too(library: Library) -> None:
     """And through a doorway between two rooms there is none."""
     found = []

@@ -23,9 +23,9 @@ class Rays(NamedTuple):
 
 
 #: A door ajar is open by a slit from top to bottom, a twentieth of its rectangle or less: many rays
-#: across tell. To choose views, past a leaf that opens outwards will do; to count in the end, past
-#: all walls of the home.
-ROUGH, FINE = Rays(64, 3, 2.0), Rays(96, 12, 25.0)
+#: across tell, as many in both, since one column more or less decides. To choose views, past a leaf
+#: that opens outwards will do; to count in the end, past all walls of the home.
+ROUGH, FINE = Rays(96, 3, 2.0), Rays(96, 12, 25.0)
 
 
 def outer_openings(home: Home) -> tuple[Opening, ...]:

@@ -194,9 +194,11 @@ def hull_pieces(entry: dict, collision: dict) -> list[dict]:
 
 
 def hulls_text(entry: dict, collision: dict) -> str:
-    """The hulls file of a model; kept in the build folder, for decomposing takes seconds."""
+    """The hulls file of a model; kept in the build folder, for decomposing takes seconds, until
+    what makes it changes."""
+    code = "".join(Path(file).read_text() for file in (__file__, cushions.__file__))
     wishes = json.dumps([collision, entry["supports"]], sort_keys=True)
-    key = geometry_digest(built_mesh(entry)) + wishes
+    key = geometry_digest(built_mesh(entry)) + wishes + code
     kept = RECORDS / "hulls" / f"{hashlib.sha256(key.encode()).hexdigest()}.json"
     if not kept.exists():
         pieces = hull_pieces(entry, collision)

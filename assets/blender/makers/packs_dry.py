@@ -300,6 +300,8 @@ RED = {"ground": "#fdf2e0", "band": "#b8242c"}
 
 GREEN = {"ground": "#f4f8e8", "band": "#1f6a34"}
 
+ORANGE = {"ground": "#d9622b", "band": "#5a1f14"}
+
 MODELS = {
     "pasta_pack": Maker(
         by_style(
@@ -334,7 +336,8 @@ MODELS = {
                 "h": 0.18,
             },
             {"style": "spaghetti", **GREEN, "brand": "Da Nino", "opened": True},
-            {"style": "pillow", "kind": "fusilli", **GREEN, "brand": "Verdelli"},
+            # White, it was taken for butter in its wrapper.
+            {"style": "pillow", "kind": "fusilli", **ORANGE, "brand": "Verdelli"},
             {
                 "style": "bag",
                 "kind": "fusilli",

@@ -110,50 +110,25 @@ def soda_can(
 def six_pack(
     radius: float, height: float, word: str, sub: str, colour: str, accent: str, motif: str
 ) -> Model:
-    """Six cans held by a cardboard sleeve over their tops."""
+    """Six cans held by a sheet of film below their rims."""
     r, h = radius, height
     steel = metal("c9ced2", "868c91", (8, 8, 1), 60)
     art = label(can_print(word, sub, colour, accent, "#ffffff", getattr(groceries, motif)))
-    steps = [(0, 0.78), (0.05, 1.0), (0.88, 1.0), (0.985, 0.82)]
-    meshes = []
-    for x in (-r, r):
-        for y in (-2 * r, 0, 2 * r):
-            can = vessel(
-                [(z * h, k * r, k * r, 2.0) for z, k in steps], [steel, art], [0, 1, 0], 12
-            )
-            meshes.append(can.move(x, y))
-    front = groceries.face(400, 60, colour, accent, f"6 x {word}", "", None, "", "#ffffff")
-    side = groceries.face(266, 60, colour, accent, word, "", None, "", "#ffffff")
-    top = groceries.face(400, 266, colour, accent, word, sub, getattr(groceries, motif), "6 CANS")
-    faces = dict.fromkeys(("+x", "-x"), label(front)) | dict.fromkeys(("+y", "-y"), label(side))
-    sleeve = box(
-        4 * r,
-        6 * r,
-        0.34 * h,
-        (0, 0, 0.68 * h),
-        plain(colour, 0.03),
-        0.004,
-        labels={**faces, "+z": label(top)},
-    )
+    steps = [(0, 0.78), (0.05, 1.0), (0.88, 1.0), (0.975, 0.84), (1.0, 0.84), (0.972, 0.78)]
+    can = [
+        vessel([(z * h, k * r, k * r, 2.0) for z, k in steps], [steel, art], [0, 1, 0, 0, 0], 10),
+        box(0.022, 0.014, 0.002, (-0.004, 0, 0.972 * h), plain("#8c9298", 0)),
+    ]
+    middles = [(x, y) for x in (-r, r) for y in (-2 * r, 0, 2 * r)]
+    meshes = [mesh.copy().move(x, y) for x, y in middles for mesh in can]
+    film = box(3.4 * r, 5.4 * r, 0.0015, (0, 0, 0.86 * h), plain("#dfe6ea", 0.03))
     return Model(
         title=f"six-pack of {word.lower()}",
         parts={
             "body": Part(
-                [*meshes, sleeve.weigh(1.1)],
+                [*meshes, film],
                 collision=[
-                    cylinder_piece(r, 0, h * 0.7, 10) + np.array([x, y, 0])
-                    for x in (-r, r)
-                    for y in (-2 * r, 0, 2 * r)
-                ]
-                + [
-                    np.array(
-                        [
-                            (x, y, z)
-                            for x in (-2 * r, 2 * r)
-                            for y in (-3 * r, 3 * r)
-                            for z in (0.68 * h, 1.02 * h)
-                        ]
-                    )
+                    cylinder_piece(r, 0, h, 10) + np.array([x, y, 0]) for x, y in middles
                 ],
             )
         },

@@ -271,25 +271,25 @@ def in_net(group: list[Mesh], fruit: Fruit, look: str) -> list[Mesh]:
         (0, -3.6 * d, z * 0.35),
     ]
     out.append(tube(path, [1.15 * r, 0.7 * r, 0.24 * r, 0.16 * r, 0.55 * r], 8, mat=cord))
-    image, pen = labels.canvas(300, 130, "#fbf6e4")
-    pen.rectangle((0, 0, 300, 22), fill=f"#{fruit.net}")
-    pen.rectangle((0, 112, 300, 130), fill=f"#{fruit.net}")
-    labels.text(pen, fruit.plural.upper(), (8, 28, 292, 106), "bold", "#1f5a2a")
-    tag = box(
-        0.62 * r * 1.6,
-        2.6 * r,
-        0.0015,
-        mat=plain("fbf6e4", 0),
-        labels={"+z": label(image)},
-        weight=2.2,
-    )
+    tag = paper(fruit, fruit.net, 0.62 * r * 1.6, 2.6 * r)
     high = max(m.v[:, 2].max() for m in out)
     tag.turn(ry=0.75).move(1.35 * d, 0.15 * d, high * 0.72)
     return [*out, tag]
 
 
+def paper(fruit: Fruit, edge: str, width: float, length: float) -> Mesh:
+    """A card that names the fruit along y."""
+    image, pen = labels.canvas(300, 130, "#fbf6e4")
+    pen.rectangle((0, 0, 300, 22), fill=f"#{edge}")
+    pen.rectangle((0, 112, 300, 130), fill=f"#{edge}")
+    labels.text(pen, fruit.plural.upper(), (8, 28, 292, 106), "bold", "#1f5a2a")
+    return box(
+        width, length, 0.0015, mat=plain("fbf6e4", 0), labels={"+z": label(image)}, weight=2.2
+    )
+
+
 def in_tray(group: list[Mesh], fruit: Fruit) -> list[Mesh]:
-    """Six in a shallow tray."""
+    """Six in a shallow tray, a paper over them: without, brown ones were taken for meatballs."""
     body = group
     a, b = fruit.r * 2.04, (fruit.height * 1.02 if fruit.lies else fruit.r * 2.04)
     places = [
@@ -299,7 +299,9 @@ def in_tray(group: list[Mesh], fruit: Fruit) -> list[Mesh]:
     ]
     out = spread(body, places)
     shell = punnet(a * 2 + 0.024, b * 3 + 0.024, fruit.r * 1.0, plain(fruit.tray, 0.06, 120))
-    return [*out, shell]
+    high = max(m.v[:, 2].max() for m in out)
+    strap = paper(fruit, fruit.tray, a * 1.3, b * 1.7).turn(ry=-0.2).move(0.3 * a, 0, high + 0.004)
+    return [*out, shell, strap]
 
 
 def with_forms(make: Callable[..., Model]) -> Callable[..., Model]:

@@ -127,9 +127,7 @@ def six_pack(
         parts={
             "body": Part(
                 [*meshes, film],
-                collision=[
-                    cylinder_piece(r, 0, h, 10) + np.array([x, y, 0]) for x, y in middles
-                ],
+                collision=[cylinder_piece(r, 0, h, 10) + np.array([x, y, 0]) for x, y in middles],
             )
         },
         mass=2.1,

@@ -9,7 +9,7 @@ from labels import prints
 from toolkit.materials import Material, glowing, metal, plain, shade
 from toolkit.materials import label as printed
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part, Support, box_piece, prism_piece, rectangle
+from toolkit.model import Maker, Model, Part, Support, box_piece, rectangle
 from toolkit.sampling import pick
 from toolkit.shapes import box, ellipsoid, extrude, lathe, loft, tube
 
@@ -260,7 +260,7 @@ def ironing_board(kind: str, colours: list[str], pattern: str) -> Model:
             board.bake_uv[i] = [(5 + board.v[j][1], -board.v[j][0]) for j in face]
     leg, foot = metal("c8ccd0", "878d93"), plain("#2a2b2e", 0.04)
     meshes = [board]
-    pieces = [prism_piece(p * 0.98, top_z - 0.035, top_z)]
+    pieces = [np.r_[np.c_[p, np.full(len(p), top_z - 0.035)], rings[-1]]]
     under = top_z - 0.035
     if kind in ("open", "wide"):
         a, b = 0.46 * long, 0.3 * long

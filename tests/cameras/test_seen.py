@@ -2,12 +2,16 @@
 
 import numpy as np
 import pytest
+from sdgen.cameras.framing import glance_pixels
+from sdgen.cameras.parts import part_area, part_points
 from sdgen.cameras.seen import Seen
+from sdgen.cameras.sight import estimate_pixels
 from sdgen.cameras.spots import SetTo
 from sdgen.cameras.view import View
 from sdgen.geometry import Array, box_corners
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
+from sdgen.vocabulary import EVIDENCE_PIXELS
 
 from tests.fakes import box_room, thing
 
@@ -25,7 +29,7 @@ def seen(library: Library) -> Seen:
     scene = box_room([thing(10, "table_01", (0.5, 0.8, 0))])
     view = View("near", np.array([0.5, -0.9, 1.2]), np.array([0.5, 0.8, 0.7]))
     with RayWorld(library, scene) as world:
-        return Seen([view], [SetTo(OPENED, "OPEN", ("body",))], [12], world.cast)
+        return Seen(library, [view], [SetTo(OPENED, "OPEN", ("body",))], [12], world.cast)
 
 
 @pytest.mark.parametrize(
@@ -53,6 +57,24 @@ def test_what_is_cut_off_by_the_edge_is_not_seen(seen: Seen, library: Library) -
     assert seen.thing(small(1.1, 0.4, 0.9))
     edge = np.tan(np.deg2rad(35)) * 1.5 + 0.5
     assert not seen.thing(small(edge, 0.6, 0.9, size=0.2))
+
+
+@pytest.mark.parametrize("model", ["sheet_01", "cube_01", "plank_01"])
+def test_parts_tell_by_what_of_them_faces_a_view(library: Library, model: str) -> None:
+    """On the table about so many pixels as rays count; behind a wall and behind the camera
+    none."""
+    view = View("near", np.array([0.5, -0.9, 1.2]), np.array([0.5, 0.8, 0.7]))
+    scene = box_room([thing(10, "table_01", (0.5, 0.8, 0)), thing(11, model, (0.5, 0.6, 0.74))])
+    item = scene.object(11)
+    with RayWorld(library, scene) as world:
+        pose, points = [view.world_from_camera], part_points(library, item, ())
+        (counted,) = estimate_pixels(world.cast, pose, points, 11, np.array([1]))
+        told = Seen(library, [view], [], [], world.cast)
+    promised = counted / (1.2 * glance_pixels(part_area(library, item, ()))) * EVIDENCE_PIXELS
+    assert told.telling(item, ("body",), int(0.85 * promised))
+    assert not told.telling(item, ("body",), int(1.15 * promised) + 1)
+    for hidden in ((0.5, 2.3, 0.8), (0.5, -1.5, 0.0)):
+        assert not told.telling(thing(11, model, hidden), ("body",), 1)
 
 
 def test_states_are_those_that_were_shown(seen: Seen) -> None:

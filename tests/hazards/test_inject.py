@@ -14,7 +14,7 @@ from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import IN_THE_WAY_M, inject_candidate
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import add_clutter
-from sdgen.home.context import FLOOR_OFF_WALLS_M
+from sdgen.home.context import FLOOR_OFF_WALLS_M, Everything
 from sdgen.home.layout import Layout
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
@@ -191,7 +191,7 @@ def test_a_recipe_leaves_out_models_that_come_in_a_state(home):
         recipe = PlaceRecipe(
             categories=("apple",), relation="ON", targets=("kitchen_counter",), **changes
         )
-        (candidate,) = candidates("x", (recipe,), home.layout, home.context)
+        (candidate,) = candidates("candle_on", (recipe,), home.layout, home.context)
         states = []
         for k in range(12):
             layout = home.layout.copy(iter(range(60000, 61000)))
@@ -203,6 +203,37 @@ def test_a_recipe_leaves_out_models_that_come_in_a_state(home):
     assert all("CUT" not in states for states in placed(not_state=("CUT",)))
     assert all("CUT" in states for states in placed(state="CUT"))
     assert len({"CUT" in states for states in placed()}) == 2
+
+
+@pytest.mark.parametrize("benign", [False, True])
+def test_what_tells_a_hazard_must_show_of_its_near_miss_too(home, benign):
+    """A sharp thing lies where a view shows its blade, whether on a table or out of reach."""
+    hazard = CATALOG.hazard("sharp_object")
+    asked = []
+
+    class Blades(Everything):
+        def __init__(self, shown):
+            self.shown = shown
+
+        def telling(self, item, parts, pixels, /):
+            asked.append((parts, pixels))
+            return self.shown
+
+    def placed(shown):
+        context, layout = replace(home.context, shows=Blades(shown)), home.layout.copy()
+        recipes = [r for r in (hazard.lookalikes if benign else hazard.anomalies) if _on(r)]
+        every = candidates(hazard.id, recipes, layout, context)
+        rng = lane(5, 0, "place")
+        made = (inject_candidate(one, layout, context, (), rng, benign) for one in every)
+        return [layout.items[one.object_id] for one in made if one is not None]
+
+    assert any("blade" in item.parts for item in placed(True))
+    assert {pixels for _, pixels in asked} == {hazard.evidence_pixels}
+    assert not any({"blade", "blades"} & set(item.parts) for item in placed(False))
+
+
+def _on(recipe):
+    return isinstance(recipe, PlaceRecipe) and recipe.relation == "ON"
 
 
 def test_near_misses_do_not_lie_beside_their_copies(home):

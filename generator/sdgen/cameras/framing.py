@@ -64,6 +64,16 @@ def framed(poses: Array, points_m: Array) -> Framed:
     return Framed(u, v, depth, inside)
 
 
+def facing_pixels(poses: Array, corners_m: Array, depth: Array) -> Array:
+    """Pixels of each triangle (M, 3, 3) that faces a camera, (N, M), nothing before it: about, by
+    the planar ``depth`` of its middle, (N, M)."""
+    first, second = corners_m[:, 1] - corners_m[:, 0], corners_m[:, 2] - corners_m[:, 0]
+    normals, middles = np.cross(first, second) / 2, corners_m.mean(axis=1)
+    facing = poses[:, :3, 3] @ normals.T - (middles * normals).sum(axis=1)
+    focal = intrinsics(WIDTH, HEIGHT)[0][0]
+    return np.asarray(np.maximum(facing, 0.0) * focal**2 / np.maximum(depth, _NEAREST_M) ** 3)
+
+
 def enough(seen: Framed, unhidden: Bools, points_m: Array) -> Bools:
     """Which cameras would show a thing with these outermost points (M, 3) well, (N,).
 

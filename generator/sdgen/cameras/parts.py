@@ -44,13 +44,13 @@ def part_numbers(
     return np.array(wanted or range(1, len(drawn) + 1), dtype=np.int64)
 
 
-def world_triangles(library: Library, item: ObjectInstance) -> Array:
-    """All drawn triangles of an object in the world, (N, 3, 3)."""
+def world_triangles(library: Library, item: ObjectInstance, parts: Collection[str] = ()) -> Array:
+    """Triangles in the world of the drawn ``parts`` of an object (all when empty), (N, 3, 3)."""
     meshes = library.mesh(item.asset)
     return np.concatenate(
         [
             apply(_world_from_part(library, item, name), meshes[name].vertices)[meshes[name].faces]
-            for name in _wanted(library, item, ())
+            for name in _wanted(library, item, parts)
         ]
     )
 

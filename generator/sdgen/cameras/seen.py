@@ -7,12 +7,15 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from sdgen.cameras.framing import enough, framed
+from sdgen.cameras.framing import Bools, Framed, enough, facing_pixels, framed, glance_pixels
+from sdgen.cameras.parts import part_area, world_triangles
 from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, pixel_rays
 from sdgen.cameras.spots import SetTo
 from sdgen.cameras.view import View, poses_of
 from sdgen.geometry import Array
+from sdgen.library import Library
 from sdgen.scene import ObjectInstance
+from sdgen.vocabulary import EVIDENCE_PIXELS
 
 #: Pixels across and down that one ray stands for: a hand's width at three metres.
 _CELL = 16
@@ -21,6 +24,9 @@ _REACH_M = 25.0
 #: Slack of a depth: what stands on a table top seen at a low angle is as far as the cell's middle,
 #: give or take half of what its neighbours differ by.
 _SLACK_M = (0.02, 0.15)
+#: Parts that tell must show so many times what rays will count in the end: a thing hides some of
+#: its own sides, and what is put there later more.
+_TELLING_TIMES = 1.2
 
 
 class Seen:
@@ -29,6 +35,7 @@ class Seen:
 
     def __init__(
         self,
+        library: Library,
         views: Sequence[View],
         states: Sequence[SetTo],
         hidden: Collection[int],
@@ -36,6 +43,7 @@ class Seen:
     ) -> None:
         """``states`` is what the views show set to a state, ``hidden`` the ids of furniture and
         rooms that they show nothing on."""
+        self._library = library
         self._set_to: defaultdict[tuple[int, str], list[ObjectInstance]] = defaultdict(list)
         for one in states:
             self._set_to[one.item.id, one.state].append(one.item)
@@ -64,13 +72,25 @@ class Seen:
     def thing(self, corners_m: Array) -> bool:
         """True when some view shows enough of a thing with these outermost points (N, 3)."""
         at = framed(self._poses, corners_m)
-        if not at.inside.any():
-            return False
+        return bool(at.inside.any() and enough(at, self._unhidden(at), corners_m).any())
+
+    def telling(self, item: ObjectInstance, parts: Collection[str], pixels: int) -> bool:
+        """True when some view would show enough of these parts of a thing where it is: so many
+        pixels, or more of what is larger than a small thing."""
+        corners = world_triangles(self._library, item, parts)
+        at = framed(self._poses, corners.mean(axis=1))
+        shown = facing_pixels(self._poses, corners, at.depth) * (at.inside & self._unhidden(at))
+        area = part_area(self._library, item, parts)
+        needed = _TELLING_TIMES * pixels / EVIDENCE_PIXELS * glance_pixels(area)
+        return bool((shown.sum(axis=1) >= needed).any())
+
+    def _unhidden(self, at: Framed) -> Bools:
+        """Which points in a picture no furniture stands before, (cameras, points)."""
         rows, columns = (
             np.where(at.inside, along // _CELL, 0).astype(np.int64) for along in (at.v, at.u)
         )
         reached = self._depth[np.arange(len(self._depth))[:, None], rows, columns]
-        return bool(enough(at, at.depth <= reached, corners_m).any())
+        return np.asarray(at.depth <= reached)
 
 
 def _slope(depth: Array) -> Array:

@@ -8,29 +8,10 @@ from collections.abc import Mapping, Sequence
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe
 from sdgen.facts import Facts
 from sdgen.hazards.certify import Positive
+from sdgen.hazards.evidence import evidence_of
 from sdgen.hazards.placing import Injected
 from sdgen.households import decide
-from sdgen.library.states import state_parts
 from sdgen.scene import Anomaly, Household, Lookalike, Remedy
-from sdgen.vocabulary import EVIDENCE_PIXELS
-
-
-def evidence_of(facts: Facts, hazard: Hazard, object_id: int) -> tuple[tuple[str, ...], int]:
-    """Drawn parts that show an object to be an anomaly or a near miss, and how many of their pixels
-    do at the reference size: the parts of the hazard's state or of its names, else all."""
-    item = facts.bodies[object_id].item
-    parts = _evidence_parts(facts, hazard, object_id)
-    whole = set(parts) >= set(item.parts)
-    return parts, EVIDENCE_PIXELS if whole else hazard.evidence_pixels
-
-
-def _evidence_parts(facts: Facts, hazard: Hazard, object_id: int) -> tuple[str, ...]:
-    body = facts.bodies[object_id]
-    item = body.item
-    if hazard.evidence_state is not None and hazard.evidence_state in facts.states(object_id):
-        return state_parts(body.info, hazard.evidence_state, item.variant, item.joints)
-    drawn = body.info.variants[item.variant]
-    return tuple(name for name in drawn if name in hazard.evidence_parts) or drawn
 
 
 def anomaly_records(
@@ -47,7 +28,7 @@ def anomaly_records(
         item = facts.bodies[positive.object_id].item
         relation, target = _relation(hazard, facts, item.id)
         evidence = dict(positive.verdict.evidence)
-        parts, pixels = evidence_of(facts, hazard, item.id)
+        parts, pixels = evidence_of(hazard, facts.bodies[item.id].info, item)
         report, notify, reason = decide(hazard, evidence, household, catalog.reach)
         records.append(
             Anomaly(

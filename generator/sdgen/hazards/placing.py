@@ -9,6 +9,7 @@ from functools import partial
 from sdgen.actions import in_state
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.hazards.candidates import Candidate
+from sdgen.hazards.evidence import evidence_of
 from sdgen.home.context import SPOTS_TRIED, HomeContext
 from sdgen.home.layout import DROP_M, FLOOR_GAP_M, Intent, Layout, Vec3Yaw, at_spot, room_to_change
 from sdgen.library.records import Asset
@@ -146,7 +147,7 @@ def _place(
         target = targets[k]
         may_hold = partial(context.may_hold, asset.category, target.category)
         room_id = target.room_id if benign and recipe.relation == "ON" else None
-        fits = partial(_fits, recipe, thing, layout, context, room_id)
+        fits = partial(_fits, candidate, recipe, thing, layout, context, room_id)
         spot = _spot(recipe, thing, target.id, may_hold, fits, layout, rng)
         if spot is not None:
             return _put(candidate, recipe, thing, spot, target.room_id, target.id, layout)
@@ -190,6 +191,7 @@ def _spot(
 
 
 def _fits(
+    candidate: Candidate,
     recipe: PlaceRecipe,
     thing: ObjectInstance,
     layout: Layout,
@@ -203,8 +205,21 @@ def _fits(
     return (
         _height_fits(recipe, spot[0][2])
         and (room_id is None or context.reach.beyond(asset, spot, room_id))
-        and context.shows_at(layout.bulk_of(thing), spot)
+        and _shows_at(candidate, thing, layout, context, spot)
     )
+
+
+def _shows_at(
+    candidate: Candidate, thing: ObjectInstance, layout: Layout, context: HomeContext, spot: Vec3Yaw
+) -> bool:
+    """Whether some view shows a thing at a spot, and what tells that it is a hazard or, were it
+    elsewhere, would be one: a blade, a flame."""
+    if not context.shows_at(layout.bulk_of(thing), spot):
+        return False
+    hazard, info = context.catalog.hazard(candidate.unique.hazard), layout.library.info(thing.asset)
+    parts, pixels = evidence_of(hazard, info, thing)
+    whole = len(parts) == len(info.variants[thing.variant])
+    return whole or context.shows.telling(at_spot(thing, spot, 0), parts, pixels)
 
 
 def _height_fits(recipe: PlaceRecipe, z: float) -> bool:
@@ -235,7 +250,7 @@ def _place_on_floor(
             spot = layout.spot_on_floor(asset, ground, rng, bulk, gap_m)
             if spot is None:
                 break
-            if context.shows_at(bulk, spot):
+            if _shows_at(candidate, thing, layout, context, spot):
                 floor_id = context.floor_id(room.id)
                 return _put(candidate, recipe, thing, spot, room.id, floor_id, layout)
     return None

@@ -48,6 +48,10 @@ class Shows(Protocol):
         """True for a thing with these outermost points (N, 3)."""
         ...
 
+    def telling(self, item: ObjectInstance, parts: Sequence[str], pixels: int, /) -> bool:
+        """True where so many pixels of these parts of a thing will show."""
+        ...
+
     def set_to(self, object_id: int, state: str, /) -> Sequence[ObjectInstance] | None:
         """A piece of furniture brought into a state, in each way that is seen; None: any way."""
         ...
@@ -62,6 +66,10 @@ class Everything:
     """A home that nobody has chosen views for: all will do."""
 
     def thing(self, _corners_m: Array, /) -> bool:
+        """True."""
+        return True
+
+    def telling(self, _item: ObjectInstance, _parts: Sequence[str], _pixels: int, /) -> bool:
         """True."""
         return True
 

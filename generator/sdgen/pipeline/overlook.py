@@ -19,7 +19,7 @@ from sdgen.cameras.spots import SetTo, spots_of
 from sdgen.cameras.view import CLEARANCE_M, clear, to_cameras
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.facts import Facts
-from sdgen.hazards.labels import evidence_of
+from sdgen.hazards.evidence import evidence_of
 from sdgen.hazards.placing import Injected
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
@@ -61,6 +61,7 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
         on_them = shows[canonical, : len(spots.target)].any(axis=0)
         shown = zip(spots.states, states[canonical].T, strict=True)
         seen = Seen(
+            library,
             [views[k] for k in canonical],
             [one for one, views_show in shown if views_show.any()],
             set(spots.target.tolist()) - set(spots.target[on_them].tolist()),
@@ -135,11 +136,9 @@ def looked_at(
         )
         for one in anomalies
     ]
-    hazards = home.context.catalog.hazard
-    marked += [
-        Marked(one.object_id, *evidence_of(facts, hazards(one.hazard), one.object_id))
-        for one in lookalikes
-    ]
+    for one in lookalikes:
+        body, hazard = facts.bodies[one.object_id], home.context.catalog.hazard(one.hazard)
+        marked.append(Marked(one.object_id, *evidence_of(hazard, body.info, body.item)))
     with RayWorld(library, scene, client.still) as world:
         if not clear(world.cast, canonical).all():
             return reject("views", "blocked")

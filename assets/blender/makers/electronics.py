@@ -313,7 +313,7 @@ MODELS = {
         [
             {"rim": "#26282c"},
             {"rim": "#c83a4a"},
-            {"rim": "#8a2a3a"},
+            {"rim": "#dfe3e6"},  # dark red, edge-on it was taken for spilt wine
             {"kind": "keys", "rim": "#2f4a8a"},
             {"kind": "stand", "rim": "#26282c"},
             {"kind": "case", "rim": "#f0c02c"},

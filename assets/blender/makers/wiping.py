@@ -311,7 +311,7 @@ MODELS = {
             ("waist", "#f2a02a", "#2f6f3a"),
             ("stack", "#f2cf2a", "#2f8f4a"),
             ("car", "#f2c21e", ""),
-            ("natural", "#e8c05a", ""),
+            ("natural", "#7cc6da", ""),
             ("suds", "#3aa0d8", "#1f5f8a"),
             ("round", "#f2cf2a", "#2f8f4a"),
             ("block", "#e8608a", "#5a2f6a"),

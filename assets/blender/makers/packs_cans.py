@@ -143,12 +143,13 @@ COLA = {
     "motif": "cola",
 }
 
-ORANGE = {
-    "word": "ORANGE",
+# Not orange: small in a picture, such a can is an amber bottle of pills.
+BERRY = {
+    "word": "BERRY",
     "sub": "SODA",
-    "colour": "#f07a10",
-    "accent": "#ffe04a",
-    "motif": "orange",
+    "colour": "#d8357a",
+    "accent": "#ffffff",
+    "motif": "cola",
 }
 
 LEMON = {"word": "LEMON", "sub": "SODA", "colour": "#3f9a2c", "accent": "#fbec3a", "motif": "lemon"}
@@ -170,10 +171,10 @@ MODELS = {
         count=8,
         presets=[
             {"style": "can", **STANDARD, **COLA},
-            {"style": "can", **STANDARD, **ORANGE},
+            {"style": "can", **STANDARD, **BERRY},
             {"style": "can", "radius": 0.0265, "height": 0.134, **ENERGY},
             {"style": "can", "radius": 0.033, "height": 0.168, **LEMON},
-            {"style": "can", "radius": 0.0265, "height": 0.09, **ORANGE},
+            {"style": "can", "radius": 0.0265, "height": 0.09, **BERRY},
             {"style": "pack", **STANDARD, **COLA},
             {"style": "can", "radius": 0.033, "height": 0.168, **ENERGY},
             {"style": "can", **STANDARD, **COLA, "state": "crushed"},

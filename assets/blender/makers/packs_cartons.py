@@ -91,33 +91,6 @@ def slant_carton(
     )
 
 
-def gable_juice(
-    fruit: str, colour: str, dark: str, brand: str, motif: str, cap_colour: str
-) -> Model:
-    """A wide gable-top carton of chilled juice, made as the milk cartons are."""
-    model = packages.milk_carton(
-        width=0.09,
-        height=0.19,
-        roof=0.05,
-        colour=dark,
-        dark=dark,
-        grass=dark,
-        brand=brand,
-        word="JUICE",
-        fat=fruit,
-        cap=cap_colour,
-    )
-    body = model.parts["body"]
-    wall = body.meshes[0].mats[0]
-    art = juice_print(0.09, 0.19, 0.05, fruit, colour, dark, brand, motif)
-    replacement = label(art)
-    for mesh in body.meshes:
-        mesh.mats = [replacement if m is wall else m for m in mesh.mats]
-    model.title = f"{fruit.lower()} juice, gable-top carton"
-    model.mass = 1.55
-    return model
-
-
 def juice_print(width, height, roof, fruit, colour, dark, brand, motif):
     """Four panels side by side (front, right, back, left), roof above wall."""
     w = 256
@@ -250,7 +223,6 @@ MODELS = {
                 "brick": food_packs.juice_carton,
                 "straw": straw_box,
                 "slant": slant_carton,
-                "gable": gable_juice,
             },
         ),
         food_packs.juice_carton_random,
@@ -275,14 +247,16 @@ MODELS = {
                 "brand": "Frutta",
                 "motif": "apple",
             },
+            # None with a gable: so juice is sold that is kept cold.
             {
-                "style": "gable",
+                "style": "brick",
                 "fruit": "ORANGE",
-                "colour": "#fbc14a",
-                "dark": "#d8560e",
-                "brand": "Orchard",
-                "motif": "orange",
-                "cap_colour": "#3f8a2c",
+                "colour": "#f4ead0",
+                "dark": "#2a6aa8",
+                "cap": "#ffffff",
+                "width": 0.076,
+                "depth": 0.06,
+                "height": 0.23,
             },
             {
                 "style": "slant",

@@ -38,9 +38,9 @@ CUT = re.compile(r"\b(half|halves|wedges?|slices|sliced|cut|peeled|pieces)\b")
 OPENED = re.compile(r"\bopened (tin|jar)\b|\bcream cake\b|\bwith a straw\b|\bblender\b.*\bfull\b")
 #: Cut and yet dry: no food that spoils.
 KEEPS = {"bread", "cheese", "cake", "chocolate_bar", "strawberries", "cutting_board"}
-#: Spotted bananas and dark avocados are ripe (FoodKeeper); other produce with brown spots is not
-#: what a person would still eat without a second look.
-EATEN_RIPE = {"banana", "avocado"}
+#: Spotted bananas are ripe (FoodKeeper); other produce with brown spots is not what a person would
+#: still eat without a second look.
+EATEN_RIPE = {"banana"}
 GLASSES = {"wine_glass", "drinking_glass"}
 COLD = {"fridge", "freezer", "trash_bin"}
 #: 16 CFR 1501.4: the small-parts cylinder, metres.

@@ -231,13 +231,13 @@ MODELS = {
         spatula_random,
         8,
         [
-            # Steel below a handle of another colour is a knife to whom sees it edge-on.
+            # Of one colour each: a head below a handle of another is a blade to whom sees it edge-on.
             {"form": "turner", "head": "steel", "handle": "steel"},
             {"form": "turner", "head": BLACK, "handle": BLACK},
             {"form": "turner", "head": "#d8342c", "handle": "#d8342c"},
             {"form": "wooden", "head": "wood", "handle": "wood"},
             {"form": "fish", "head": BLACK, "handle": BLACK},
-            {"form": "burger", "head": BLACK, "handle": "#8a4a22"},
+            {"form": "burger", "head": "#e8a01c", "handle": "#e8a01c"},
             {"form": "fish", "head": "#2d5f8a", "handle": "#2d5f8a"},
             {"form": "turner", "head": "#3aa0a8", "handle": "#3aa0a8"},
         ],

@@ -231,7 +231,7 @@ MODELS = {
         spatula_random,
         8,
         [
-            # Of one colour each: a head below a handle of another is a blade to whom sees it edge-on.
+            # Of one colour each: edge-on, a head below a handle of another is a blade to many.
             {"form": "turner", "head": "steel", "handle": "steel"},
             {"form": "turner", "head": BLACK, "handle": BLACK},
             {"form": "turner", "head": "#d8342c", "handle": "#d8342c"},

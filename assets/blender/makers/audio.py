@@ -246,7 +246,7 @@ MODELS = {
             {"kind": "lying", "paint": "#e8e4da", "pad": "#8a6a4a"},
             {"kind": "stand", "paint": "#2a2c30", "pad": "#8a4a2a"},
             {"kind": "headset", "paint": "#c8202c", "pad": "#26282c"},
-            {"kind": "ears", "paint": "#f08ab8", "pad": "#ffffff"},
+            {"kind": "ears", "paint": "#7a4fc0", "pad": "#2a2c30"},
             {"kind": "light", "paint": "#26282c", "pad": "#f07a1c"},
             {"paint": "#2f6fb0", "pad": "#e8e8e6"},
         ],

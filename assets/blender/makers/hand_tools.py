@@ -147,7 +147,7 @@ PLIERS = {
         [(-0.008, 0.008), (-0.028, 0.016), (-0.062, 0.023), (-0.1, 0.019), (-0.115, 0.022)],
         16,
     ),
-    "flat": (  # broad, square-ended jaws; short handles, nearly shut
+    "flat": (  # broad, square-ended jaws; short handles, open: shut, one sees a knife
         [
             (-0.011, 0.0),
             (-0.011, 0.0125),
@@ -157,7 +157,7 @@ PLIERS = {
             (0.06, 0),
         ],
         [(-0.008, 0.009), (-0.022, 0.013), (-0.05, 0.0115), (-0.082, 0.0105), (-0.1, 0.0135)],
-        5,
+        30,
     ),
     "pincers": (
         [

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from sdgen.actions import in_state
 from sdgen.catalog.load import load_catalog
-from sdgen.geometry import Array, apply, inverse
+from sdgen.geometry import Array, apply, inverse, yaw_of
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import LEAST_THINGS, add_clutter, living_so
 from sdgen.home.layout import Layout
@@ -27,14 +27,20 @@ KINDS = {category.name: category for category in CATALOG.categories}
 
 
 @cache
-def _cluttered(home: str, seed: int) -> Layout:
-    """A shipped base home with its clutter."""
+def _furnished(home: str, seed: int) -> FurnishedHome:
     models = SplitModels(shipped_library(), "test")
     base = next(h for h in CATALOG.homes if h.id == home)
     ids = iter(range(1, 60000))
     rng = lane(seed, 0, "furnish")
     stage = furnished_home(base, CATALOG, shipped_library(), models, ids, rng)
     assert isinstance(stage, FurnishedHome)
+    return stage
+
+
+@cache
+def _cluttered(home: str, seed: int) -> Layout:
+    """A shipped base home with its clutter."""
+    stage = _furnished(home, seed)
     layout = stage.layout.copy()
     add_clutter(layout, stage.context, lane(seed, 0, "place"))
     return layout
@@ -180,3 +186,19 @@ def test_what_is_cut_opened_or_poured_lives_only_where_the_catalogue_says() -> N
             assert not states or (target and target.category == "fridge"), item.asset
             seen.update(states)
     assert seen["CUT"]
+
+
+def test_what_is_looked_at_looks_at_no_wall(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However far people turn a clock on a nightstand in a corner."""
+    monkeypatch.setattr("sdgen.home.layout.FRONT_SPREAD_RAD", 1.5)
+    seen = 0
+    for seed in range(4):
+        stage = _furnished("apartment_1", seed)
+        layout = stage.layout.copy(iter(range(60000, 61000)))
+        add_clutter(layout, stage.context, lane(seed, 0, "place"))
+        for item in _loose(layout):
+            if item.category in layout.fronted:
+                spot = item.pose.position_m, yaw_of(item.pose.quat_xyzw)
+                assert not stage.context.faces_wall(item.room_id, spot), (seed, item.asset)
+                seen += 1
+    assert seen > 5

@@ -146,8 +146,8 @@ def _place(
     for k in rng.permutation(len(targets)).tolist()[:TARGETS_TRIED]:
         target = targets[k]
         may_hold = partial(context.may_hold, asset.category, target.category)
-        room_id = target.room_id if benign and recipe.relation == "ON" else None
-        fits = partial(_fits, candidate, recipe, thing, layout, context, room_id)
+        harmless = benign and recipe.relation == "ON"
+        fits = partial(_fits, candidate, recipe, thing, layout, context, target.room_id, harmless)
         spot = _spot(recipe, thing, target.id, may_hold, fits, layout, rng)
         if spot is not None:
             return _put(candidate, recipe, thing, spot, target.room_id, target.id, layout)
@@ -196,15 +196,17 @@ def _fits(
     thing: ObjectInstance,
     layout: Layout,
     context: HomeContext,
-    room_id: int | None,
+    room_id: int,
+    harmless: bool,
     spot: Vec3Yaw,
 ) -> bool:
-    """Whether a spot is as high as the recipe asks, can be seen and, in a room, is beyond reach if
-    it must be."""
+    """Whether a spot is as high as the recipe asks, can be seen, what is looked at looks at no wall
+    and what is to be ``harmless`` is beyond reach if it must be."""
     asset = layout.library.assets[thing.asset]
     return (
         _height_fits(recipe, spot[0][2])
-        and (room_id is None or context.reach.beyond(asset, spot, room_id))
+        and not (asset.category in layout.fronted and context.faces_wall(room_id, spot))
+        and (not harmless or context.reach.beyond(asset, spot, room_id))
         and _shows_at(candidate, thing, layout, context, spot)
     )
 

@@ -249,6 +249,8 @@ def _place(
             continue
         if abode.relation == "ON" and not context.reach.beyond(asset, spot, room.id):
             continue
+        if asset.category in layout.fronted and context.faces_wall(room.id, spot):
+            continue
         item = layout.new_item(asset, spot, room.id)
         layout.put(item, Intent(abode.relation, receptacle.id))
         stock.add(item, receptacle.id)

@@ -104,6 +104,11 @@ class HomeContext:
         """True when what fills this can be seen at a spot."""
         return self.shows.thing(bulk.corners(spot))
 
+    def faces_wall(self, room_id: int, spot: Vec3Yaw) -> bool:
+        """Whether what stands at a spot of a room looks at a wall that is near."""
+        (x, y, _), yaw = spot
+        return self.ground(room_id).faces_wall((x, y), yaw)
+
     def leaves_free(self, item: ObjectInstance, info: AssetInfo) -> BaseGeometry:
         """What is left of the free floor with a piece as it is, a leaf open across a way: nothing
         in a home where one can be anywhere."""

@@ -61,13 +61,13 @@ class Ground:
         if point is None:
             return None
         yaw = _square(rng) if _is_long(size_m) and not looked_at else random_yaw(rng)
-        if looked_at and self._faces_wall(point, yaw):
+        if looked_at and self.faces_wall(point, yaw):
             yaw += math.pi
         return point, yaw
 
     def takes(self, print_: Polygon, point: Vec2, yaw: float, looked_at: bool) -> bool:
         """Whether a thing may lie there with such a footprint."""
-        if looked_at and self._faces_wall(point, yaw):
+        if looked_at and self.faces_wall(point, yaw):
             return False
         if not self.outline.covers(print_):
             return False
@@ -102,7 +102,7 @@ class Ground:
         x, y = (start + rng.random() * (end - start) + out * inward).tolist()
         return (x, y), float(yaw)
 
-    def _faces_wall(self, point: Vec2, yaw: float) -> bool:
+    def faces_wall(self, point: Vec2, yaw: float) -> bool:
         """Whether what stands at a point of the room looks at a wall that is near."""
         x, y = point
         ahead = Point(x + SEEN_FROM_M * math.cos(yaw), y + SEEN_FROM_M * math.sin(yaw))

@@ -18,6 +18,8 @@ SHOWN_BY = {"candle_on": ({"flame"}, 20), "sharp_object": ({"blade", "blades"}, 
 #: A door's leaf shows when it is shut, too: what shows that it is open is the outdoors within the
 #: doorway, so many pixels of it at 640 x 480.
 SEEN_THROUGH = {"front_door_open": 500}
+#: Of each row of such a picture, as many beside each other: nobody sees thinner strips.
+STRIP_AT_VGA = 6
 #: So many views a home (what `sdgen build` takes) show every label.
 PROMISED_VIEWS = 8
 
@@ -31,8 +33,8 @@ def telling(mark: Json, names: list[str]) -> tuple[list[str], int]:
 
 
 def outdoors(scene: Scene, id: int, view: Json, ids: npt.NDArray[np.int64]) -> int:
-    """Pixels of nothing within the doorway that a door fills: within the outline that the middle of
-    its wall has in the picture."""
+    """Pixels of nothing within the doorway that a door fills, strips thinner than people see left
+    out: within the outline that the middle of its wall has in the picture."""
     gap = next(o for o in scene.scene["home"]["openings"] if o["object_id"] == id)
     middle = np.array(gap["center_m"])
     across = np.array([1.0, 0.0, 0.0] if gap["along"] == "x" else [0.0, 1.0, 0.0])
@@ -46,7 +48,14 @@ def outdoors(scene: Scene, id: int, view: Json, ids: npt.NDArray[np.int64]) -> i
     a, b, c = to_plane @ np.stack([xs, ys, np.ones(len(xs))])
     share = np.stack([a / c, b / c])
     # Depth along a pixel's ray is 1 / c: before the camera where it is positive.
-    return int(((share >= 0) & (share <= 1)).all(axis=0)[c > 0].sum())
+    beyond = np.zeros(ids.shape, dtype=bool)
+    beyond[ys, xs] = ((share >= 0) & (share <= 1)).all(axis=0) & (c > 0)
+    total = 0
+    for row in beyond[beyond.any(axis=1)]:
+        # Lengths of what lies between pixels that are none.
+        strips = np.diff(np.flatnonzero(np.concatenate([[True], ~row, [True]]))) - 1
+        total += int(strips[strips >= STRIP_AT_VGA * ids.shape[1] / 640].sum())
+    return total
 
 
 def visibility(scene: Scene) -> Iterator[Finding]:

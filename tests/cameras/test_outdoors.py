@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from sdgen.cameras.choice import Marked, shows
 from sdgen.cameras.cover import states_shown
-from sdgen.cameras.outdoors import FINE, ROUGH, Rays, looks_out, outer_opening, passes
+from sdgen.cameras.outdoors import FINE, ROUGH, Rays, in_strips, looks_out, outer_opening, passes
 from sdgen.cameras.spots import SetTo
 from sdgen.cameras.view import View
 from sdgen.library import Library
@@ -73,7 +73,7 @@ def test_rays_count_the_outdoors_within_the_opening_as_pictures_would(
         assert looks_out(world.cast, [], DOORWAY, 1).tolist() == []
 
 
-@pytest.mark.parametrize("slit_m", [0.014, 0.02, 0.026])
+@pytest.mark.parametrize("slit_m", [0.055, 0.065, 0.08])
 def test_few_rays_count_a_slit_as_many_do(library: Library, slit_m: float) -> None:
     """Two walls of cubes leave a slit in the doorway, somewhere between two columns of rays."""
     walls = [
@@ -89,6 +89,30 @@ def test_few_rays_count_a_slit_as_many_do(library: Library, slit_m: float) -> No
         )
     assert sum(fine)
     assert 0.9 * sum(fine) <= sum(rough) <= 1.1 * sum(fine)
+
+
+def test_strips_count_that_are_wide_enough() -> None:
+    rows = np.array([[1, 1, 0, 1, 1, 1], [0, 0, 0, 0, 0, 0], [1, 1, 1, 1, 1, 1]], dtype=np.bool_)
+    assert in_strips(rows, 2).tolist() == [5, 0, 6]
+    assert in_strips(rows, 2.5).tolist() == [3, 0, 6]
+    assert in_strips(rows, np.array([4, 1, 7])).tolist() == [0, 0, 0]
+
+
+@pytest.mark.parametrize("rays", [ROUGH, FINE])
+@pytest.mark.parametrize(("slit_m", "tells"), [(0.026, False), (0.06, True)])
+def test_a_strip_thinner_than_people_see_tells_nothing(
+    library: Library, rays: Rays, slit_m: float, tells: bool
+) -> None:
+    """Of 4 and of 9 pixels, for 2 m of height: 1,100 and 2,600 in all."""
+    walls = [
+        thing(10 + 10 * k + n, "cube_01", (x, 2.0, 0.2 * n))
+        for k, x in enumerate((-0.4, -0.2, 0.0, 0.2 + slit_m, 0.4 + slit_m))
+        for n in range(10)
+    ]
+    with RayWorld(library, doorway_with(*walls)) as world:
+        # Beside the walls another strip is left.
+        gap = DOORWAY.model_copy(update={"width_m": 0.5})
+        assert bool(looks_out(world.cast, [VIEW.world_from_camera], gap, 500, rays)[0]) is tells
 
 
 def test_what_fills_an_opening_shows_by_the_outdoors_too(library: Library) -> None:

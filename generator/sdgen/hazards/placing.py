@@ -20,8 +20,8 @@ from sdgen.seeding import Rng
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
 #: What is to lie in the way lies so far from furniture, metres: nearer, among a chair's feet or
-#: at the foot of a bed, it has been put aside for all one sees (a hand's breadth, a judgement).
-IN_THE_WAY_M = 0.1
+#: at the foot of a bed, it has been put aside for all one sees (half a body, a judgement).
+IN_THE_WAY_M = 0.25
 #: Bounds the search: pieces of furniture, or rooms with a free floor, looked at for one thing.
 TARGETS_TRIED = 4
 

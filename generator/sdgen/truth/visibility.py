@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.cameras.outdoors import outer_openings, passes
+from sdgen.cameras.outdoors import STRIP_PIXELS, in_strips, outer_openings, passes
 from sdgen.scene import (
     Anomaly,
     AnomalyVisibility,
@@ -85,8 +85,8 @@ def measure_masks(
 def outdoors_seen(
     instance: npt.NDArray[np.uint16], camera: Camera, openings: Sequence[Opening]
 ) -> dict[int, int]:
-    """Pixels of nothing in a mask (H, W) that are seen through each of the openings, by the id of
-    what fills it; those with any."""
+    """Pixels of nothing in a mask (H, W) that are seen through each of the openings, in strips wide
+    enough to tell, by the id of what fills it; those with any."""
     rows, columns = np.nonzero(instance == 0)
     if len(rows) == 0:
         return {}
@@ -95,7 +95,12 @@ def outdoors_seen(
     local[:, 0] = (columns - k[0, 2]) / k[0, 0]
     local[:, 1] = (rows - k[1, 2]) / k[1, 1]
     directions = local @ pose[:3, :3].T
-    counts = {o.object_id: int(passes(o, pose[:3, 3], directions).sum()) for o in openings}
+    least = STRIP_PIXELS * camera.width / REFERENCE_SIZE[0]
+    counts = {}
+    for opening in openings:
+        through = np.zeros(instance.shape, dtype=np.bool_)
+        through[rows, columns] = passes(opening, pose[:3, 3], directions)
+        counts[opening.object_id] = int(in_strips(through, least).sum())
     return {key: counts[key] for key in sorted(counts) if counts[key]}
 
 

@@ -251,9 +251,9 @@ MODELS = {
             {
                 "style": "brick",
                 "fruit": "ORANGE",
-                "colour": "#f4ead0",
-                "dark": "#2a6aa8",
-                "cap": "#ffffff",
+                "colour": "#f0953a",
+                "dark": "#a8341a",
+                "cap": "#a8341a",
                 "width": 0.076,
                 "depth": 0.06,
                 "height": 0.23,

@@ -89,7 +89,7 @@ def sponge(kind: str, colour: str, back: str) -> Model:
             q = p * (1 + 0.035 * wave)
             return float(q[0]), float(q[1]), max(0.0, float(q[2]) + 0.038)
 
-        ball.mats = [porous(colour, 170, 0.35, 0.14)]
+        ball.mats = [porous(colour, 170, 0.72, 0.04)]
         groups = [[ball.warp(lump)]]
     elif kind == "round":
         disc = [(0.052 * math.cos(a), 0.052 * math.sin(a)) for a in np.arange(20) * math.tau / 20]

@@ -9,7 +9,7 @@ from PIL import Image, ImageDraw
 from toolkit.labels import barcode, small_print
 from toolkit.labels import text as fit_text
 
-from labels.drawing import drop, flower, leaf, shade, star
+from labels.drawing import drop, leaf, shade, star
 
 
 def _panel(
@@ -126,15 +126,12 @@ def shampoo_label(brand: str, kind: str, paper: str, ink: str, accent: str) -> I
     return image
 
 
-def soap_label(brand: str, kind: str, paper: str, ink: str, accent: str) -> Image.Image:
-    """Front of a soap dispenser: brand, flower, drops."""
+def soap_label(paper: str, ink: str) -> Image.Image:
+    """Front of a dispenser that is filled again and again: SOAP and a drop."""
     width, height = 256, 300
     image, canvas = _panel(width, height, paper, 36)
-    fit_text(canvas, brand, (24, 24, width - 24, 84), "serif", ink)
-    fit_text(canvas, kind, (36, 92, width - 36, 122), "sans", ink)
-    flower(canvas, 100, 200, 62, accent, "#f5d04a")
-    drop(canvas, 196, 176, 30, "#bfe2f2", "#6fa8c4")
-    drop(canvas, 212, 244, 20, "#bfe2f2", "#6fa8c4")
+    fit_text(canvas, "SOAP", (8, 40, width - 8, 150), "bold", ink)
+    drop(canvas, width / 2, 220, 42, ink, ink)
     return image
 
 

@@ -28,13 +28,12 @@ from makers.projection import project_label
 
 
 def soap_dispenser(
-    round_body: bool, height: float, body: str, accent: str, ink: str, pump: str, brand: str
+    round_body: bool, height: float, body: str, ink: str, pump: str
 ) -> Model:
-    """A pump bottle of hand soap."""
+    """A dispenser of hand soap, of glazed stoneware: nobody takes it for shampoo."""
     s = height / 0.17
     colour = plain(body, 0.03)
-    picture = bottles.soap_label(brand, "hand soap", "#ffffff", ink, accent)
-    label = printed(picture, base=body)
+    label = printed(bottles.soap_label(body, ink), base=body)
     if round_body:
         profile = [
             (0, 0.001),
@@ -67,15 +66,16 @@ def soap_dispenser(
                 cylinder_piece(0.014, 0.1 * s, 0.15 * s, 8),
             ],
         )
-    project_label(
-        bottle,
-        label,
-        "+x",
-        (0, 0.05 * s),
-        (width, 0.084 * s),
-        0.3,
-        lambda c: 0.003 < c[2] < 0.1 * s,
-    )
+    for side in ("+x", "-x"):
+        project_label(
+            bottle,
+            label,
+            side,
+            (0, 0.05 * s),
+            (width, 0.084 * s),
+            0.3,
+            lambda c: 0.003 < c[2] < 0.1 * s,
+        )
     plastic = plain(pump, 0.02)
     z = 0.118 * s
     neck = lathe(
@@ -108,11 +108,9 @@ def soap_dispenser_random(rng: np.random.Generator) -> dict:
     return {
         "round_body": True,
         "height": uniform(rng, 0.155, 0.185),
-        "body": pick(rng, ["#e7f0ea", "#f2d9de", "#cfe6ef"]),
-        "accent": pick(rng, ["#d9708c", "#f08a3c", "#8a6ad0"]),
-        "ink": pick(rng, ["#2a5a5a", "#3a2a5c"]),
-        "pump": pick(rng, ["#f7f7f5", "#2a2c30"]),
-        "brand": pick(rng, ["Albina", "Lavara", "Senta"]),
+        "body": pick(rng, ["#f1f0ea", "#5d7482", "#a9b8a0"]),
+        "ink": pick(rng, ["#1c2a30"]),
+        "pump": "#b0b6ba",
     }
 
 
@@ -274,9 +272,9 @@ MODELS = {
         soap_dispenser_random,
         3,
         [
-            {"body": "#f2d9de", "pump": "#f7f7f5"},
-            {"round_body": False, "body": "#cfe6ef", "accent": "#f08a3c"},
-            {"body": "#dceada", "accent": "#8a6ad0", "pump": "#2a2c30"},
+            {"body": "#f1f0ea", "ink": "#1c2a30"},
+            {"round_body": False, "body": "#4f6b7c", "ink": "#ffffff"},
+            {"body": "#8fa886", "ink": "#ffffff"},
         ],
     ),
     "shampoo_bottle": Maker(

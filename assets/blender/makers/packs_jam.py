@@ -200,7 +200,7 @@ MODELS = {
         presets=[
             {"shape": "round", "fruit": "STRAWBERRY", "lid": "#c8202c", "paper": "#fbf4e4"},
             {"shape": "hex", "fruit": "APRICOT", "lid": "gold", "paper": "#fffaf0"},
-            {"shape": "squat", "fruit": "BLUEBERRY", "lid": "#f4f4f0", "paper": "#f6f2ff"},
+            {"shape": "squat", "fruit": "BLUEBERRY", "lid": "#2a3a8c", "paper": "#f6f2ff"},
             {
                 "shape": "round",
                 "fruit": "CHERRY",

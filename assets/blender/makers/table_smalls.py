@@ -12,7 +12,7 @@ from toolkit.model import Maker, Model, Part, box_piece, cylinder_piece, ring_pi
 from toolkit.sampling import noise_offset
 from toolkit.shapes import ellipsoid, lathe, tube
 
-from makers.ware import smear, squared, wall_profile
+from makers.ware import squared, wall_profile
 
 # radius, height, outline of the body in shares, columns, height of the cap's foot
 SHAKERS = {
@@ -234,7 +234,7 @@ def cigarette(length: float, burnt: bool = True) -> list[Mesh]:
 
 
 def ashtray(form="round", colour="", tint="#b9ced2", look=0) -> Model:
-    """An ashtray with one stub on its rim; full: heaped with stubs and ash."""
+    """An ashtray, clean; full: heaped with stubs and ash, some on its rim."""
     rng = np.random.default_rng(look)
     half, height, shares, power, n, notches = ASHTRAYS[form]
     outer = [(half * q, height * z) for q, z in shares]
@@ -286,13 +286,10 @@ def ashtray(form="round", colour="", tint="#b9ced2", look=0) -> Model:
         return stub
 
     ash = plain("8c8882", 0.35, 160)
-    meshes: list[Mesh] = [dish, *on_rim(turns[0], 0.058)]
     low = min(outer[0][0], half * 0.8) - wall * 0.8
-    few = smear(0.1 * low, 0.2 * low, floor, 0.4 * low * stretch, rng, ash, 0.001)
-    meshes.append(few)
     heap = [(low * 0.96, floor + 0.001), (low * 0.6, floor + 0.009), (0, floor + 0.012)]
     mound = lathe(heap, 12, mat=ash).scale(stretch, 1, 1)
-    butts: list[Mesh] = [mound]
+    butts: list[Mesh] = [mound, *on_rim(turns[0], 0.058)]
     for k in range(8):
         a, far = 2.4 * k, low * (0.25 + 0.055 * k)
         for mesh in cigarette(float(rng.uniform(0.026, 0.038))):
@@ -317,7 +314,7 @@ def ashtray(form="round", colour="", tint="#b9ced2", look=0) -> Model:
     return Model(
         f"{form} ashtray",
         {
-            "body": Part(meshes, collision=pieces),
+            "body": Part([dish], collision=pieces),
             "filling": Part(butts, collision="none", open=True),
         },
         mass=0.35,
@@ -338,7 +335,7 @@ MODELS = {
         7,
         [
             {"form": "diner", "words": "SALT"},
-            {"form": "round", "colour": "#f4f1e8", "words": "", "letter": "S"},
+            {"form": "round", "colour": "#2f8a86", "words": "", "letter": "S"},
             {"form": "cube", "colour": "#f4f1e8", "ink": "#c8302c", "words": "SALT", "letter": "S"},
             {"form": "mill", "colour": "wood", "words": ""},
             {"form": "tin", "colour": "#2f5f9a", "ink": "#ffffff", "words": "SALT"}

@@ -310,7 +310,7 @@ MODELS = {
             ("block", "#f2cf2a", "#2f8f4a"),
             ("waist", "#f2a02a", "#2f6f3a"),
             ("stack", "#f2cf2a", "#2f8f4a"),
-            ("car", "#f2c21e", ""),
+            ("car", "#e8708f", ""),
             ("natural", "#7cc6da", ""),
             ("suds", "#3aa0d8", "#1f5f8a"),
             ("round", "#f2cf2a", "#2f8f4a"),

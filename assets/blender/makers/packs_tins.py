@@ -79,14 +79,14 @@ def round_tin(radius: float, height: float, word: str, brand: str, stack: int = 
         lid = loft(
             [
                 tub_ring(2 * radius * 0.93, 2 * radius * 0.93, radius * 0.92, z, 0, 6)
-                for z in (top - 0.004, top - 0.003)
+                for z in (top - 0.004, top - 0.0018)
             ],
             mat=steel,
         )
         lid.bake_uv = None
         project_label(lid, label(art), "+z", (0, 0), (1.86 * radius, 1.86 * radius), 0.9)
         meshes.append(lid)
-    meshes.append(ring_pull(-radius * 0.5, top - 0.003, steel))
+    meshes.append(ring_pull(-radius * 0.5, top - (0.003 if height > 0.06 else 0.0018), steel))
     return Model(
         title=f"tin of {word.lower()}"
         if stack == 1

@@ -130,7 +130,16 @@ def carrot_greens(look: str, kind: str, z: float) -> list[Mesh]:
     return out
 
 
-def carrot_fruit(name: str, outline, mass: float, greens: bool, **more) -> Fruit:
+def carrot_stub(look: str, kind: str, z: float) -> list[Mesh]:
+    """What is left of the leaves of a carrot that is sold without: it has not been cut."""
+    mat = green(look, "4f9a2c")
+    return [
+        tube([(0, 0, z - 0.006), (x, y, z + 0.012)], [0.004, 0.003], 5, mat=mat)
+        for x, y in ((-0.006, 0.002), (0.005, 0.004), (0.001, -0.006))
+    ]
+
+
+def carrot_fruit(name: str, outline, mass: float, top, **more) -> Fruit:
     return Fruit(
         name,
         "carrots",
@@ -146,7 +155,7 @@ def carrot_fruit(name: str, outline, mass: float, greens: bool, **more) -> Fruit
             }
         },
         lambda kind: faces.stone_free("#e0701a", "#f6983a", "#f8bc6a"),
-        top=carrot_greens if greens else None,
+        top=top,
         along=False,
         lies=True,
         wrinkle=0.2,
@@ -170,9 +179,9 @@ STOUT_CARROT = [
     (0.0155, 0.03),
     (0.019, 0.07),
     (0.021, 0.1),
-    (0.018, 0.112),
-    (0.008, 0.116),
-    (0, 0.114),
+    (0.0195, 0.108),
+    (0.013, 0.114),
+    (0, 0.116),
 ]
 ROUND_CARROT = [
     (0, 0.0),
@@ -183,6 +192,6 @@ ROUND_CARROT = [
     (0.011, 0.049),
     (0, 0.047),
 ]
-CARROT = carrot_fruit("carrot", LONG_CARROT, 0.07, True, detail=(9, 8))
-CARROT_BARE = carrot_fruit("carrot", STOUT_CARROT, 0.1, False, detail=(12, 9))
-CARROT_ROUND = carrot_fruit("round carrot", ROUND_CARROT, 0.03, True, detail=(12, 9))
+CARROT = carrot_fruit("carrot", LONG_CARROT, 0.07, carrot_greens, detail=(9, 8))
+CARROT_BARE = carrot_fruit("carrot", STOUT_CARROT, 0.1, carrot_stub, detail=(12, 9))
+CARROT_ROUND = carrot_fruit("round carrot", ROUND_CARROT, 0.03, carrot_greens, detail=(12, 9))

@@ -167,25 +167,6 @@ def cutting_board(form="slab", kind="wood", colour="#c08a54", groove="", food=""
                 axis="y",
             )
             meshes.append(piece.turn(rx=1.45).move(0, -0.01 - 0.065 * k, thick + 0.009))
-    elif food == "carrot":
-        orange, heart = plain("e87a1e", 0.1, 150), plain("f2a04a", 0.1, 150)
-        stick = lathe(
-            [(0, 0), (0.016, 0), (0.011, 0.08), (0.003, 0.12), (0, 0.121)],
-            10,
-            mats=[heart, orange],
-            mat_of_segment=[0, 1, 1, 1],
-        )
-        meshes.append(stick.turn(rx=-math.pi / 2).move(0.03, 0.0, thick + 0.015))
-        for k in range(7):
-            coin = lathe(
-                [(0, 0), (0.0165, 0), (0.0165, 0.005), (0, 0.005)],
-                10,
-                mats=[heart, orange],
-                mat_of_segment=[0, 1, 0],
-            )
-            meshes.append(
-                coin.move(0.03 - 0.025 * (k % 3), -0.03 - 0.019 * k, thick + 0.001 * (k % 2))
-            )
     solid = outline if len(outline) <= 16 else outline[::2]
     return Model(
         f"{form} cutting board, {kind}".replace("_", " "),
@@ -353,7 +334,7 @@ MODELS = {
             {"form": "round", "colour": "#c99a5c", "groove": "#7a4a22", "food": "bread"},
             {"form": "sheet", "kind": "plastic", "colour": "#f2f2ee", "groove": "#b8bab8"},
             {"form": "block", "kind": "strips", "colour": "#c99a62", "groove": "#5a3216"},
-            {"form": "slim", "colour": "#d0a468", "food": "carrot"},
+            {"form": "slim", "colour": "#d0a468"},
             {"form": "sheet", "kind": "plastic", "colour": "#4fa05a", "groove": "#2f7a3c"},
             {"form": "round_handle", "kind": "strips", "colour": "#d8ac70"},
         ],

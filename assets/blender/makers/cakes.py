@@ -322,7 +322,7 @@ MODELS = {
             {"form": "layer", "kind": "cream", "seed": 1},
             {"form": "piece", "kind": "cream", "seed": 2},
             {"form": "opened", "kind": "chocolate", "seed": 3},
-            {"form": "ring", "kind": "cream", "radius": 0.105, "seed": 4},
+            {"form": "ring", "kind": "chocolate", "radius": 0.105, "seed": 4},
             {"form": "loaf", "kind": "lemon", "height": 0.075, "seed": 5},
             {"form": "candles", "kind": "pink", "radius": 0.1, "height": 0.08, "seed": 6},
             {"form": "piece", "kind": "chocolate", "seed": 2},

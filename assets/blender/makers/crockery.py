@@ -310,7 +310,7 @@ MODELS = {
             {"shape": "rice", "colour": "#efece4", "band": False, "leftover": "peas"},
             {"shape": "salad", "colour": "#9a6a3a", "material": "wood", "band": False}
             | {"leftover": "peas"},
-            {"shape": "ramekin", "colour": "#c8302c", "band": False, "leftover": "cake"},
+            {"shape": "ramekin", "colour": "#7fb8a8", "band": False, "leftover": "cake"},
             {"shape": "mixing", "colour": "#e8c33a", "band": True, "leftover": "egg"},
             {"shape": "onion", "colour": "#7a4a26", "inside": "#e6d2a8", "band": False}
             | {"leftover": "soup"},

@@ -26,7 +26,7 @@ def glove(colour: str, cuff: float, right: bool, curl: float = 0.0) -> list[Mesh
     ribs = m.math("SINE", m.math("MULTIPLY", m.axis(0), 900))
     skin = m.mix(m.remap(ribs, 0.2, 1.0, 0, 0.12), m.mottle(colour, 0.07, 40), shade(colour, 0.6))
     m.colour(skin)
-    hole = plain(shade(colour, 0.35), 0.05)
+    hole = plain(shade(colour, 0.72), 0.05)
     rings = []
     stations = [(-cuff - 0.09, 0.064, 0.0205)]
     stations += [(-cuff - 0.082, 0.063, 0.02), (-cuff - 0.076, 0.058, 0.017), (-0.09, 0.046, 0.014)]
@@ -98,11 +98,11 @@ MODELS = {
         rubber_gloves,
         ("kind", "colour"),
         [
-            ("pair", "#f2cf2a"),
+            ("pair", "#f08fb4"),
             ("crossed", "#e8609a"),
             ("single", "#2f8fd8"),
             ("long", "#2f9a6a"),
-            ("together", "#f2cf2a"),
+            ("together", "#8ad0e0"),
             ("pair", "#2f8fd8"),
         ],
     ),

@@ -416,7 +416,7 @@ MODELS = {
             },
             {"shape": "litre", "radius": 0.042, "height": 0.28, **FULL_LEMON, "mass": 1.05},
             {"shape": "contour", "radius": 0.033, "height": 0.235, **FULL_ORANGE},
-            {"shape": "still", "radius": 0.036, "height": 0.2, **FULL_LEMON, "mass": 0.45},
+            {"shape": "still", "radius": 0.036, "height": 0.2, **FULL_COLA, "mass": 0.45},
             {"shape": "litre", "radius": 0.042, "height": 0.28, **FULL_COLA, "mass": 1.05},
         ],
     ),

@@ -157,8 +157,8 @@ LEMON = {"word": "LEMON", "sub": "SODA", "colour": "#3f9a2c", "accent": "#fbec3a
 ENERGY = {
     "word": "ENERGY",
     "sub": "DRINK",
-    "colour": "#1c2a5a",
-    "accent": "#4ae0ff",
+    "colour": "#8fd02a",
+    "accent": "#14301c",
     "motif": "cola",
 }
 

@@ -210,8 +210,8 @@ MILK = {"kind": "MILK", "ground": "#f0dcb0", "band": "#7a4424", "brand": "Alpina
 DARK = {"kind": "DARK", "ground": "#e8d8b0", "band": "#4a1f10", "brand": "Cacaoro"}
 
 NUT = {"kind": "WHITE", "ground": "#fff6e0", "band": "#c8202c", "brand": "Dolcina"}
-#: Red and white, an opened bar lay there like rashers of bacon.
-BLUE = {**NUT, "ground": "#dcecf8", "band": "#1f5f9f"}
+#: Red and white, an opened bar lay there like rashers of bacon; of white chocolate, like cheese.
+BLUE = {**MILK, "brand": "Dolcina", "ground": "#dcecf8", "band": "#1f5f9f"}
 
 MODELS = {
     "chocolate_bar": Maker(
@@ -240,7 +240,7 @@ MODELS = {
                 "brand": "Gipfel",
             },
             {"style": "pieces", "tone": "#5a2c16"},
-            {"style": "open", **BLUE, "tone": "#f0dfb4"},
+            {"style": "open", **BLUE, "tone": "#5a2c16"},
         ],
     ),
 }

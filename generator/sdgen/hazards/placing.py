@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -14,14 +14,15 @@ from sdgen.home.context import SPOTS_TRIED, HomeContext
 from sdgen.home.layout import DROP_M, FLOOR_GAP_M, Intent, Layout, Vec3Yaw, at_spot, room_to_change
 from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
-from sdgen.scene import ObjectInstance
+from sdgen.scene import ObjectInstance, Room
 from sdgen.seeding import Rng
 
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
-#: What is to lie in the way lies so far from furniture, metres: nearer, among a chair's feet or
-#: at the foot of a bed, it has been put aside for all one sees (half a body, a judgement).
-IN_THE_WAY_M = 0.25
+#: What is to lie in the way lies so far from furniture, metres, or where there is no such place, at
+#: least the second: nearer, among a chair's feet or at the foot of a bed, it has been put aside for
+#: all one sees (open floor, and half a body; a judgement).
+IN_THE_WAY_M = (0.4, 0.25)
 #: Bounds the search: pieces of furniture, or rooms with a free floor, looked at for one thing.
 TARGETS_TRIED = 4
 
@@ -133,8 +134,18 @@ def _place(
     if thing is None:
         return None
     if candidate.unique.target == "floor":
-        gap_m = IN_THE_WAY_M if recipe.zone and not benign else FLOOR_GAP_M
-        return _place_on_floor(candidate, recipe, thing, layout, context, rng, gap_m)
+        rooms = [
+            room
+            for room in context.home.rooms
+            if (not recipe.rooms or room.type in recipe.rooms)
+            and context.shows.anything_on(room.id)
+            and not (benign and _beside_itself(asset, context.floor_id(room.id), layout, context))
+        ]
+        for gap_m in IN_THE_WAY_M if recipe.zone and not benign else (FLOOR_GAP_M,):
+            put = _place_on_floor(candidate, recipe, thing, rooms, layout, context, rng, gap_m)
+            if put is not None:
+                return put
+        return None
     targets = [
         item
         for item in layout.items.values()
@@ -234,17 +245,13 @@ def _place_on_floor(
     candidate: Candidate,
     recipe: PlaceRecipe,
     thing: ObjectInstance,
+    rooms: Sequence[Room],
     layout: Layout,
     context: HomeContext,
     rng: Rng,
     gap_m: float,
 ) -> Injected | None:
     asset, bulk = layout.library.assets[thing.asset], layout.bulk_of(thing)
-    rooms = [
-        room
-        for room in context.home.rooms
-        if (not recipe.rooms or room.type in recipe.rooms) and context.shows.anything_on(room.id)
-    ]
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
         ground = context.ground(room.id, recipe.avoid_zones, recipe.zone)

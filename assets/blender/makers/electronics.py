@@ -311,12 +311,12 @@ MODELS = {
         phone_random,
         7,
         [
-            {"rim": "#26282c"},
-            {"rim": "#c83a4a"},
-            {"rim": "#dfe3e6"},  # dark red, edge-on it was taken for spilt wine
+            {"rim": "#9ad04a"},
+            {"rim": "#f2a0c0"},
+            {"rim": "#4fc0d8"},  # bright: edge-on, dark ones were knives and spilt wine
             {"kind": "keys", "rim": "#2f4a8a"},
             {"kind": "stand", "rim": "#26282c"},
-            {"kind": "case", "rim": "#f0c02c"},
+            {"kind": "case", "rim": "#7ad8b8"},
             {"kind": "case", "rim": "#2f6fb0"},
         ],
     ),

@@ -393,5 +393,5 @@ KIWI = Fruit(
     top=lambda look, kind, z: [ellipsoid((0.005, 0.005, 0.003), (0, 0, z), 6, 4, woody(look))],
     lies=True,
     detail=(12, 9),
-    tray="2f6fb8",
+    tray="8cc63f",
 )

@@ -197,11 +197,11 @@ MODELS = {
         game_controller_random,
         8,
         [
-            {"paint": "#2c2e33"},
+            {"paint": "#9aa8b8"},
             {"kind": "cable", "paint": "#f2f2ee", "trim": "#3a3d43"},
             {"kind": "retro", "paint": "#c9cdd1", "trim": "#3a3d43"},
             {"kind": "stick", "paint": "#26282c"},
-            {"kind": "two", "paint": "#1fa8e0", "trim": "#f0403a"},
+            {"kind": "two", "paint": "#e6e8ea", "trim": "#d4d8dc"},  # red and blue, on a dark sofa it was bricks
             {"kind": "dock", "paint": "#f2f2ee", "trim": "#17181a"},
             {"kind": "wheel", "paint": "#1c1d20", "trim": "#d8202c"},
             {"paint": "#1f5fc0"},

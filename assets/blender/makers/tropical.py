@@ -266,7 +266,7 @@ def corn(form="husk", length=0.19, radius=0.024, seed=0) -> Model:
 
     def shape(look: str) -> list[Mesh]:
         if form == "bare":
-            return lay([cob(look)], 0.3)
+            return lay([cob(look), stub(look)], 0.3)
         if form == "pair":
             return spread(
                 lay([cob(look), stub(look)]), [(-r * 1.15, 0, 0, 0.12), (r * 1.3, 0.01, 0, -0.25)]

@@ -42,11 +42,9 @@ def banana(length=0.19, count=1, ripeness=0.15, seed=0, form="lying", tint="") -
             m.math("MULTIPLY", m.noise(160, 2, offset=o), 0.5),
         )
         c = m.mix(m.remap(spots, 0.22 + ripeness, 0.3 + ripeness, 0.85, 0), c, "6b421a")
-        if look == "overripe":  # brown freckles and streaks over dull yellow
-            c = m.mix(0.3, c, "a87a24")
-            c = m.mix(m.remap(m.voronoi(85, (o[2], 0, 1)), 0.3, 0.42, 0.95, 0), c, "3d2410")
-            streaks = m.noise(30, 3, offset=(o[1], 2, o[0]), stretch=(1, 0.4, 1))
-            c = m.mix(m.remap(streaks, 0.5, 0.6, 0, 0.8), c, "5a3716")
+        if look == "overripe":  # freckled, and plainly good to eat
+            c = m.mix(0.12, c, "c89a2c")
+            c = m.mix(m.remap(m.voronoi(85, (o[2], 0, 1)), 0.22, 0.32, 0.9, 0), c, "5a3814")
         if look == "rotten":
             c = m.mix(
                 m.remap(m.noise(16, 4, offset=(o[1], o[0], 1)), 0.36, 0.5, 0.75, 0.96), c, "2a190c"

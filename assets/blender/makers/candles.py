@@ -385,7 +385,7 @@ MODELS = {
         count=8,
         presets=[
             {"style": "pillar", "colour": "#f3e7cf"},
-            {"style": "jar", "colour": "#a8262c", "height": 0.09, "radius": 0.034},
+            {"style": "jar", "colour": "#7d62b4", "height": 0.09, "radius": 0.034},
             {"style": "taper", "colour": "#f3e7cf"},
             {"kind": "candles", "style": "trio", "colour": "#e9dcc0"},
             {"kind": "candles", "style": "candelabra", "colour": "#f6f0e2"},

@@ -334,7 +334,7 @@ MODELS = {
         salt_shaker_random,
         7,
         [
-            {"form": "diner", "words": "SALT"},
+            {"form": "diner", "words": "SALT", "cap": "#c8302c"},
             {"form": "round", "colour": "#2f8a86", "words": "", "letter": "S"},
             {"form": "cube", "colour": "#f4f1e8", "ink": "#c8302c", "words": "SALT", "letter": "S"},
             {"form": "mill", "colour": "wood", "words": ""},

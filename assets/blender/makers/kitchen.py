@@ -289,6 +289,7 @@ def tap(
     lever = tube([(0, 0, 0), (0, 0.05, 0.012), (0, 0.075, 0.03)], [0.009, 0.007, 0.006], 6, mat=mat)
     asm.add("body", lever.move(x, y, z + 0.045))
     asm.solid("body", (x - 0.02, y - 0.02, z), (x + 0.02, y + 0.02, z + height))
+    asm.solid("body", (x - 0.009, y + 0.02, z + 0.036), (x + 0.009, y + 0.081, z + 0.081))
 
 
 def stream(

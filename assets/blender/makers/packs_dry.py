@@ -295,6 +295,8 @@ def flour_sack(brand: str, ground: str, band: str) -> Model:
 
 
 BLUE = {"ground": "#eef4fb", "band": "#1f4f9c"}
+#: Blue and white, a bag of flour was a carton of milk.
+OCHRE = {"ground": "#f0dcae", "band": "#c9781a"}
 
 RED = {"ground": "#fdf2e0", "band": "#b8242c"}
 
@@ -363,7 +365,7 @@ MODELS = {
         lambda rng: {},
         count=7,
         presets=[
-            {"style": "bag", "brand": "Mühlhof", **BLUE, "width": 0.105, "depth": 0.07, "h": 0.175},
+            {"style": "bag", "brand": "Mühlhof", **OCHRE, "width": 0.105, "depth": 0.07, "h": 0.175},
             {"style": "bag", "brand": "Kornhof", **RED, "width": 0.105, "depth": 0.07, "h": 0.175},
             {
                 "style": "bag",
@@ -378,7 +380,7 @@ MODELS = {
             {
                 "style": "bag",
                 "brand": "Mühlhof",
-                **BLUE,
+                **OCHRE,
                 "width": 0.11,
                 "depth": 0.075,
                 "h": 0.185,
@@ -386,7 +388,7 @@ MODELS = {
                 "spilled": True,
             },
             {"style": "sack", "brand": "Kornhof", "ground": "#efe2c6", "band": "#1f6a34"},
-            {"style": "rolled", "brand": "Mühlhof", **BLUE},
+            {"style": "rolled", "brand": "Mühlhof", **OCHRE},
         ],
     ),
 }

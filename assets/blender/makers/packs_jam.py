@@ -200,7 +200,7 @@ MODELS = {
         presets=[
             {"shape": "round", "fruit": "STRAWBERRY", "lid": "#c8202c", "paper": "#fbf4e4"},
             {"shape": "hex", "fruit": "APRICOT", "lid": "gold", "paper": "#fffaf0"},
-            {"shape": "squat", "fruit": "BLUEBERRY", "lid": "#2a3a8c", "paper": "#f6f2ff"},
+            {"shape": "squat", "fruit": "CHERRY", "lid": "#c8202c", "paper": "#fbf4e4"},
             {
                 "shape": "round",
                 "fruit": "CHERRY",
@@ -216,7 +216,7 @@ MODELS = {
                 "paper": "#fff4f0",
                 "opened": True,
             },
-            {"shape": "hex", "fruit": "BLUEBERRY", "lid": "gold", "paper": "#f6f2ff"},
+            {"shape": "hex", "fruit": "STRAWBERRY", "lid": "gold", "paper": "#fbf4e4"},
         ],
     ),
 }

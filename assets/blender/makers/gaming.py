@@ -201,7 +201,8 @@ MODELS = {
             {"kind": "cable", "paint": "#f2f2ee", "trim": "#3a3d43"},
             {"kind": "retro", "paint": "#c9cdd1", "trim": "#3a3d43"},
             {"kind": "stick", "paint": "#26282c"},
-            {"kind": "two", "paint": "#e6e8ea", "trim": "#d4d8dc"},  # red and blue, on a dark sofa it was bricks
+            # Red and blue, on a dark sofa it was toy bricks.
+            {"kind": "two", "paint": "#e6e8ea", "trim": "#d4d8dc"},
             {"kind": "dock", "paint": "#f2f2ee", "trim": "#17181a"},
             {"kind": "wheel", "paint": "#1c1d20", "trim": "#d8202c"},
             {"paint": "#1f5fc0"},

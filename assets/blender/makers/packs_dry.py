@@ -365,7 +365,14 @@ MODELS = {
         lambda rng: {},
         count=7,
         presets=[
-            {"style": "bag", "brand": "Mühlhof", **OCHRE, "width": 0.105, "depth": 0.07, "h": 0.175},
+            {
+                "style": "bag",
+                "brand": "Mühlhof",
+                **OCHRE,
+                "width": 0.105,
+                "depth": 0.07,
+                "h": 0.175,
+            },
             {"style": "bag", "brand": "Kornhof", **RED, "width": 0.105, "depth": 0.07, "h": 0.175},
             {
                 "style": "bag",

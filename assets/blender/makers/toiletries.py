@@ -27,9 +27,7 @@ from makers.bottle_shapes import oval_body
 from makers.projection import project_label
 
 
-def soap_dispenser(
-    round_body: bool, height: float, body: str, ink: str, pump: str
-) -> Model:
+def soap_dispenser(round_body: bool, height: float, body: str, ink: str, pump: str) -> Model:
     """A dispenser of hand soap, of glazed stoneware: nobody takes it for shampoo."""
     s = height / 0.17
     colour = plain(body, 0.03)

@@ -479,7 +479,9 @@ def test_whole_checks_find_what_is_missing(sample: Scene) -> None:
 
 
 def seen_knife(draft: Draft, labelled: bool) -> Scene:
-    """A knife that a view shows, labelled or on a high shelf."""
+    """A knife that a view shows, and nothing else, labelled or on a high shelf."""
+    for view in draft.files["visibility"]["views"]:
+        view["objects"].clear()
     holder = draft.any("wall_shelf", "kitchen_counter")
     id = draft.on_top("knife_01", holder)
     shown = {"object_id": id, "pixels": 500, "bbox": [0, 0, 25, 20], "fraction": 1.0, "parts": {}}

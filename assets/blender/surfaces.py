@@ -143,7 +143,7 @@ def plaster(rng: np.random.Generator, base: str, size: int = 256, rough: float =
     clouds = tile_noise(rng, size, 4, (1, 1), 1.6)
     roller = tile_noise(rng, size, 110, (1, 1), 0.3)
     relief = np.roll(roller, 1, 0) - np.roll(roller, -1, 0)
-    value = 1 + rough * (0.004 * clouds + 0.008 * roller + 0.004 * relief)
+    value = 1 + rough * (0.002 * clouds + 0.008 * roller + 0.004 * relief)
     return colour(base) * value[..., None]
 
 
@@ -158,10 +158,33 @@ def carpet(rng: np.random.Generator, base: str, size: int = 256) -> Array:
     return image
 
 
+def herringbone(
+    rng: np.random.Generator, light: str, dark: str, long: int = 4, size: int = 512
+) -> Array:
+    """Parquet of blocks one wide and ``long`` long, laid at right angles to each other."""
+    wide = size // (4 * long)
+    y, x = np.mgrid[0:size, 0:size]
+    row, col = y // wide, x // wide
+    # Every block starts on a diagonal of cells: of 2 * long cells of a row, half lie along it.
+    phase = (col - row) % (2 * long)
+    lies = phase < long
+    along = np.where(lies, x - (col - phase) * wide, y - (row - (2 * long - 1 - phase)) * wide)
+    across = np.where(lies, y, x) % wide
+    first_col = np.where(lies, col - phase, col) % (4 * long)
+    first_row = np.where(lies, row, row - (2 * long - 1 - phase)) % (4 * long)
+    tone = rng.normal(0, 1, (4 * long, 4 * long, 2))[first_row, first_col, lies.astype(int)]
+    shift = rng.integers(0, size, (4 * long, 4 * long))[first_row, first_col]
+    grain = tile_noise(rng, size, 60, (1, 10), 0.9)[(across + shift) % size, along % size]
+    mixture = np.clip(0.5 + 0.16 * tone + 0.12 * grain, 0, 1)[..., None]
+    edge = np.minimum.reduce([across, wide - across, along, long * wide - along])
+    image = colour(dark) * (1 - mixture) + colour(light) * mixture
+    return image * (1 - 0.35 * soft_line(edge, 1.2)[..., None])
+
+
 Painter = Callable[[np.random.Generator], Array]
 QUIET = ["living_room", "bedroom", "child_room", "dining_room", "office"]
-DRY = [*QUIET, "hall"]
-WET = ["kitchen", "bathroom", "laundry"]
+DRY = [*QUIET, "hall", "corridor", "storage", "balcony"]
+WET = ["kitchen", "bathroom", "toilet", "laundry"]
 
 # id: (kind, width of the tile in metres, room types, painter)
 SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
@@ -191,15 +214,15 @@ SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
     ),
     "tile_slate": (
         "floor",
-        1.6,
+        1.2,
         [*WET, "hall"],
-        lambda rng: tiles(rng, "#777c80", "#5a5d5f", 4, spread=0.03, cloud=0.04),
+        lambda rng: tiles(rng, "#777c80", "#5a5d5f", 4, spread=0.02, cloud=0.02),
     ),
     "tile_beige": (
         "floor",
-        1.35,
+        0.99,
         [*WET, "hall"],
-        lambda rng: tiles(rng, "#cdbda3", "#a39580", 3, spread=0.015, cloud=0.022),
+        lambda rng: tiles(rng, "#cdbda3", "#a39580", 3, spread=0.012, cloud=0.012),
     ),
     "carpet_grey": (
         "floor",
@@ -252,6 +275,130 @@ SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
             spread=0.007,
             cloud=0.006,
         ),
+    ),
+    "plaster_grey": (
+        "wall",
+        1.0,
+        [*DRY, "kitchen"],
+        lambda rng: plaster(rng, "#d5d6d4"),
+    ),
+    "plaster_cream": (
+        "wall",
+        1.0,
+        [*DRY, *WET],
+        lambda rng: plaster(rng, "#f3ead8"),
+    ),
+    "plaster_blush": (
+        "wall",
+        1.0,
+        QUIET,
+        lambda rng: plaster(rng, "#e8d2c8"),
+    ),
+    "plaster_olive": (
+        "wall",
+        1.0,
+        QUIET,
+        lambda rng: plaster(rng, "#b9bc9d"),
+    ),
+    "plaster_clay": (
+        "wall",
+        1.0,
+        QUIET,
+        lambda rng: plaster(rng, "#d6b49b"),
+    ),
+    "plaster_mint": (
+        "wall",
+        1.0,
+        [*QUIET, "kitchen", "bathroom"],
+        lambda rng: plaster(rng, "#d3e3d8"),
+    ),
+    "plaster_lemon": (
+        "wall",
+        1.0,
+        ["child_room", "kitchen", "bedroom"],
+        lambda rng: plaster(rng, "#f3e8bd"),
+    ),
+    "plaster_lilac": (
+        "wall",
+        1.0,
+        ["child_room", "bedroom"],
+        lambda rng: plaster(rng, "#dcd3e2"),
+    ),
+    "plaster_slate": (
+        "wall",
+        1.0,
+        ["living_room", "bedroom", "office"],
+        lambda rng: plaster(rng, "#8f9aa3"),
+    ),
+    "wood_grey": (
+        "floor",
+        1.6,
+        [*DRY, "kitchen"],
+        lambda rng: planks(rng, "#b4aa9c", "#8f867a", rows=10, spread=0.3, groove=0.35),
+    ),
+    "wood_smoked": (
+        "floor",
+        1.6,
+        DRY,
+        lambda rng: planks(rng, "#6d5646", "#4a382c", rows=10, spread=0.3, groove=0.45),
+    ),
+    "wood_pine": (
+        "floor",
+        1.5,
+        [*DRY, "kitchen"],
+        lambda rng: planks(rng, "#d9b985", "#b98f58", rows=10, spread=0.35, groove=0.4),
+    ),
+    "parquet_oak": (
+        "floor",
+        1.28,
+        DRY,
+        lambda rng: herringbone(rng, "#c6a274", "#9c774c"),
+    ),
+    "carpet_sand": (
+        "floor",
+        0.6,
+        QUIET,
+        lambda rng: carpet(rng, "#b9ab96"),
+    ),
+    "tile_terracotta": (
+        "floor",
+        1.0,
+        [*WET, "hall"],
+        lambda rng: tiles(rng, "#b0714f", "#9b8c7c", 4, spread=0.03, cloud=0.015),
+    ),
+    "tile_grey": (
+        "floor",
+        1.2,
+        [*WET, "hall"],
+        lambda rng: tiles(rng, "#b4b4b0", "#93938f", 4, columns=2, spread=0.012, cloud=0.01),
+    ),
+    "tile_wall_sand": (
+        "wall",
+        0.9,
+        WET,
+        lambda rng: tiles(rng, "#e6dccb", "#c9bfae", 6, columns=3, spread=0.01, cloud=0.006),
+    ),
+    "tile_wall_sage": (
+        "wall",
+        0.9,
+        WET,
+        lambda rng: tiles(
+            rng,
+            "#b9c9ba",
+            "#d8dcd6",
+            6,
+            columns=3,
+            offset=True,
+            joint_px=2.5,
+            spread=0.012,
+            cloud=0.006,
+        ),
+    ),
+    "tile_wall_blue": (
+        "wall",
+        0.9,
+        WET,
+        lambda rng: tiles(rng, "#b8cbd6", "#dde2e4", 6, joint_px=2.5, spread=0.012, cloud=0.006),
     ),
     "ceiling_white": (
         "ceiling",

@@ -103,10 +103,11 @@ class Zone(Record):
 
 
 class Home(Record):
-    """Rooms and their shell, before anything stands in them."""
+    """Rooms and their shell, before anything stands in them, and the style they share."""
 
     id: str
     kind: Literal["base", "procedural"]
+    style: str = ""
     rooms: tuple[Room, ...]
     structures: tuple[Structure, ...]
     openings: tuple[Opening, ...]

@@ -12,6 +12,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import FurnitureItem, HomeSpec, OpeningSpec
 from sdgen.hazards.splits import SplitModels, split_of_home
 from sdgen.home.shell import build_shell
+from sdgen.home.style import HomeStyle
 from sdgen.library import Library
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.seeding import lane
@@ -139,7 +140,7 @@ def test_a_door_where_three_rooms_meet_is_told(tmp_path: Path) -> None:
     assert ":9: openings[1].center_m: this door has 3 rooms beside it (a, b, c)" in problem
     apart = CORNER.replace("[4, 1.95]", "[4, 1.2]")
     (hut,) = (h for h in load_catalog([write(tmp_path, homes__hut=apart)]).homes if h.id == "hut")
-    home = build_shell(hut, shipped_library(), count(1), lane(0, 0, "shell"))
+    home = build_shell(hut, HomeStyle(), shipped_library(), count(1), lane(0, 0, "shell"))
     names = {room.id: room.name for room in home.rooms}
     between = [tuple(names[key] for key in opening.room_ids) for opening in home.openings]
     assert between == [("a",), ("a", "b"), ("b", "c")]

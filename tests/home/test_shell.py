@@ -5,6 +5,7 @@ import itertools
 import pytest
 from sdgen.catalog.records import HomeSpec
 from sdgen.home.shell import build_shell
+from sdgen.home.style import HomeStyle
 from sdgen.seeding import lane
 from shapely.geometry import Polygon, box
 
@@ -32,7 +33,9 @@ BASE = HomeSpec.model_validate(
 
 @pytest.fixture(scope="module")
 def home():
-    return build_shell(BASE, shipped_library(), itertools.count(1), lane(0, 0, "shell"))
+    return build_shell(
+        BASE, HomeStyle(), shipped_library(), itertools.count(1), lane(0, 0, "shell")
+    )
 
 
 def test_rooms_are_the_rectangles_less_half_a_wall(home):

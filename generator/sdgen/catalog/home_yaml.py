@@ -18,7 +18,7 @@ from sdgen.catalog.home_shape import (
     rooms_beside,
 )
 from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
-from sdgen.catalog.words import Text, Word, between
+from sdgen.catalog.words import StyleName, Text, Word, between
 from sdgen.scene import Record
 from sdgen.strict import problem, refuse
 from sdgen.vocabulary import DOORS, HALF_WALL_M
@@ -35,6 +35,7 @@ class HomeYaml(Record):
     title: Text
     # Lower than any code allows to live in; higher than any storey.
     height_m: Annotated[float, between(2.0, 6.0)] = 2.6
+    style: StyleName | None = None
     rooms: tuple[RoomSpec, ...]
     openings: tuple[OpeningSpec, ...]
     replaces: bool = False

@@ -1,8 +1,9 @@
 """The hazard catalogue, from YAML folders to one resolved :class:`Catalog`.
 
 A folder holds ``hazards/*.yaml``, ``categories/*.yaml``, ``homes/*.yaml``, ``rooms.yaml``,
-``mixes.yaml`` and ``households.yaml``, each optional except in the shipped one. Later folders add
-to earlier ones; to replace an entry they say ``replaces: true``. A single file may stand in for a
+``styles.yaml``, ``mixes.yaml`` and ``households.yaml``, each optional except in the shipped one.
+Later folders add to earlier ones; to replace an entry they say ``replaces: true``. A single file
+may stand in for a folder.
 folder.
 """
 
@@ -27,6 +28,7 @@ from sdgen.catalog.world_yaml import (
     MixYaml,
     ReachYaml,
     RoomTypeYaml,
+    StyleYaml,
 )
 from sdgen.errors import InputError, did_you_mean
 from sdgen.resources import data_path
@@ -40,6 +42,7 @@ _KINDS = {
     "categories": "category",
     "rooms": "room type",
     "mixes": "mix of rooms",
+    "styles": "style",
     "hazards": "hazard",
     "homes": "home",
     "households": "household",
@@ -97,6 +100,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         hazards=tuple(sorted(found["hazards"])),
         traits=tuple(sorted(set(_traits(found["households"].values())))),
         groups=tuple(sorted(found["groups"])),
+        styles=tuple(sorted(found["styles"])),
     )
 
     def named(kind: str, model: type[Any]) -> tuple[Any, ...]:
@@ -115,6 +119,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         homes=tuple(home.record() for home in homes if home is not None),
         mixes=named("mixes", MixYaml),
         groups=named("groups", AgeGroupYaml),
+        styles=named("styles", StyleYaml),
     )
     if not any(source.problems for folder in folders for _, source in folder.all()):
         check_among(found["hazards"], catalog.hazards, catalog.categories)

@@ -19,6 +19,7 @@ from sdgen.catalog.words import (
     Point3,
     Rectangle,
     RoomName,
+    RoomNames,
     Text,
     Word,
     between,
@@ -344,6 +345,33 @@ class ReachRow(Record):
     climbs: bool = True
 
 
+class SurfaceChoice(Record):
+    """Surfaces of which a home has one in all rooms of these types; of no types: in all rooms that
+    no choice before it names."""
+
+    rooms: RoomNames = ()
+    of: Annotated[tuple[Word, ...], Field(min_length=1), Expect("a list of surfaces")]
+
+
+class Style(Record):
+    """What makes the rooms of a home look like one home's.
+
+    ``suites`` gives, for each part of a home (a word of its own, such as ``kitchen``), suites of
+    models of which one is drawn; categories with a model of a drawn suite use no other models.
+    Of other categories the models with one of the ``tags`` are used, where there are any.
+    """
+
+    name: str
+    title: str = ""
+    weight: AboveZero = 1.0
+    floors: tuple[SurfaceChoice, ...] = ()
+    walls: tuple[SurfaceChoice, ...] = ()
+    ceilings: tuple[SurfaceChoice, ...] = ()
+    # Pairs, for their order decides which is drawn first.
+    suites: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    tags: tuple[str, ...] = ()
+
+
 class FurnitureItem(Record):
     """One piece of a base home: category, bottom centre, heading (front along +X at 0).
 
@@ -403,7 +431,7 @@ class OpeningSpec(Record):
 
 class HomeSpec(Record):
     """What a home is to be: a base home drawn by hand, or a generated one (``procedural``: rules
-    furnish its rooms)."""
+    furnish its rooms). ``style`` None: any."""
 
     id: str
     title: str
@@ -411,6 +439,7 @@ class HomeSpec(Record):
     height_m: float = 2.6
     rooms: tuple[RoomSpec, ...]
     openings: tuple[OpeningSpec, ...]
+    style: str | None = None
 
 
 class HomeMix(Record):
@@ -439,6 +468,7 @@ class Catalog(Record):
     homes: tuple[HomeSpec, ...]
     mixes: tuple[HomeMix, ...] = ()
     groups: tuple[AgeGroup, ...] = ()
+    styles: tuple[Style, ...] = ()
 
     @cached_property
     def sha256(self) -> str:

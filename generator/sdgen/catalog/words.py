@@ -28,6 +28,7 @@ _LOOKED_UP = (
     "category",
     "room type",
     "hazard",
+    "style",
     "pet or condition",
     "pet, condition or age group",
 )
@@ -42,6 +43,7 @@ class Names:
     hazards: tuple[str, ...] = ()
     traits: tuple[str, ...] = ()
     groups: tuple[str, ...] = ()
+    styles: tuple[str, ...] = ()
 
     def of(self, what: str) -> tuple[str, ...]:
         """The names of one kind, sorted."""
@@ -49,6 +51,7 @@ class Names:
             "category": self.categories,
             "room type": self.rooms,
             "hazard": self.hazards,
+            "style": self.styles,
             "pet or condition": self.traits,
             "pet, condition or age group": tuple(sorted({*self.traits, *self.groups})),
         }
@@ -199,6 +202,7 @@ State = Annotated[str, _matching(state_problem), Expect("a state such as ON or O
 CategoryName = Annotated[str, name_of("category"), Expect("a category")]
 RoomName = Annotated[str, name_of("room type"), Expect("a room type")]
 HazardName = Annotated[str, name_of("hazard")]
+StyleName = Annotated[str, name_of("style"), Expect("a style")]
 
 Categories = Annotated[
     tuple[str, ...], names_of("category"), Expect("a category or a list of them")

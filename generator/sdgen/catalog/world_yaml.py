@@ -20,6 +20,8 @@ from sdgen.catalog.records import (
     HouseholdTemplate,
     ReachRow,
     RoomType,
+    Style,
+    SurfaceChoice,
     WindowKind,
 )
 from sdgen.catalog.words import (
@@ -227,6 +229,23 @@ class MixYaml(Record):
     def record(self, name: str) -> HomeMix:
         """The record of it."""
         return as_record(self, HomeMix, name=name)
+
+
+class StyleYaml(Record):
+    """One entry of ``styles.yaml``."""
+
+    title: Text = ""
+    weight: Weight = 1.0
+    floors: tuple[SurfaceChoice, ...] = ()
+    walls: tuple[SurfaceChoice, ...] = ()
+    ceilings: tuple[SurfaceChoice, ...] = ()
+    suites: dict[Word, Annotated[tuple[str, ...], names_of("suite")]] = Field(default_factory=dict)
+    tags: Annotated[tuple[str, ...], names_of("tag", least=0)] = ()
+    replaces: bool = False
+
+    def record(self, name: str) -> Style:
+        """The record of it."""
+        return as_record(self, Style, name=name, suites=tuple(self.suites.items()))
 
 
 class MemberYaml(Record):

@@ -144,11 +144,12 @@ def validate_paths(
 
     Example: sdgen catalog validate my_hazards/
     """
-    from sdgen.engines.fit import misfits, parts_by_category
+    from sdgen.engines.fit import check_against_styles, misfits, parts_by_category
 
     found = _load(paths, extensions)
     library = load_library(assets)
     check_against_library(found, library.states_by_category(), parts_by_category(library))
+    check_against_styles(found, library)
     trial = misfits(found, library, BuildOptions(extensions=split_names(extensions)))
     for line in trial.warnings:
         click.echo(f"warning: {line}", err=True)

@@ -11,7 +11,7 @@ from sdgen.catalog.records import Catalog
 from sdgen.dataset.vocabularies import vocabularies
 from sdgen.dataset.writer import DatasetWriter
 from sdgen.engines.early_stop import EarlyStop
-from sdgen.engines.fit import misfits, parts_by_category
+from sdgen.engines.fit import check_against_styles, misfits, parts_by_category
 from sdgen.engines.machine import held_mb
 from sdgen.engines.protocol import Engine, Outcome
 from sdgen.engines.registry import ENGINES, EngineOptions, check_engine
@@ -139,6 +139,7 @@ def _check(
     A build that goes on (``begun``) has found the hazards' places before.
     """
     check_against_library(catalog, library.states_by_category(), parts_by_category(library))
+    check_against_styles(catalog, library)
     check_range(options.hazards_min, options.hazards_max, len(catalog.hazards))
     if options.hazards_max and not begun:
         found = misfits(catalog, library, options)

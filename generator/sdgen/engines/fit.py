@@ -13,6 +13,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 
 from sdgen.catalog.records import Catalog, Hazard, SetRecipe
+from sdgen.catalog.styles import check_styles
 from sdgen.engines.early_stop import none_left
 from sdgen.engines.untouched import Untouched
 from sdgen.hazards.certify import facts_of
@@ -63,6 +64,17 @@ class Misfits:
 
     problems: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
+
+
+def check_against_styles(catalog: Catalog, library: Library) -> None:
+    """Raise InputError for what the catalogue's styles name and the library does not have."""
+    models = library.assets.values()
+    check_styles(
+        catalog,
+        {surface.id: surface.kind for surface in library.surfaces.values()},
+        {model.suite for model in models if model.suite},
+        {tag for model in models for tag in model.tags},
+    )
 
 
 def parts_by_category(library: Library) -> dict[str, set[str]]:

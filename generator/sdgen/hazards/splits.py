@@ -35,12 +35,12 @@ def split_of_home(home_id: str) -> Split:
 
 
 @cache
-def _withheld(peers: tuple[str, ...]) -> frozenset[str]:
-    """Of the models of a category, those that train never shows, at most a third; hashed once a
-    process."""
+def _withheld(peers: tuple[tuple[str, str], ...]) -> frozenset[str]:
+    """Of the models of a category (ids and suites), those that train never shows, at most a third;
+    hashed once a process. What belongs together is withheld together: a suite, by its name."""
     if len(peers) < FEWEST_MODELS:
         return frozenset()
-    values = {peer: unit_hash("asset", peer) for peer in peers}
+    values = {peer: unit_hash("asset", suite or peer) for peer, suite in peers}
     drawn = [p for p, value in values.items() if value > 1.0 - WITHHELD_ASSETS]
     drawn.sort(key=lambda p: (-values[p], p))
     return frozenset(drawn[: len(peers) // 3])
@@ -60,7 +60,7 @@ class SplitModels:
         self._models: dict[str, tuple[Asset, ...]] = {}
         for category in library.categories:
             models = library.by_category(category)
-            barred = _withheld(tuple(m.id for m in models)) if split == "train" else ()
+            barred = _withheld(tuple((m.id, m.suite) for m in models)) if split == "train" else ()
             self._models[category] = tuple(m for m in models if m.id not in barred)
 
     def __call__(self, category: str) -> tuple[Asset, ...]:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-import numpy as np
 from shapely.geometry import Polygon
 
 from sdgen.actions import at_rest, in_state, settled_states
@@ -18,6 +17,7 @@ from sdgen.home.anchors import BACK_GAP_M
 from sdgen.home.blocks import Block
 from sdgen.home.context import HomeContext, Models
 from sdgen.home.layout import Intent, Layout, room_to_change, within_room
+from sdgen.home.style import HomeStyle
 from sdgen.home.ways import stand_of, way_of
 from sdgen.library.records import AssetInfo
 from sdgen.rejection import Rejection, reject
@@ -39,15 +39,19 @@ HOLE_FITS_M = 0.06
 
 
 def fill_openings(
-    spec: HomeSpec, home: Home, layout: Layout, models: Models, rng: Rng
+    spec: HomeSpec, home: Home, layout: Layout, style: HomeStyle, models: Models, rng: Rng
 ) -> Layout | Rejection:
-    """The layout with doors and windows in their holes; rejected when no model has the size."""
+    """The layout with doors and windows in their holes, those of one size of one model; rejected
+    when no model has the size."""
+    chosen: dict[tuple[str, float], AssetInfo] = {}
     for source, opening in zip(spec.openings, home.openings, strict=True):
         width, _ = frame_size(source)
         fitting = [m for m in models(opening.kind) if abs(m.extents_m[1] - width) < HOLE_FITS_M]
         if not fitting:
             return reject("home", "no_model_fits", category=opening.kind)
-        asset = fitting[int(rng.integers(len(fitting)))]
+        fitting = list(style.matching(fitting))
+        drawn = fitting[int(rng.integers(len(fitting)))]
+        asset = chosen.setdefault((opening.kind, width), drawn)
         item = ObjectInstance(
             id=opening.object_id,
             category=opening.kind,
@@ -103,6 +107,7 @@ def furnish_as_drawn(
     home: Home,
     layout: Layout,
     catalog: Catalog,
+    style: HomeStyle,
     models: Models,
     theirs: Models,
     rng: Rng,
@@ -110,7 +115,7 @@ def furnish_as_drawn(
     """The layout with the furniture of every room where the base home has it; of optional pieces
     only what is ``theirs`` who live there."""
     for source, room in zip(spec.rooms, home.rooms, strict=True):
-        furnished = _furnish_room(source, room, layout, catalog, models, theirs, rng)
+        furnished = _furnish_room(source, room, layout, catalog, style, models, theirs, rng)
         if isinstance(furnished, Rejection):
             return furnished
         layout = furnished
@@ -122,6 +127,7 @@ def _furnish_room(
     room: Room,
     layout: Layout,
     catalog: Catalog,
+    style: HomeStyle,
     models: Models,
     theirs: Models,
     rng: Rng,
@@ -133,10 +139,14 @@ def _furnish_room(
         if piece.optional and skip and not catalog.category(piece.category).belongs_to:
             continue
         among = theirs if piece.optional else models
-        candidates = [m for m in among(piece.category) if _wide_enough(piece, m)]
-        order = rng.permutation(len(candidates)) if candidates else np.array([], dtype=int)
+        wide = [m for m in among(piece.category) if _wide_enough(piece, m)]
+        candidates = style.matching(wide)
+        order = rng.permutation(len(candidates)).tolist() if candidates else []
+        # Chairs round a table, and tables beside a bed, are of one model where it fits.
+        there = {layout.items[k].asset for k in placed.get(piece.category, ())}
+        order.sort(key=lambda k: candidates[k].id not in there)
         done = False
-        for k in order.tolist():
+        for k in order:
             done = _try_piece(piece, candidates[k], room, layout, catalog, placed, rng)
             if done:
                 break

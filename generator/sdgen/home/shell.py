@@ -11,17 +11,20 @@ from collections.abc import Iterator, Sequence
 from sdgen.catalog.home_shape import frame_size, in_wall, inner_ring, rooms_beside
 from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
 from sdgen.geometry import Vec2
+from sdgen.home.style import HomeStyle
 from sdgen.library import Library
 from sdgen.scene import Box, Home, Opening, Room, Structure
 from sdgen.seeding import Rng
-from sdgen.vocabulary import HALF_WALL_M
+from sdgen.vocabulary import HALF_WALL_M, StructureKind
 
 #: Seen from one side only; thicker than what falls moves in a step (10 m/s: 4 cm).
 FLOOR_THICKNESS_M = 0.1
 CEILING_THICKNESS_M = 0.05
 
 
-def build_shell(spec: HomeSpec, library: Library, ids: Iterator[int], rng: Rng) -> Home:
+def build_shell(
+    spec: HomeSpec, style: HomeStyle, library: Library, ids: Iterator[int], rng: Rng
+) -> Home:
     """Rooms and structures of a home; openings get the ids of the objects to fill them."""
     rings = [inner_ring(room) for room in spec.rooms]
     rooms = tuple(
@@ -37,9 +40,14 @@ def build_shell(spec: HomeSpec, library: Library, ids: Iterator[int], rng: Rng) 
     openings = tuple(_opening(o, rooms, next(ids)) for o in spec.openings)
     structures: list[Structure] = []
     for source, room in zip(spec.rooms, rooms, strict=True):
-        structures += _structures(source, room, openings, library, ids, rng)
+        structures += _structures(source, room, openings, style, library, ids, rng)
     return Home(
-        id=spec.id, kind=spec.kind, rooms=rooms, structures=tuple(structures), openings=openings
+        id=spec.id,
+        kind=spec.kind,
+        style=style.name,
+        rooms=rooms,
+        structures=tuple(structures),
+        openings=openings,
     )
 
 
@@ -59,7 +67,13 @@ def _opening(spec: OpeningSpec, rooms: Sequence[Room], object_id: int) -> Openin
     )
 
 
-def _pick_surface(library: Library, kind: str, room_type: str, rng: Rng) -> str:
+def _pick_surface(
+    style: HomeStyle, library: Library, kind: StructureKind, room_type: str, rng: Rng
+) -> str:
+    """The surface of the home's style, or where it says nothing any that suits the room."""
+    styled = style.surface(kind, room_type)
+    if styled is not None:
+        return styled
     fitting = [
         s.id
         for s in library.surfaces.values()
@@ -72,13 +86,14 @@ def _structures(
     source: RoomSpec,
     room: Room,
     openings: Sequence[Opening],
+    style: HomeStyle,
     library: Library,
     ids: Iterator[int],
     rng: Rng,
 ) -> list[Structure]:
-    floor = _pick_surface(library, "floor", room.type, rng)
-    wall = _pick_surface(library, "wall", room.type, rng)
-    ceiling = _pick_surface(library, "ceiling", room.type, rng)
+    floor = _pick_surface(style, library, "floor", room.type, rng)
+    wall = _pick_surface(style, library, "wall", room.type, rng)
+    ceiling = _pick_surface(style, library, "ceiling", room.type, rng)
     out = [
         Structure(
             id=next(ids),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from sdgen.cameras.view import View
-from sdgen.catalog.records import Catalog, HomeMix, HomeSpec
+from sdgen.catalog.records import Catalog, HomeMix, HomeSpec, Style
 from sdgen.errors import UsageError
 from sdgen.facts import Facts, bodies_of, room_at
 from sdgen.freespace import free_shape, random_point, rounded_rings, union, unreachable_rooms
@@ -20,6 +20,7 @@ from sdgen.home.generate import generate_home
 from sdgen.home.layout import Layout
 from sdgen.home.reach import Reach
 from sdgen.home.shell import build_shell
+from sdgen.home.style import style_random
 from sdgen.home.tenants import Homes, Tenants, beds_of, wide_beds
 from sdgen.library import Library
 from sdgen.options import BuildOptions
@@ -154,17 +155,19 @@ def furnished_home(
     """
     if tenants is not None and Homes(catalog).needs_wide_beds(tenants.beds, spec):
         models = wide_beds(models, catalog)
+    style = style_random(_styles(spec, catalog), library, _suites(models, catalog), rng)
     theirs = models if tenants is None else tenants.models(models, catalog)
-    home = build_shell(spec, library, ids, rng)
+    styled = style.models(theirs)
+    home = build_shell(spec, style, library, ids, rng)
     properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
     looked_at = frozenset(name for name, traits in properties.items() if "LOOKABLE" in traits)
-    layout = fill_openings(spec, home, Layout(library, ids, looked_at), models, rng)
+    layout = fill_openings(spec, home, Layout(library, ids, looked_at), style, models, rng)
     if isinstance(layout, Rejection):
         return layout
     if spec.kind == "procedural":
-        layout = furnish_by_rules(home, layout, catalog, theirs, rng)
+        layout = furnish_by_rules(home, layout, catalog, styled, rng)
     else:
-        layout = furnish_as_drawn(spec, home, layout, catalog, models, theirs, rng)
+        layout = furnish_as_drawn(spec, home, layout, catalog, style, models, theirs, rng)
     if isinstance(layout, Rejection):
         return layout
     if tenants is not None and Homes(catalog).has_beds(spec, tenants.beds):
@@ -189,7 +192,7 @@ def furnished_home(
         home,
         derive_zones(home, bodies, free, properties),
         catalog,
-        theirs,
+        styled,
         Reach(catalog, bodies),
         narrow=narrow_floor(home, bodies, properties),
         standing=union(obstacles),
@@ -206,6 +209,19 @@ def furnished_home(
         free_space=rounded_rings(free),
         agent_start=_agent_start(start, room, rng),
     )
+
+
+def _styles(spec: HomeSpec, catalog: Catalog) -> tuple[Style, ...]:
+    """The styles that a home may be of."""
+    if spec.style is None:
+        return catalog.styles
+    return tuple(style for style in catalog.styles if style.name == spec.style)
+
+
+def _suites(models: Models, catalog: Catalog) -> Callable[[str], bool]:
+    """Whether there are models of a suite."""
+    found = {model.suite for category in catalog.categories for model in models(category.name)}
+    return found.__contains__
 
 
 def _agent_start(point: Vec2, room: Room, rng: Rng) -> AgentStart:

@@ -29,7 +29,8 @@ def test_there_are_twelve_styles_of_what_the_library_has():
     assert len(CATALOG.styles) >= 12
     check_against_styles(CATALOG, shipped_library())
     for style in CATALOG.styles:
-        assert style.floors and style.walls, style.name
+        assert style.floors, style.name
+        assert style.walls, style.name
         assert {"kitchen", "doors"} <= set(dict(style.suites)), style.name
 
 

@@ -18,7 +18,14 @@ from pydantic import BaseModel, ConfigDict, Field
 from sdgen.geometry import Array, Coordinate, Quat, Vec2, Vec3, matrix
 from sdgen.rejection import Cause, Causes
 from sdgen.rejection import Stage as PipelineStage
-from sdgen.vocabulary import EVIDENCE_PIXELS, OpeningKind, StructureKind, ZoneKind
+from sdgen.vocabulary import (
+    EVIDENCE_PIXELS,
+    OpeningKind,
+    Season,
+    StructureKind,
+    Weather,
+    ZoneKind,
+)
 
 FORMAT_VERSION = "1.1"
 
@@ -102,12 +109,23 @@ class Zone(Record):
     source_id: int | None = None
 
 
+class Outdoors(Record):
+    """What is seen through the windows of a home: how high up it lies (0: at the ground), when,
+    and ``variant``: which of the worlds that are so."""
+
+    storey: int = Field(default=0, ge=0, le=20)
+    season: Season = "summer"
+    weather: Weather = "clear"
+    variant: int = Field(default=0, ge=0)
+
+
 class Home(Record):
     """Rooms and their shell, before anything stands in them, and the style they share."""
 
     id: str
     kind: Literal["base", "procedural"]
     style: str = ""
+    outdoors: Outdoors = Outdoors()
     rooms: tuple[Room, ...]
     structures: tuple[Structure, ...]
     openings: tuple[Opening, ...]

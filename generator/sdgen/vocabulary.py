@@ -20,6 +20,12 @@ DOORS = ("door", "front_door")
 ZoneKind = Literal["doorway", "walkway", "swing", "heat", "water", "child_reach"]
 ZONE_KINDS: tuple[ZoneKind, ...] = get_args(ZoneKind)
 
+#: When and under what sky a home is seen: of the world outside its windows.
+Season = Literal["spring", "summer", "autumn", "winter"]
+SEASONS: tuple[Season, ...] = get_args(Season)
+Weather = Literal["clear", "cloudy", "overcast"]
+WEATHERS: tuple[Weather, ...] = get_args(Weather)
+
 #: What a home itself is made of, a piece a room: categories of nodes that are no objects, and the
 #: superclasses that VirtualHome gives them and rooms ("Floor" is its commoner spelling).
 StructureKind = Literal["floor", "wall", "ceiling"]

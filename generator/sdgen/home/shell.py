@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from sdgen.catalog.home_shape import frame_size, in_wall, inner_ring, rooms_beside
 from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
 from sdgen.geometry import Vec2
+from sdgen.home.outdoors import outdoors_random
 from sdgen.home.style import HomeStyle
 from sdgen.library import Library
 from sdgen.scene import Box, Home, Opening, Room, Structure
@@ -45,6 +46,7 @@ def build_shell(
         id=spec.id,
         kind=spec.kind,
         style=style.name,
+        outdoors=outdoors_random(rng),
         rooms=rooms,
         structures=tuple(structures),
         openings=openings,

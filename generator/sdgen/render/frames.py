@@ -10,7 +10,7 @@ import numpy.typing as npt
 from sdgen.library import Library
 from sdgen.render.alone import AlonePixels
 from sdgen.render.opengl import to_millimetres
-from sdgen.render.outdoors import paint_outdoors
+from sdgen.render.outdoors import clear_panes, paint_outdoors
 from sdgen.render.protocol import Renderer
 from sdgen.scene import Camera, Frame, Scene
 
@@ -33,13 +33,15 @@ def render_frames(
         return
     renderer.load(library, scene)
     alone_pixels = AlonePixels(library, scene)
+    panes = clear_panes(library, scene)
     for camera in cameras:
         picture = renderer.draw(camera)
         rgb, seen = picture.rgb, picture.instance > 0
         if "rgb" in sensors:
             if supersample > 1:
                 rgb = box_filter(renderer.draw_colours(camera, supersample), supersample)
-            rgb = paint_outdoors(rgb, ~seen, camera)
+            world = scene.home.outdoors
+            rgb = paint_outdoors(rgb, picture.instance, picture.part, panes, world, camera)
         yield Frame(
             camera=camera,
             rgb=rgb,

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.records import Concern, Hazard, ReachRow
+from sdgen.catalog.records import Concern, Hazard, MemberRule, ReachRow
 from sdgen.households import (
     Decision,
     decide,
@@ -21,6 +21,7 @@ from sdgen.scene import Household, Member, Notify
 from sdgen.seeding import lane
 
 CATALOG = load_catalog()
+ROLES = ("parent", "grandparent", "child")
 
 
 def drawn_household(seed: int, index: int) -> Household:
@@ -265,9 +266,9 @@ def test_sampling_covers_the_templates_and_keeps_their_ages() -> None:
         household = drawn_household(7, index)
         template = templates[household.template]
         seen[template.name] += 1
-        for member, (role, least, most) in zip(household.members, template.members, strict=True):
-            assert member.role == role
-            assert least <= member.age <= most
+        for member, rule in zip(household.members, template.members, strict=True):
+            assert member.role == rule.role
+            assert rule.age[0] <= member.age <= rule.age[1]
         assert set(household.pets) <= set(template.pets)
         assert set(household.conditions) <= set(template.conditions)
         assert set(household.notifications) == set(template.notifications)
@@ -275,6 +276,26 @@ def test_sampling_covers_the_templates_and_keeps_their_ages() -> None:
     assert set(seen) == set(templates)
     assert min(seen.values()) > 20
     assert min(reported.values()) > 80  # both answers are common, or CAS would measure nothing
+
+
+def test_couples_are_of_an_age_and_parents_were_grown_up() -> None:
+    for index in range(400):
+        household = drawn_household(7, index)
+        ages = {role: [m.age for m in household.members if m.role == role] for role in ROLES}
+        for role in ("parent", "grandparent"):
+            assert max(ages[role], default=0) - min(ages[role], default=0) <= 9
+        if household.template in ("couple", "elderly_couple"):
+            assert abs(household.members[0].age - household.members[1].age) <= 10
+        assert min(ages["parent"], default=99) - max(ages["child"], default=0) >= 15
+
+
+def test_an_age_beside_the_member_before_stays_within_its_own_range() -> None:
+    rule = MemberRule(role="parent", age=(22, 45), years_after=(-8, 8))
+    assert rule.ages(30) == (22, 38)
+    assert rule.ages(None) == (22, 45)
+    assert rule.ages(70) == (45, 45)
+    assert rule.ages(5) == (22, 22)
+    assert MemberRule(role="child", age=(0, 3), years_after=(18, 44)).ages(19) == (0, 1)
 
 
 def test_sampling_depends_on_the_lane_alone() -> None:

@@ -47,8 +47,8 @@ def household_from(
     return Household(
         template=template.name,
         members=tuple(
-            Member(role=role, age=age)
-            for (role, _, _), age in zip(template.members, ages, strict=True)
+            Member(role=rule.role, age=age)
+            for rule, age in zip(template.members, ages, strict=True)
         ),
         pets=tuple(pets),
         conditions=tuple(conditions),
@@ -74,7 +74,7 @@ def sample_household(catalog: Catalog, template: HouseholdTemplate, rng: Rng) ->
     matters = _matters(catalog)
     return household_from(
         template,
-        ages=[int(rng.integers(least, most + 1)) for _, least, most in template.members],
+        ages=_ages(template, rng),
         pets=[p for p in template.pets if rng.random() < OPTIONAL_SHARE and p in matters],
         conditions=[
             item
@@ -86,6 +86,15 @@ def sample_household(catalog: Catalog, template: HouseholdTemplate, rng: Rng) ->
             for hazard, choices in sorted(template.notifications.items())
         },
     )
+
+
+def _ages(template: HouseholdTemplate, rng: Rng) -> list[int]:
+    """An age for every member, each beside the one before."""
+    ages: list[int] = []
+    for rule in template.members:
+        least, most = rule.ages(ages[-1] if ages else None)
+        ages.append(int(rng.integers(least, most + 1)))
+    return ages
 
 
 def _matters(catalog: Catalog) -> set[str]:

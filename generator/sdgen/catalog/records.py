@@ -302,8 +302,26 @@ class RoomType(Record):
     belongs_to: tuple[str, ...] = ()
 
 
+class MemberRule(Record):
+    """One member of a kind of household: its age, an inclusive range, and by how many years the
+    member listed before it is older (less than 0: younger), as far as its age allows."""
+
+    role: Text
+    age: Annotated[tuple[int, int], span(0, 120, whole=True), PAIR]
+    years_after: Annotated[tuple[int, int], span(-60, 60, whole=True), PAIR] | None = None
+
+    def ages(self, before: int | None) -> tuple[int, int]:
+        """The youngest and the oldest it may be beside a member of age ``before``."""
+        least, most = self.age
+        if self.years_after is None or before is None:
+            return least, most
+        low, high = before - self.years_after[1], before - self.years_after[0]
+        low, high = min(max(low, least), most), max(min(high, most), least)
+        return min(low, high), high
+
+
 class HouseholdTemplate(Record):
-    """A kind of household to sample from. Ages are inclusive ranges.
+    """A kind of household to sample from.
 
     It lives in homes with the room types of ``rooms`` (one that comes twice: with two of them) and
     beds for ``beds``; None: for all members.
@@ -314,7 +332,7 @@ class HouseholdTemplate(Record):
 
     name: str
     weight: AboveZero
-    members: tuple[tuple[str, int, int], ...]
+    members: tuple[MemberRule, ...]
     pets: tuple[str, ...] = ()
     conditions: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()

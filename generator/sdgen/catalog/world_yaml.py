@@ -18,6 +18,7 @@ from sdgen.catalog.records import (
     Holds,
     HomeMix,
     HouseholdTemplate,
+    MemberRule,
     ReachRow,
     RoomType,
     Style,
@@ -248,13 +249,6 @@ class StyleYaml(Record):
         return as_record(self, Style, name=name, suites=tuple(self.suites.items()))
 
 
-class MemberYaml(Record):
-    """One member of a household."""
-
-    role: Text
-    age: Annotated[tuple[int, int], span(0, 120, whole=True), PAIR]
-
-
 class NeedsYaml(Record):
     """What the home of a household has: rooms of these types, and beds for so many."""
 
@@ -266,7 +260,7 @@ class HouseholdYaml(Record):
     """One entry of ``templates`` in ``households.yaml``."""
 
     weight: Weight = 1.0
-    members: Annotated[tuple[MemberYaml, ...], Field(min_length=1), Expect("at least one item")]
+    members: Annotated[tuple[MemberRule, ...], Field(min_length=1), Expect("at least one item")]
     pets: Annotated[tuple[str, ...], names_of("pet", least=0)] = ()
     conditions: Annotated[tuple[str, ...], names_of("condition", least=0)] = ()
     needs: Annotated[NeedsYaml, Expect("{rooms: [room types], beds: number}")] = NeedsYaml()
@@ -277,9 +271,8 @@ class HouseholdYaml(Record):
 
     def record(self, name: str) -> HouseholdTemplate:
         """The record of it."""
-        members = tuple((member.role, *member.age) for member in self.members)
         needs = {"rooms": self.needs.rooms, "beds": self.needs.beds}
-        return as_record(self, HouseholdTemplate, name=name, members=members, **needs)
+        return as_record(self, HouseholdTemplate, name=name, **needs)
 
 
 class AgeGroupYaml(Record):

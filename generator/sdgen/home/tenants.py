@@ -161,6 +161,6 @@ def _rooms(home: HomeMix | HomeSpec) -> tuple[str, ...]:
 
 def _words_of_template(template: HouseholdTemplate, groups: Sequence[AgeGroup]) -> set[str]:
     """The age groups of its youngest, and what pets and conditions it may have."""
-    youngest = min(least for _, least, _ in template.members)
+    youngest = min(rule.age[0] for rule in template.members)
     young = {group.name for group in groups if youngest <= group.max_age}
     return {*young, *template.pets, *template.conditions, ""}

@@ -224,12 +224,15 @@ class FurnitureRule(Record):
     """How rooms of a type in generated homes get a piece of furniture (or several).
 
     ``where`` says how it is placed: against a ``wall`` (at ``z_m``, if it hangs), in a ``corner``,
-    in the ``middle``; ``row``: the pieces of ``row`` side by side against one wall; and, relative
+    in the ``middle``; ``row``: the pieces of ``row`` side by side against one wall; ``run``: so
+    along one wall, two that face or, with a ``corner`` unit, round a corner, with as many of
+    ``extra`` at its last unit as chance and the walls allow; and, relative
     to a piece of ``of`` placed before: ``on`` it, ``beside`` it, ``before`` its front (``gap_m``
     away, facing it), ``under`` it, ``around`` it (facing it), ``above`` it on the wall, or
     ``opposite``, against the wall it faces. ``count`` is per room, or per piece of ``of`` for
     ``on``, ``beside``, ``around`` and ``above``. ``front_m`` of floor before it is kept free. A
-    room without a ``needed`` piece is arranged anew.
+    room without a ``needed`` piece is arranged anew. Of the places there are, those ``near``
+    pieces of some categories, ``facing`` them, or ``centred`` on their wall come first.
     """
 
     category: CategoryName = ""
@@ -239,6 +242,7 @@ class FurnitureRule(Record):
         "corner",
         "middle",
         "row",
+        "run",
         "on",
         "beside",
         "before",
@@ -255,20 +259,28 @@ class FurnitureRule(Record):
     front_m: Annotated[float, between(0.0, 5.0)] = 0.5
     gap_m: Annotated[float, between(-2.0, 5.0)] = 0.0
     z_m: Annotated[float, between(0.0, 5.0)] = 0.0
+    corner: CategoryName = ""
+    extra: Annotated[tuple[CategoryName, ...], Expect("a list of categories")] = ()
+    near: OptionalCategories = ()
+    facing: OptionalCategories = ()
+    centred: bool = False
 
     @model_validator(mode="after")
     def _of_its_kind(self) -> FurnitureRule:
-        wanted = {"row" if self.where == "row" else "category"}
-        if self.where not in ("wall", "corner", "middle", "row"):
+        wanted = {"row" if self.where in ("row", "run") else "category"}
+        if self.where not in ("wall", "corner", "middle", "row", "run"):
             wanted.add("of")
         given = {key for key in ("category", "row", "of") if getattr(self, key)}
         found = [
             problem((), f"missing key {key!r}: 'where: {self.where}' needs it")
             for key in sorted(wanted - given)
         ]
+        of_runs = {key for key in ("corner", "extra") if getattr(self, key)}
+        wishes = {key for key in ("near", "facing", "centred") if getattr(self, key)}
+        misplaced = given - wanted
+        misplaced |= of_runs if self.where != "run" else wishes
         found += [
-            problem((key,), f"does not go with 'where: {self.where}'")
-            for key in sorted(given - wanted)
+            problem((key,), f"does not go with 'where: {self.where}'") for key in sorted(misplaced)
         ]
         if found:
             refuse(*found)

@@ -1,0 +1,204 @@
+"""One try at furnishing a room: what is placed so far, and whether one piece more may stand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import shapely
+from shapely import prepare
+from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
+from shapely.ops import unary_union
+
+from sdgen.catalog.records import Catalog, FurnitureRule
+from sdgen.freespace import opening_rectangle, union
+from sdgen.geometry import quat_from_yaw, round_position, round_quat
+from sdgen.home.anchors import PlacedAt, Side, sides_of
+from sdgen.home.clearances import Sight, front_of, sight_of
+from sdgen.home.context import Models
+from sdgen.home.furnish import put_piece, stand_in
+from sdgen.home.layout import IN_WALL_M, Intent, Layout, corners_of
+from sdgen.library.records import AssetInfo
+from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
+from sdgen.seeding import Rng
+from sdgen.vocabulary import FLAT_M, OVERHEAD_M
+
+#: Floor kept clear before a doorway: a person with something in their arms gets through.
+DOOR_CLEAR_M = 0.85
+#: A leaf sweeps its width, and its handle so much more.
+HANDLE_M = 0.08
+#: A twentieth of the floor before a piece may lie beyond the room's outline (a corner cut off), and
+#: shapes that share less than 10 cm² only touch.
+FRONT_OUTSIDE = 0.05
+TOUCH_M2 = 1e-3
+#: A piece in the middle of a room leaves so much to others: one squeezes past sideways.
+AROUND_M = 0.3
+
+
+@dataclass(frozen=True)
+class RoomTry:
+    """One try at a room as it stands: what is placed, and the floor that is kept clear for whom.
+
+    A value: a piece more makes a new one, so that a row of which one unit finds no place leaves
+    nothing behind.
+
+    ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
+    No furniture stands before ``sights`` nor on ``doors``; leaves swing over ``swings``, where no
+    rug lies either.
+    """
+
+    room: Room
+    layout: Layout
+    catalog: Catalog
+    models: Models
+    rng: Rng
+    outline: Polygon
+    sides: tuple[Side, ...]
+    openings: tuple[Opening, ...]
+    sights: tuple[Sight, ...]
+    doors: BaseGeometry
+    swings: BaseGeometry
+    inside: Polygon
+    prints: Mapping[int, Polygon] = field(default_factory=dict)
+    placed: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    keep: tuple[tuple[int, Polygon], ...] = ()
+
+    @cached_property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """The room's box from above: x0, y0, x1, y1."""
+        x0, y0, x1, y1 = self.inside.bounds
+        return x0, y0, x1, y1
+
+    def all(self, categories: Sequence[str]) -> list[int]:
+        """Ids of the pieces of these categories, in the order they were placed."""
+        return [k for c in categories for k in self.placed.get(c, ())]
+
+    def full(self, category: str) -> bool:
+        """True when the room, or the home, has as many of a category as it may."""
+        in_home = sum(item.category == category for item in self.layout.items.values())
+        bound = self.catalog.category(category).at_most
+        return bound.reached(len(self.placed.get(category, ())), in_home)
+
+    def with_piece(
+        self,
+        item: ObjectInstance,
+        layout: Layout,
+        shape: Polygon | None,
+        front: Polygon | None,
+    ) -> RoomTry:
+        """The room with one piece more, put into ``layout``; it takes ``shape`` of the floor and
+        keeps ``front`` clear."""
+        alike = (*self.placed.get(item.category, ()), item.id)
+        return replace(
+            self,
+            layout=layout,
+            placed={**self.placed, item.category: alike},
+            prints=self.prints if shape is None else {**self.prints, item.id: shape},
+            keep=self.keep if front is None else (*self.keep, (item.id, front)),
+        )
+
+
+def empty_room(
+    home: Home, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
+) -> RoomTry:
+    """A room with nothing in it yet, what its doors and windows keep clear noted."""
+    mine = tuple(o for o in home.openings if room.id in o.room_ids)
+    doors: list[BaseGeometry] = []
+    swings: list[BaseGeometry] = []
+    for opening in mine:
+        if opening.kind == "window":
+            continue
+        deep = DOOR_CLEAR_M
+        if opening.room_ids[0] == room.id:
+            deep = max(deep, opening.width_m + HANDLE_M)
+            swings.append(opening_rectangle(opening, opening.width_m + HANDLE_M))
+        doors.append(opening_rectangle(opening, deep))
+    outline = Polygon(room.polygon_m)
+    inside = outline.buffer(IN_WALL_M, join_style="mitre")
+    prepare(inside)
+    return RoomTry(
+        room=room,
+        layout=layout,
+        catalog=catalog,
+        models=models,
+        rng=rng,
+        outline=outline,
+        sides=sides_of(room.polygon_m),
+        openings=mine,
+        sights=tuple(map(sight_of, mine)),
+        doors=union(doors),
+        swings=union(swings),
+        inside=inside,
+    )
+
+
+def taken_floor(tried: RoomTry) -> BaseGeometry:
+    """What a piece in the middle keeps off: doors, and room to pass round what stands there."""
+    return unary_union([tried.doors, *(s.buffer(AROUND_M) for s in tried.prints.values())])
+
+
+def with_placed(
+    rule: FurnitureRule, asset: AssetInfo, pose: PlacedAt, target: int | None, tried: RoomTry
+) -> RoomTry | None:
+    """The room with a piece there, if it is clear of walls, doors, windows and others' fronts."""
+    x, y, z, yaw = pose
+    corners = corners_of(asset, x, y, yaw)
+    low_x, low_y, high_x, high_y = tried.bounds
+    # Most poses that are not in the room reach beyond its box: told before anything is drawn.
+    if not all(low_x <= u <= high_x and low_y <= v <= high_y for u, v in corners):
+        return None
+    shape = shapely.polygons(corners)
+    flat = asset.extents_m[2] <= FLAT_M
+    on_floor = z < OVERHEAD_M and not flat and rule.where != "on"
+    # A seat's front is under its table, and a piece before another is that one's business.
+    keeps_front = on_floor and rule.where not in ("around", "before")
+    if not tried.inside.contains(shape) or z + asset.extents_m[2] > tried.room.height_m:
+        return None
+    if any(sight.hidden_by(shape, z, z + asset.extents_m[2]) for sight in tried.sights):
+        return None
+    if flat and shape.intersects(tried.swings):
+        return None
+    if on_floor:
+        if shape.intersects(tried.doors):
+            return None
+        for owner, kept in tried.keep:
+            if owner == target or not kept.intersects(shape):
+                continue
+            if kept.intersection(shape).area > TOUCH_M2:
+                return None
+    front = front_of(asset, pose, rule.front_m) if keeps_front else None
+    if not _front_free(front, tried):
+        return None
+    item = stand_in(
+        ObjectInstance(
+            id=next(tried.layout.ids),
+            category=asset.category,
+            asset=asset.id,
+            pose=Pose(
+                position_m=round_position((x, y, z)), quat_xyzw=round_quat(quat_from_yaw(yaw))
+            ),
+            room_id=tried.room.id,
+            fixed=True,
+        ),
+        asset,
+        tried.catalog,
+        tried.rng,
+    )
+    intent = Intent("ON", target) if rule.where == "on" and target is not None else None
+    layout = tried.layout.copy()
+    if not put_piece(item, asset, layout, intent, tried.room, tried.catalog):
+        return None
+    return tried.with_piece(item, layout, shape if on_floor else None, front)
+
+
+def _front_free(front: Polygon | None, tried: RoomTry) -> bool:
+    if front is None:
+        return True
+    if front.difference(tried.inside).area > FRONT_OUTSIDE * front.area:
+        return False
+    return all(
+        not front.intersects(shape) or front.intersection(shape).area <= TOUCH_M2
+        for shape in tried.prints.values()
+    )

@@ -238,6 +238,25 @@ def add_standing_states(entries: dict[str, dict]) -> None:
                     entry["states"] = [rule, *entry["states"]]
 
 
+def add_suites(entries: dict[str, dict]) -> None:
+    """Name the sets of `suites.yaml` in the records of their members, and in no other's."""
+    text = Path(__file__).with_name("suites.yaml").read_text()
+    member: dict[str, str] = {}
+    for suite, categories in yaml.safe_load(text).items():
+        for category, numbers in categories.items():
+            for number in numbers:
+                name = f"{category}_{number:02d}"
+                if member.setdefault(name, suite) != suite:
+                    raise ValueError(f"{name} is in two suites, {member[name]} and {suite}")
+    if unknown := sorted(set(member) - set(entries)):
+        raise ValueError(f"suites.yaml names models that are not there: {', '.join(unknown)}")
+    for name, entry in entries.items():
+        entry.pop("suite", None)
+        if name in member:
+            after = {key: entry.pop(key) for key in list(entry)[2:]}  # behind its category
+            entry.update({"suite": member[name], **after})
+
+
 #: Models whose broken variant is not shown: a shard hangs in the air or would tip over what it lies
 #: on (`tests/audit/test_models.py` lays them all on a floor).
 UNSTABLE = ("glass_jar_06", "plate_04", "plate_07", "teapot_01", "teapot_06", "teapot_07")
@@ -360,6 +379,7 @@ def main() -> int:
                 entry["resting"] = resting(entry)
         add_standing_states(entries)
         drop_unstable(entries)
+        add_suites(entries)
         lay_on_cushions(entries)
         ordered = [entries[k] for k in sorted(entries)]
         temporary = target.with_suffix(".tmp")

@@ -10,8 +10,21 @@ from toolkit.model import Container, Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import box, lathe, tube
 
+from .casework import metal_or
 from .joinery import Assembly, bar_handle, finish, front, open_closed, steel, surface
-from .kitchen import STYLES, SUITES, Offset, worktop_material
+from .kitchen_suites import (
+    DOOR_FRONT,
+    FIRST,
+    FURTHER,
+    REACH,
+    STYLES,
+    SUITES,
+    TOP_FRONT,
+    Offset,
+    named,
+    slab,
+    worktop_material,
+)
 
 LINER = (1.2, 1.2, 1.22, 1.0)
 
@@ -69,13 +82,13 @@ def dishwasher(
     """suite: a kitchen front and worktop at 0.90 m; None: a free-standing one in `colour`."""
     asm, half = Assembly(), width / 2
     look = SUITES[suite] if suite else None
-    shell = finish(look["case"], 2, offset) if look else _paint(colour, offset)
+    shell = finish(look["front"], 2, offset) if look else _paint(colour, offset)
+    plinth, wall, thick = (0.1 if racks > 1 else 0.03), 0.03, 0.035
     x0, x1 = -0.3, -0.3 + depth
     if look:
-        height = 0.86
-    plinth, wall, thick = (0.1 if racks > 1 else 0.03), 0.03, 0.035
+        height, x1 = 0.86, DOOR_FRONT - thick
     z0, z1 = plinth, height - 0.03
-    dark = plain("#2d2f31", 0.04, 8)
+    dark = plain(look["plinth"] if look else "#2d2f31", 0.04, 8)
     asm.board("body", (x0, -half + 0.01, 0), (x1 - 0.03, half - 0.01, plinth), dark)
     for a in (-half, half - wall):
         asm.board("body", (x0, a, z0), (x1, a + wall, height - 0.02), shell, 0.001)
@@ -83,9 +96,8 @@ def dishwasher(
     asm.board("body", (x0, -half + wall, z0 + wall), (x0 + wall, half - wall, z1), shell)
     asm.board("body", (x0, -half + wall, z1 - wall), (x1, half - wall, height - 0.02), shell)
     if look:
-        low, high = (x0, -half, height), (0.284, half, 0.9)
         asm.board("body", (x0, -half, height - 0.02), (x1, half, height), dark)
-        asm.board("body", low, high, worktop_material(look, offset), 0.004, segments=2)
+        slab(asm, (x0, TOP_FRONT), (-half, half), worktop_material(look, offset))
         top = 0.9
     else:
         low, high = (x0, -half, height - 0.02), (x1 + thick - 0.005, half, height)
@@ -125,7 +137,10 @@ def dishwasher(
     outer, strip = x1 + thick, height - 0.115
     door_low, y = plinth + 0.004, (-half + 0.003, half - 0.003)
     panel_ink = ("#2c2f31", "#e6e8ea") if look or colour != "#f3f4f3" else ("#e4e6e6", "#33383b")
-    inner = (x1 + 0.001, y[0], door_low), (x1 + thick - 0.018, y[1], height - 0.024)
+    # built in, narrower than the front: steel would glint through the gaps beside it
+    slim_by = 0.008 if look else 0.0
+    low = (x1 + 0.001, y[0] + slim_by, door_low)
+    inner = low, (x1 + thick - 0.018, y[1] - slim_by, height - 0.024)
     asm.board("door", *inner, tub, 0.002)
     facing = finish(look["front"], 2, offset) if look else shell
     style = look["style"] if look else "slab"
@@ -133,13 +148,18 @@ def dishwasher(
     face = {"+x": _controls(480 if width > 0.5 else 400, *panel_ink)}
     low, high = (outer - 0.018, y[0], strip), (outer, y[1], height - 0.024)
     asm.board("door", low, high, plain(panel_ink[0], 0.02), 0, face, 2.2)
-    bar_handle(asm, "door", outer, 0, strip - 0.055, width * 0.6, steel(), False, reach=0.035)
+    bar, reach = (metal_or(look["metal"]), REACH) if look else (steel(), 0.035)
+    bar_handle(asm, "door", outer, 0, strip - 0.055, width * 0.6, bar, False, reach=reach)
     for s in (-1, 1):  # salt and soap lids on the inside of the door
         lid = [(0, 0), (0.035, 0), (0.035, 0.006), (0, 0.008)]
         mesh = lathe(lid, 12, mat=arm_mat).turn(ry=-np.pi / 2)
         asm.add("door", mesh.move(x1 + 0.003, s * 0.07, (door_low + height) / 2))
     slim = "slim " if width < 0.5 else "table-top " if racks == 1 else ""
-    kind = f"built-in dishwasher, {suite} fronts" if look else f"{slim}dishwasher, {_name(colour)}"
+    kind = (
+        f"built-in dishwasher, {named(suite)} fronts"
+        if look
+        else f"{slim}dishwasher, {_name(colour)}"
+    )
     return Model(
         title=kind,
         parts=asm.parts(door={"joint": "door"}, interior={"rgba": LINER}),
@@ -177,9 +197,9 @@ MODELS = {
     "dishwasher": Maker(
         dishwasher,
         dishwasher_random,
-        9,
+        13,
         [
-            *({"suite": suite, "width": 0.6} for suite in STYLES),
+            *({"suite": suite, "width": 0.6} for suite in FIRST),
             {"suite": None, "colour": "#f3f4f3", "width": 0.6},
             {"suite": None, "colour": "steel", "width": 0.6},
             {"suite": None, "colour": "#f3f4f3", "width": 0.45},
@@ -191,6 +211,7 @@ MODELS = {
                 "racks": 1,
                 "depth": 0.45,
             },
+            *({"suite": suite, "width": 0.6} for suite in FURTHER),
         ],
     ),
 }

@@ -10,40 +10,34 @@ from toolkit.shapes import lathe, loft, rounded_rectangle, spline, tube
 
 from .joinery import (
     Assembly,
-    bar_handle,
     carcass,
     drawer_box,
     finish,
     front,
     hinge,
     open_closed,
-    steel,
-    stone,
     surface,
-    timber,
 )
-
-SUITES = {
-    "white": {"front": "#f0eee8", "style": "shaker", "case": "#f2f0ec", "top": "oak"},
-    "sage": {"front": "#93a68f", "style": "slab", "case": "#efede7", "top": "stone"},
-    "oak": {"front": "oak", "style": "slab", "case": "#f2f0ec", "top": "marble"},
-    "navy": {"front": "#3d4c66", "style": "shaker", "case": "#f2f0ec", "top": "marble"},
-    "grey": {"front": "#a6abad", "style": "slab", "case": "#efede7", "top": "walnut"},
-}
-STYLES = tuple(SUITES)
-Offset = tuple[float, float, float]
-BACK, CASE_FRONT, DOOR_FRONT, TOP_FRONT = -0.30, 0.26, 0.278, 0.284
-PLINTH, CASE_TOP, WORKTOP = 0.10, 0.86, 0.90
-DOOR = 0.018
-
-
-def worktop_material(suite: dict, offset: Offset) -> Material:
-    """What the suite's worktops are made of."""
-    if suite["top"] == "stone":
-        return stone("#5b5d60", "#c9c7c0", offset)
-    if suite["top"] == "marble":
-        return stone("#dcdad4", "#9d9a94", offset)
-    return timber(suite["top"], 1, offset)
+from .kitchen_suites import (
+    BACK,
+    CASE_FRONT,
+    CASE_TOP,
+    DOOR,
+    DOOR_FRONT,
+    FIRST,
+    FURTHER,
+    PLINTH,
+    STYLES,
+    SUITES,
+    TOP_FRONT,
+    WORKTOP,
+    Offset,
+    named,
+    plinth_material,
+    pull,
+    slab,
+    worktop_material,
+)
 
 
 def base(
@@ -52,19 +46,16 @@ def base(
     suite: dict,
     offset: Offset,
     top: bool = True,
-    outside: bool = False,
 ) -> tuple[Material, Material]:
-    """Plinth and case of a base cabinet; returns the materials of fronts and case.
-
-    outside: the case wears the fronts' colour all over.
-    """
+    """Plinth and case of a base cabinet; returns the materials of fronts and case."""
     half = width / 2
     fronts = finish(suite["front"], 2, offset)
-    case = fronts if outside else finish(suite["case"], 2, offset)
-    asm.board(
-        "body", (BACK, -half, 0), (CASE_FRONT - 0.04, half, PLINTH), plain("#3a3a3a", 0.04, 8)
-    )
-    carcass(asm, "body", (BACK, -half, PLINTH), (CASE_FRONT, half, CASE_TOP), case, case, top=top)
+    case = finish(suite["case"], 2, offset)
+    low, high = (BACK, -half, 0), (CASE_FRONT - 0.04, half, PLINTH)
+    asm.board("body", low, high, plinth_material(suite))
+    # Outside as the fronts: a white edge would glint through the gaps between dark ones.
+    low, high = (BACK, -half, PLINTH), (CASE_FRONT, half, CASE_TOP)
+    carcass(asm, "body", low, high, fronts, case, top=top)
     return fronts, case
 
 
@@ -97,13 +88,14 @@ def _drawers(asm: Assembly, look: dict, y: tuple[float, float], rows: list, fron
 
     rows: (name of the part or None for a dummy, lowest z, highest z).
     """
-    (y0, y1), metal, made = y, steel(), []
+    (y0, y1), made = y, []
     for name, low_z, high_z in rows:
         part = name or "body"
         face, z = (y0 + 0.002, y1 - 0.002), (low_z, high_z)
         front(asm, part, CASE_FRONT, face, z, fronts, look["style"], DOOR, 0.045)
         middle, handle_z = (y0 + y1) / 2, (low_z + high_z) / 2
-        bar_handle(asm, part, DOOR_FRONT, middle, handle_z, 0.18, metal, False, reach=0.022)
+        at = (DOOR_FRONT, middle, handle_z)
+        pull(asm, part, look, at, 0.18, False, (middle, high_z))
         if name is None:
             continue
         low = (BACK + 0.06, y0 + 0.03, low_z + 0.035)
@@ -120,17 +112,19 @@ def _drawers(asm: Assembly, look: dict, y: tuple[float, float], rows: list, fron
 
 
 def kitchen_counter(
-    width: float = 0.6, suite: str = "white", layout: str = "door", offset: Offset = (0, 0, 0)
+    width: float = 0.6,
+    suite: str = "white_shaker",
+    layout: str = "door",
+    offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A base cabinet; layout: one "door", two "doors", "drawers", "wide" (both) or "open" shelves.
+    """A base cabinet; layout: one "door", two "doors", "drawers" or "wide" (both).
 
     In the wide one only the top drawer opens.
     """
     look, asm, half = SUITES[suite], Assembly(), width / 2
-    fronts, case = base(asm, width, look, offset, outside=layout == "open")
-    metal, gap, z0, z1 = steel(), 0.002, PLINTH + 0.003, CASE_TOP - 0.004
-    low, high = (BACK, -half, CASE_TOP), (TOP_FRONT, half, WORKTOP)
-    asm.board("body", low, high, worktop_material(look, offset), 0.004, segments=2)
+    fronts, case = base(asm, width, look, offset)
+    gap, z0, z1 = 0.001, PLINTH + 0.003, CASE_TOP - 0.004
+    slab(asm, (BACK, TOP_FRONT), (-half, half), worktop_material(look, offset))
     supports = [surface("top", (BACK, -half), (TOP_FRONT, half), WORKTOP)]
     joints: dict[str, Joint] = {}
     containers: list[Container] = []
@@ -150,28 +144,16 @@ def kitchen_counter(
         face = (a + gap, b - gap)
         front(asm, name, CASE_FRONT, face, (z0, z1), fronts, look["style"], DOOR)
         handle = b - 0.04 if name == "door_left" else a + (0.045 if len(leaves) == 1 else 0.04)
-        bar_handle(asm, name, DOOR_FRONT, handle, 0.72, 0.16, metal, reach=0.022)
+        pull(asm, name, look, (DOOR_FRONT, handle, 0.72), 0.16, True, ((a + b) / 2, z1))
         joints[name] = hinge(DOOR_FRONT, a if name == "door_left" else b)
     if layout == "wide":
         low, high = (BACK, -0.009, PLINTH + 0.018), (CASE_FRONT, 0.009, CASE_TOP - 0.018)
-        asm.board("body", low, high, case)
+        asm.board("body", low, high, case, labels={"+x": fronts})
         rows = [(None, z0, 0.355), (None, 0.359, 0.611), ("drawer", 0.615, z1)]
         drawers = _drawers(asm, look, (-half, 0.0), rows, fronts, case)
     elif layout == "drawers":
         rows = [("drawer", 0.655, z1), ("drawer_2", 0.385, 0.651), ("drawer_3", z0, 0.381)]
         drawers = _drawers(asm, look, (-half, half), rows, fronts, case)
-    elif layout == "open":
-        floor, step = PLINTH + 0.018, 0.243
-        for k in range(3):
-            z = floor + k * step
-            a, b = (BACK + 0.008, -half + 0.018), (CASE_FRONT, half - 0.018)
-            if k:
-                asm.board("body", (*a, z - 0.018), (*b, z), case, 0.001)
-            name = f"inside_shelf_{k}" if k else "inside_floor"
-            supports.append(surface(name, a, b, z, step - 0.02, "inside"))
-        size = (CASE_FRONT - BACK - 0.01, width - 0.036, CASE_TOP - PLINTH - 0.036)
-        center = ((CASE_FRONT + BACK + 0.01) / 2, 0.0, (CASE_TOP + PLINTH) / 2)
-        containers.append(Container("inside", center, size))
     states = [s for name in joints for s in open_closed(name, name)]
     for name, joint, room, container in drawers:
         joints[name] = joint
@@ -183,9 +165,8 @@ def kitchen_counter(
         "doors": "two doors",
         "wide": "door and drawers",
         "drawers": "three drawers",
-        "open": "open shelves",
     }
-    title = f"kitchen counter, {what[layout]}, {suite} fronts"
+    title = f"kitchen counter, {what[layout]}, {named(suite)} fronts"
     return Model(
         title=title,
         parts=asm.parts(**{name: {"joint": name} for name in joints}),
@@ -198,18 +179,25 @@ def kitchen_counter(
     )
 
 
-WIDTHS = {"door": 0.6, "wide": 1.2, "drawers": 0.6, "doors": 0.8, "open": 0.45}
+#: Layout and width of the counters, by name.
+UNITS = {
+    "narrow": ("door", 0.4),
+    "door": ("door", 0.6),
+    "drawers": ("drawers", 0.6),
+    "doors": ("doors", 0.8),
+    "wide": ("wide", 1.2),
+}
+
+
+def _unit(name: str, suite: str) -> dict:
+    layout, width = UNITS[name]
+    return {"width": width, "suite": suite, "layout": layout}
 
 
 def kitchen_counter_random(rng: np.random.Generator) -> dict:
     """Parameters of a random counter."""
-    layout = pick(rng, sorted(WIDTHS))
-    return {
-        "width": WIDTHS[layout],
-        "layout": layout,
-        "suite": pick(rng, STYLES),
-        "offset": noise_offset(rng),
-    }
+    unit = _unit(pick(rng, sorted(UNITS)), pick(rng, STYLES))
+    return unit | {"offset": noise_offset(rng)}
 
 
 def basin(
@@ -318,25 +306,22 @@ def switched(asm: Assembly, part: str, evidence: str = "body") -> dict:
     }
 
 
-def _all(layouts: tuple[str, ...], suites: tuple[str, ...]) -> list[dict]:
-    """Presets of these layouts in each of these suites."""
-    return [
-        {"width": WIDTHS[layout], "suite": suite, "layout": layout}
-        for suite in suites
-        for layout in layouts
-    ]
-
-
+# No unit with open shelves: bleach there would be within a child's reach.
 MODELS = {
     "kitchen_counter": Maker(
         kitchen_counter,
         kitchen_counter_random,
-        16,
+        41,
         [
-            *_all(("door", "wide"), STYLES),
-            *_all(("drawers",), STYLES),
-            # (open shelves would put bleach within a child's reach)
-            *_all(("doors",), STYLES[:1]),
+            *(_unit(name, suite) for suite in FIRST for name in ("door", "wide")),
+            *(_unit("drawers", suite) for suite in FIRST),
+            *(_unit("doors", suite) for suite in FIRST),
+            *(_unit("narrow", suite) for suite in FIRST),
+            *(
+                _unit(name, suite)
+                for suite in FURTHER
+                for name in ("narrow", "door", "drawers", "doors")
+            ),
         ],
     ),
 }

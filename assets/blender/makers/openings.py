@@ -358,7 +358,7 @@ MODELS = {
     "door": Maker(
         door,
         door_random,
-        7,
+        10,
         [
             {"colour": "#f1efea", "panels": 2},
             {"colour": "oak", "panels": 0},
@@ -367,6 +367,9 @@ MODELS = {
             {"colour": "#d9dcd8", "style": "louvre"},
             {"colour": "#e8e4da", "style": "half"},
             {"colour": "walnut", "panels": 4},
+            {"colour": "#f1efea", "panels": 0},
+            {"colour": "#c4c8c6", "panels": 0},
+            {"colour": "#f1efea", "panels": 4},
         ],
     ),
 }

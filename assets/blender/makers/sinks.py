@@ -8,25 +8,24 @@ from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe
 
-from .joinery import Assembly, bar_handle, front, hinge, open_closed, steel, surface
-from .kitchen import (
+from .joinery import Assembly, front, hinge, open_closed, steel, surface
+from .kitchen import base, basin, bay, stream, switched, tap
+from .kitchen_suites import (
     BACK,
     CASE_FRONT,
     CASE_TOP,
     DOOR,
     DOOR_FRONT,
+    FIRST,
     PLINTH,
     STYLES,
     SUITES,
     TOP_FRONT,
     WORKTOP,
     Offset,
-    base,
-    basin,
-    bay,
-    stream,
-    switched,
-    tap,
+    named,
+    pull,
+    slab,
     worktop_material,
 )
 
@@ -39,10 +38,13 @@ def _worktop_with_holes(
     """Boards round the holes, which run from x[0] to x[1] and each from one y to another."""
     asm.board("body", (BACK, -half, CASE_TOP), (x[0], half, WORKTOP), mat)
     if x[1] < TOP_FRONT:
-        asm.board("body", (x[1], -half, CASE_TOP), (TOP_FRONT, half, WORKTOP), mat)
+        slab(asm, (x[1], TOP_FRONT), (-half, half), mat)
     edges = [-half, *(y for hole in sorted(holes) for y in hole), half]
     for a, b in zip(edges[::2], edges[1::2], strict=True):
-        asm.board("body", (x[0], a, CASE_TOP), (min(x[1], TOP_FRONT), b, WORKTOP), mat)
+        if x[1] < TOP_FRONT:
+            asm.board("body", (x[0], a, CASE_TOP), (x[1], b, WORKTOP), mat)
+        else:
+            slab(asm, (x[0], TOP_FRONT), (a, b), mat)
 
 
 def _trough(asm: Assembly, y0: float, y1: float, x0: float, china: Material) -> float:
@@ -63,7 +65,7 @@ def _trough(asm: Assembly, y0: float, y1: float, x0: float, china: Material) -> 
 
 def sink_cabinet(
     width: float = 0.8,
-    suite: str = "white",
+    suite: str = "white_shaker",
     steel_basin: bool = True,
     bowls: str = "one",
     offset: Offset = (0, 0, 0),
@@ -99,13 +101,14 @@ def sink_cabinet(
             basin(asm, (cx, y), (sx, sy), WORKTOP, depth, bowl)
     tap(asm, TAP_X, cy, WORKTOP, REACH, TAP_HEIGHT, metal)
     stream(asm, TAP_X + REACH, cy, WORKTOP + 0.62 * TAP_HEIGHT, floor - 0.004)
-    gap, z = 0.002, (PLINTH + 0.003, low_top - 0.004)
+    gap, z = 0.001, (PLINTH + 0.003, low_top - 0.004)
     supports, container = bay(asm, -half + 0.018, half - 0.018, low_top - 0.03, case)
     front(asm, "door", CASE_FRONT, (gap, half - gap), z, fronts, look["style"], DOOR)
     front(asm, "door_left", CASE_FRONT, (-half + gap, -gap), z, fronts, look["style"], DOOR)
     handle_z = 0.72 if bowls != "trough" else 0.53
-    bar_handle(asm, "door", DOOR_FRONT, 0.04, handle_z, 0.16, metal, reach=0.022)
-    bar_handle(asm, "door_left", DOOR_FRONT, -0.04, handle_z, 0.16, metal, reach=0.022)
+    for name, side in (("door", 1), ("door_left", -1)):
+        at, lip = (DOOR_FRONT, side * 0.04, handle_z), (side * half / 2, z[1])
+        pull(asm, name, look, at, 0.16, True, lip)
     free = min(a for a, _ in holes)
     supports.insert(0, surface("top", (BACK, -half), (TOP_FRONT, free - 0.008), WORKTOP))
     containers = [container]
@@ -122,7 +125,7 @@ def sink_cabinet(
     states = open_closed("door", "door") + open_closed("door_left", "door_left")
     what = {"one": f"{'steel' if steel_basin else 'ceramic'} basin", "two": "two basins"}
     return Model(
-        title=f"sink cabinet, {what.get(bowls, 'farmhouse sink')}, {suite} fronts",
+        title=f"sink cabinet, {what.get(bowls, 'farmhouse sink')}, {named(suite)} fronts",
         parts=asm.parts(
             door={"joint": "door"},
             door_left={"joint": "door_left"},
@@ -152,24 +155,28 @@ def _one(width: float, suite: str) -> dict:
     return {"width": width, "suite": suite, "steel_basin": width < 0.9}
 
 
+def _bowls(bowls: str, width: float, suite: str) -> dict:
+    return {"width": width, "suite": suite, "bowls": bowls, "steel_basin": True}
+
+
 MODELS = {
     "sink_cabinet": Maker(
         sink_cabinet,
         sink_cabinet_random,
-        14,
+        18,
         [
-            _one(0.8, "white"),
-            _one(1.0, "sage"),
-            *(_one(0.8, suite) for suite in STYLES[1:]),
-            *(_one(1.0, suite) for suite in STYLES if suite != "sage"),
-            *(
-                {"width": w, "suite": suite, "bowls": bowls, "steel_basin": True}
-                for bowls, w, suites in (
-                    ("trough", 0.8, ("white", "navy")),
-                    ("two", 1.2, ("white", "grey")),
-                )
-                for suite in suites
-            ),
+            _one(0.8, "white_shaker"),
+            _one(1.0, "sage_shaker"),
+            *(_one(0.8, suite) for suite in FIRST[1:]),
+            *(_one(1.0, suite) for suite in FIRST if suite != "sage_shaker"),
+            _bowls("trough", 0.8, "white_shaker"),
+            _bowls("trough", 0.8, "cream_farmhouse"),
+            _bowls("two", 1.2, "white_shaker"),
+            _bowls("two", 1.2, "grey_flat"),
+            _one(0.8, "birch_flat"),
+            _one(0.8, "cream_farmhouse") | {"steel_basin": False},
+            _one(0.8, "anthracite_flat"),
+            _one(0.8, "white_flat"),
         ],
     ),
 }

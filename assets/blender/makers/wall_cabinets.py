@@ -1,4 +1,4 @@
-"""Kitchen wall cabinets: one or two doors, a tall narrow one, and one whose door lifts up."""
+"""Kitchen wall cabinets, as wide as the counters below, and one whose door lifts up."""
 
 from __future__ import annotations
 
@@ -8,16 +8,14 @@ from toolkit.sampling import noise_offset, pick
 
 from .joinery import (
     Assembly,
-    bar_handle,
     carcass,
     finish,
     front,
     hinge,
     open_closed,
-    steel,
     surface,
 )
-from .kitchen import DOOR, STYLES, SUITES, Offset
+from .kitchen_suites import DOOR, FIRST, FURTHER, STYLES, SUITES, Offset, named, pull
 
 DEPTH, T = 0.33, 0.018
 
@@ -25,7 +23,7 @@ DEPTH, T = 0.33, 0.018
 def wall_cabinet(
     width: float = 0.6,
     height: float = 0.7,
-    suite: str = "white",
+    suite: str = "white_shaker",
     lift: bool = False,
     offset: Offset = (0, 0, 0),
 ) -> Model:
@@ -35,16 +33,18 @@ def wall_cabinet(
     """
     look, asm, half = SUITES[suite], Assembly(), width / 2
     back, case_front = -DEPTH / 2, DEPTH / 2 - 0.02
-    fronts, case, metal = finish(look["front"], 2, offset), finish(look["case"], 2, offset), steel()
-    carcass(asm, "body", (back, -half, 0), (case_front, half, height), case, case)
+    fronts, case = finish(look["front"], 2, offset), finish(look["case"], 2, offset)
+    carcass(asm, "body", (back, -half, 0), (case_front, half, height), fronts, case)
     single = lift or width <= 0.6
     bays = {"": (-half, half)} if single else {"_left": (-half, 0.0), "_right": (0.0, half)}
     if not single:
-        asm.board("body", (back, -0.009, T), (case_front, 0.009, height - T), case)
+        asm.board(
+            "body", (back, -0.009, T), (case_front, 0.009, height - T), case, labels={"+x": fronts}
+        )
     joints, states, containers, settings = {}, [], [], {}
     supports = [surface("top", (back, -half), (case_front, half), height)]
     outer = case_front + DOOR
-    shelves = 0 if lift else 2 if height > 0.8 else 1
+    shelves = 0 if lift else 1
     levels = [T] + [height * (k + 1) / (shelves + 1) for k in range(shelves)]
     for suffix, (y0, y1) in bays.items():
         door, inside = f"door{suffix}", f"inside{suffix}"
@@ -55,11 +55,11 @@ def wall_cabinet(
         leaf, z = (y0 + 0.002, y1 - 0.002), (0.002, height - 0.002)
         front(asm, door, case_front, leaf, z, fronts, look["style"])
         if lift:
-            bar_handle(asm, door, outer, 0.0, 0.05, 0.3, metal, False, reach=0.022)
+            pull(asm, door, look, (outer, 0.0, 0.05), 0.3, False, (0.0, z[0]))
             joints[door] = Joint("revolute", (outer, 0.0, height), (0, -1, 0), 0.0, 1.6)
         else:
             handle_y = y0 + 0.04 if right_hung else y1 - 0.04
-            bar_handle(asm, door, outer, handle_y, 0.12, 0.14, metal, reach=0.022)
+            pull(asm, door, look, (outer, handle_y, 0.12), 0.14, True, (sum(leaf) / 2, z[0]))
             joints[door] = hinge(outer, y1 if right_hung else y0)
         states += open_closed(door, door)
         settings[door] = {"joint": door}
@@ -72,9 +72,8 @@ def wall_cabinet(
         size = (case_front - back - 0.02, b - a, height - 2 * T)
         containers.append(Container(inside, center, size, "body", door))
     what = "lift-up door" if lift else "one door" if single else "two doors"
-    tall = "tall " if height > 0.8 else ""
     return Model(
-        title=f"{tall}wall cabinet, {what}, {suite} fronts",
+        title=f"wall cabinet, {what}, {named(suite)} fronts",
         parts=asm.parts(**settings),
         mass=16 * width / 0.6 * (0.8 if lift else 1.0),
         joints=joints,
@@ -84,7 +83,7 @@ def wall_cabinet(
     )
 
 
-SIZES = {"one": (0.6, 0.7), "two": (0.8, 0.7), "tall": (0.45, 0.9), "lift": (0.8, 0.42)}
+SIZES = {"narrow": (0.4, 0.7), "one": (0.6, 0.7), "two": (0.8, 0.7), "lift": (0.8, 0.42)}
 
 
 def _sized(kind: str, suite: str) -> dict:
@@ -101,11 +100,13 @@ MODELS = {
     "wall_cabinet": Maker(
         wall_cabinet,
         wall_cabinet_random,
-        14,
+        29,
         [
-            *(_sized(kind, suite) for suite in STYLES for kind in ("one", "two")),
-            *(_sized("tall", suite) for suite in ("white", "oak")),
-            *(_sized("lift", suite) for suite in ("white", "grey")),
+            *(_sized(kind, suite) for suite in FIRST for kind in ("one", "two")),
+            *(_sized("narrow", suite) for suite in ("white_shaker", "oak_flat")),
+            *(_sized("lift", suite) for suite in ("white_flat", "grey_flat")),
+            *(_sized("narrow", suite) for suite in ("sage_shaker", "navy_shaker", "grey_flat")),
+            *(_sized(kind, suite) for suite in FURTHER for kind in ("narrow", "one", "two")),
         ],
     ),
 }

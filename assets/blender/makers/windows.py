@@ -120,27 +120,33 @@ def window_random(rng: np.random.Generator) -> dict:
     }
 
 
+def _small(colour: str, bars: tuple[int, int] | None = None, sash: bool = False) -> dict:
+    """A bathroom window."""
+    more = {"bars": bars} if bars else {}
+    more |= {"sash": True} if sash else {}
+    small = {"width": 0.6, "height": 0.6, "casements": 1, "frosted": True}
+    return small | {"colour": colour} | more
+
+
 MODELS = {
     "window": Maker(
         window,
         window_random,
-        8,
+        12,
         [
             {"casements": 2, "colour": "#f3f2ee"},
             {"casements": 3, "colour": "oak"},
-            {"width": 0.6, "height": 0.6, "casements": 1, "frosted": True, "colour": "#f3f2ee"},
+            _small("#f3f2ee"),
             {"casements": 2, "colour": "#f3f2ee", "bars": (2, 3)},
             {"casements": 1, "colour": "#f3f2ee", "sash": True, "bars": (3, 2)},
             {"casements": 1, "colour": "#3c4044"},
             {"casements": 2, "colour": "#5f7a6a", "bars": (1, 2)},
-            {
-                "width": 0.6,
-                "height": 0.6,
-                "casements": 1,
-                "frosted": True,
-                "colour": "oak",
-                "bars": (2, 2),
-            },
+            _small("oak", (2, 2)),
+            # small ones for the frames that had none
+            _small("#f3f2ee", (2, 2)),
+            _small("#f3f2ee", (2, 2), True),
+            _small("#3c4044"),
+            _small("#5f7a6a", (1, 2)),
         ],
     ),
 }

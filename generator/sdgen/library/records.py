@@ -155,11 +155,16 @@ class AssetInfo(Record):
 
 
 class Asset(AssetInfo):
-    """One model of the library: its record and where its files are (relative to the folder)."""
+    """One model of the library: its record and where its files are (relative to the folder).
+
+    ``suite`` names the set it was made for: models of several categories that belong into one
+    home together; None belongs to none.
+    """
 
     mesh: str
     hulls: str
     texture: str
+    suite: str | None = Field(default=None, pattern=NAME)
 
     def info(self, outlines_m: dict[str, tuple[tuple[Vec3, ...], ...]]) -> AssetInfo:
         """The record without file names, with the outlines of its meshes."""

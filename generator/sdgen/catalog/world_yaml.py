@@ -198,7 +198,7 @@ class RoomTypeYaml(Record):
                 if name not in placed:
                     text = f"no {name} is placed before it in this room"
                     wrong.append(problem(("furniture", index, "of"), text))
-            placed |= {rule.category, *rule.row}
+            placed |= {rule.category, rule.corner, *rule.row, *rule.extra}
         if wrong:
             refuse(*wrong)
         return self

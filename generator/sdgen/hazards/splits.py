@@ -35,7 +35,7 @@ def split_of_home(home_id: str) -> Split:
 
 
 @cache
-def _withheld(peers: tuple[tuple[str, str], ...]) -> frozenset[str]:
+def _withheld(peers: tuple[tuple[str, str | None], ...]) -> frozenset[str]:
     """Of the models of a category (ids and suites), those that train never shows, at most a third;
     hashed once a process. What belongs together is withheld together: a suite, by its name."""
     if len(peers) < FEWEST_MODELS:

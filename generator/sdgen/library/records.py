@@ -101,8 +101,7 @@ class AssetInfo(Record):
 
     ``outlines_m`` are outermost points of the visual mesh of every part (joints at 0), of each of
     its pieces that lie apart: where the object touches and what it covers from above follow from
-    those of the drawn parts, where its joints put them, however it lies. A home's style picks
-    models by the ``suite`` that they are made for (one at most) and by their ``tags``.
+    those of the drawn parts, where its joints put them, however it lies.
     """
 
     id: str = Field(pattern=NAME)
@@ -110,8 +109,6 @@ class AssetInfo(Record):
     title: str = ""
     licence: str
     source: str
-    suite: str = Field(default="", pattern=r"^[a-z0-9_]*$")
-    tags: tuple[str, ...] = ()
     extents_m: Vec3
     outlines_m: dict[str, tuple[tuple[Vec3, ...], ...]] = Field(default_factory=dict)
     mass_kg: float = Field(gt=0)
@@ -158,13 +155,14 @@ class Asset(AssetInfo):
     """One model of the library: its record and where its files are (relative to the folder).
 
     ``suite`` names the set it was made for: models of several categories that belong into one
-    home together; None belongs to none.
+    home together; None belongs to none. ``tags`` are words by which a home's style picks models.
     """
 
     mesh: str
     hulls: str
     texture: str
     suite: str | None = Field(default=None, pattern=NAME)
+    tags: tuple[str, ...] = ()
 
     def info(self, outlines_m: dict[str, tuple[tuple[Vec3, ...], ...]]) -> AssetInfo:
         """The record without file names, with the outlines of its meshes."""

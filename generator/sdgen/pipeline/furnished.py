@@ -220,8 +220,8 @@ def _styles(spec: HomeSpec, catalog: Catalog) -> tuple[Style, ...]:
 
 def _suites(models: Models, catalog: Catalog) -> Callable[[str], bool]:
     """Whether there are models of a suite."""
-    found = {model.suite for category in catalog.categories for model in models(category.name)}
-    return found.__contains__
+    every = (model for category in catalog.categories for model in models(category.name))
+    return {model.suite for model in every}.__contains__
 
 
 def _agent_start(point: Vec2, room: Room, rng: Rng) -> AgentStart:

@@ -85,11 +85,13 @@ def window(
     tail = " with glazing bars" if bars else "" if casements < 3 else ", three lights"
     picture = garden(view, 256, int(256 * height / width)) if not frosted else _frosted()
     pane = label(picture, occlusion=0.0)
+    # Through a clear pane the renderer shows the world outside; frosted glass is as it is made.
+    name = "frosted" if frosted else "pane"
     low, high = (-0.037, -half + t + 0.02, t + 0.02), (0.037, half - t - 0.02, height - t - 0.02)
-    asm.board("pane", low, high, pane, 0, {"+x": pane, "-x": pane}, 2.0)
+    asm.board(name, low, high, pane, 0, {"+x": pane, "-x": pane}, 2.0)
     return Model(
         title=f"{'bathroom ' if frosted else ''}{'sash ' if sash else ''}window{tail}",
-        parts=asm.parts(pane={"rgba": (1.35, 1.35, 1.35, 1.0)}),
+        parts=asm.parts(**{name: {"rgba": (1.35, 1.35, 1.35, 1.0)}}),
         mass=28.0 * width * height,
     )
 

@@ -25,7 +25,7 @@ def room(rules: str) -> str:
 def test_shipped_rules_name_what_can_be_placed():
     types = {t.name: t for t in CATALOG.room_types}
     kitchen = types["kitchen"].furniture
-    assert kitchen[0].where == "row"
+    assert kitchen[0].where == "run"
     assert {"stove", "sink_cabinet"} <= set(kitchen[0].row)
     kinds = {c.name: c.kind for c in CATALOG.categories}
     for room_type in CATALOG.room_types:

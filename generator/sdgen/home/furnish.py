@@ -140,14 +140,15 @@ def _furnish_room(
             continue
         among = theirs if piece.optional else models
         wide = [m for m in among(piece.category) if _wide_enough(piece, m)]
-        candidates = style.matching(wide)
-        order = rng.permutation(len(candidates)).tolist() if candidates else []
-        # Chairs round a table, and tables beside a bed, are of one model where it fits.
+        order = [wide[k] for k in rng.permutation(len(wide)).tolist()] if wide else []
+        # Of the home's style first. Chairs round a table, and tables beside a bed, are of one model
+        # where it fits.
         there = {layout.items[k].asset for k in placed.get(piece.category, ())}
-        order.sort(key=lambda k: candidates[k].id not in there)
+        matching = {model.id for model in style.matching(wide)}
+        order.sort(key=lambda m: (m.id not in there, m.id not in matching))
         done = False
-        for k in order:
-            done = _try_piece(piece, candidates[k], room, layout, catalog, placed, rng)
+        for model in order:
+            done = _try_piece(piece, model, room, layout, catalog, placed, rng)
             if done:
                 break
         if not done and not piece.optional:
@@ -269,7 +270,7 @@ def put_piece(
         return False
     way = way_of(item, layout.library)
     opens = "CAN_OPEN" in catalog.category(item.category).properties
-    stand = stand_of(item, asset) if opens else []
+    stand = stand_of(item, layout.library) if opens else []
     if not _opens(item, blocks, way, stand, layout, room, catalog):
         return False
     layout.put(item, intent, blocks)

@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
+import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
 from sdgen.home.blocks import Block, Table, blocks_at
 from sdgen.library import Library
 from sdgen.library.above import box_from_above
-from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance
 from sdgen.vocabulary import FLAT_M
 
@@ -67,13 +67,21 @@ def way_of(item: ObjectInstance, library: Library) -> list[Block]:
     return [] if way is None else list(blocks_at(item.id, way, item.pose.matrix()))
 
 
-def stand_of(item: ObjectInstance, info: AssetInfo) -> list[Block]:
-    """Where somebody stands who opens a piece of furniture: before the middle of its front.
+def stand_of(item: ObjectInstance, library: Library) -> list[Block]:
+    """Where somebody stands who opens a piece of furniture: before the middle of what opens, which
+    is most of its front, but of a corner unit a narrow leaf in its notch.
 
     Nowhere for what does not open, and for what hangs: one stands before what is below it.
     """
-    if not info.joints or item.pose.position_m[2] > FLAT_M:
+    moving = [part.name for part in library.info(item.asset).parts if part.joint is not None]
+    if not moving or item.pose.position_m[2] > FLAT_M:
         return []
-    front, half = info.extents_m[0] / 2, info.extents_m[1] / 2 * STAND_SHARE
-    box = box_from_above((front, -half, FLAT_M), (front + STAND_M, half, SHOULDER_M))
+    bounds = library.bounds(item.asset)
+    low = np.min([bounds[name][0] for name in moving], axis=0)
+    high = np.max([bounds[name][1] for name in moving], axis=0)
+    front, middle = float(high[0]), float(low[1] + high[1]) / 2
+    half = float(high[1] - low[1]) / 2 * STAND_SHARE
+    box = box_from_above(
+        (front, middle - half, FLAT_M), (front + STAND_M, middle + half, SHOULDER_M)
+    )
     return list(blocks_at(item.id, box, item.pose.matrix()))

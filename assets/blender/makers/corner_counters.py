@@ -8,7 +8,7 @@ import numpy as np
 from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
 
-from .joinery import Assembly, finish, front, hinge, open_closed, surface
+from .joinery import Assembly, finish, hinge, open_closed, surface
 from .kitchen_suites import (
     BACK,
     CASE_FRONT,
@@ -22,6 +22,7 @@ from .kitchen_suites import (
     TOP_FRONT,
     WORKTOP,
     Offset,
+    leaf,
     named,
     plinth_material,
     pull,
@@ -35,11 +36,11 @@ HALF = SIDE / 2
 CASE, TOP = CASE_FRONT - BACK - HALF, TOP_FRONT - BACK - HALF
 
 
-def _blind(asm: Assembly, y: tuple[float, float], z: tuple[float, float], mat, style: str) -> None:
+def _blind(asm: Assembly, y: tuple[float, float], z: tuple[float, float], mat, look: dict) -> None:
     """A front that stays shut and faces +Y, before the arm along the other wall; `y` as it would
     lie before turning."""
     alone = Assembly()
-    front(alone, "body", CASE, y, z, mat, style, DOOR)
+    leaf(alone, "body", CASE, y, z, look, mat)
     for mesh in alone.meshes["body"]:
         asm.add("body", mesh.turn(rz=math.pi / 2))
     asm.solid("body", (-y[1], CASE, z[0]), (-y[0], CASE + DOOR, z[1]))
@@ -68,8 +69,8 @@ def corner_counter(suite: str = "white_shaker", offset: Offset = (0, 0, 0)) -> M
     z0, z1 = PLINTH + 0.003, CASE_TOP - 0.004
     asm.board("body", (CASE, CASE, z0), (CASE + DOOR - 0.001, CASE + DOOR - 0.001, z1), fronts)
     face = (CASE + DOOR + 0.004, HALF - 0.002)
-    _blind(asm, (-face[1], -face[0]), (z0, z1), fronts, look["style"])
-    front(asm, "door", CASE, face, (z0, z1), fronts, look["style"], DOOR)
+    _blind(asm, (-face[1], -face[0]), (z0, z1), fronts, look)
+    leaf(asm, "door", CASE, face, (z0, z1), look, fronts)
     at = (CASE + DOOR, face[0] + 0.045, 0.72)
     pull(asm, "door", look, at, 0.16, True, (sum(face) / 2, z1))
     # one worktop: a square in the corner and two pieces whose fronts are rounded

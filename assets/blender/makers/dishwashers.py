@@ -13,6 +13,7 @@ from toolkit.shapes import box, lathe, tube
 from .casework import metal_or
 from .joinery import Assembly, bar_handle, finish, front, open_closed, steel, surface
 from .kitchen_suites import (
+    DOOR,
     DOOR_FRONT,
     FIRST,
     FURTHER,
@@ -21,6 +22,7 @@ from .kitchen_suites import (
     SUITES,
     TOP_FRONT,
     Offset,
+    leaf,
     named,
     slab,
     worktop_material,
@@ -143,8 +145,10 @@ def dishwasher(
     inner = low, (x1 + thick - 0.018, y[1] - slim_by, height - 0.024)
     asm.board("door", *inner, tub, 0.002)
     facing = finish(look["front"], 2, offset) if look else shell
-    style = look["style"] if look else "slab"
-    front(asm, "door", outer - 0.018, y, (door_low, strip - 0.002), facing, style)
+    if look:
+        leaf(asm, "door", outer - DOOR, y, (door_low, strip - 0.002), look, facing)
+    else:
+        front(asm, "door", outer - DOOR, y, (door_low, strip - 0.002), facing)
     face = {"+x": _controls(480 if width > 0.5 else 400, *panel_ink)}
     low, high = (outer - 0.018, y[0], strip), (outer, y[1], height - 0.024)
     asm.board("door", low, high, plain(panel_ink[0], 0.02), 0, face, 2.2)

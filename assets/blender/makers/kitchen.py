@@ -13,7 +13,6 @@ from .joinery import (
     carcass,
     drawer_box,
     finish,
-    front,
     hinge,
     open_closed,
     surface,
@@ -22,7 +21,6 @@ from .kitchen_suites import (
     BACK,
     CASE_FRONT,
     CASE_TOP,
-    DOOR,
     DOOR_FRONT,
     FIRST,
     FURTHER,
@@ -32,6 +30,7 @@ from .kitchen_suites import (
     TOP_FRONT,
     WORKTOP,
     Offset,
+    leaf,
     named,
     plinth_material,
     pull,
@@ -92,7 +91,7 @@ def _drawers(asm: Assembly, look: dict, y: tuple[float, float], rows: list, fron
     for name, low_z, high_z in rows:
         part = name or "body"
         face, z = (y0 + 0.002, y1 - 0.002), (low_z, high_z)
-        front(asm, part, CASE_FRONT, face, z, fronts, look["style"], DOOR, 0.045)
+        leaf(asm, part, CASE_FRONT, face, z, look, fronts, 0.045)
         middle, handle_z = (y0 + y1) / 2, (low_z + high_z) / 2
         at = (DOOR_FRONT, middle, handle_z)
         pull(asm, part, look, at, 0.18, False, (middle, high_z))
@@ -142,7 +141,7 @@ def kitchen_counter(
         containers.append(container)
     for name, a, b, _ in leaves:
         face = (a + gap, b - gap)
-        front(asm, name, CASE_FRONT, face, (z0, z1), fronts, look["style"], DOOR)
+        leaf(asm, name, CASE_FRONT, face, (z0, z1), look, fronts)
         handle = b - 0.04 if name == "door_left" else a + (0.045 if len(leaves) == 1 else 0.04)
         pull(asm, name, look, (DOOR_FRONT, handle, 0.72), 0.16, True, ((a + b) / 2, z1))
         joints[name] = hinge(DOOR_FRONT, a if name == "door_left" else b)

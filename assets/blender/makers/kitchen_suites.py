@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from toolkit.materials import Material, plain, wood
-from toolkit.shapes import extrude, lathe
+from toolkit.mesh import cube_project
+from toolkit.shapes import extrude, lathe, loft
 
 from .casework import metal_or
-from .joinery import WOODS, Assembly, bar_handle, stone
+from .joinery import WOODS, Assembly, bar_handle, front, stone
 
 #: Fronts (colour or wood, slab or shaker), case, worktop, pull and its metal, plinth.
 SUITES = {
@@ -86,6 +87,29 @@ def slab(asm: Assembly, x: tuple, y: tuple, mat: Material, turned: bool = False)
     outline += [(x1 - r, WORKTOP), (x0, WORKTOP)]
     mesh = extrude(outline, y1 - y0, mat, axis="y").move(0, (y0 + y1) / 2, 0)
     asm.add("body", mesh.turn(rz=np.pi / 2) if turned else mesh, solid=True)
+
+
+def leaf(
+    asm: Assembly, part: str, x: float, y: tuple, z: tuple, look: dict, mat: Material, rail=0.06
+) -> None:
+    """A front whose back lies at x, in the suite's style.
+
+    A shaker's frame and panel are one skin: of boards laid together the seams, thinner than a
+    pixel of their texture, show as dashes.
+    """
+    if look["style"] == "slab":
+        front(asm, part, x, y, z, mat)
+        return
+    outer = x + DOOR
+    r = min(rail, 0.3 * (z[1] - z[0]), 0.3 * (y[1] - y[0]))
+
+    def ring(inset: float, at: float) -> np.ndarray:
+        (y0, y1), (z0, z1) = (y[0] + inset, y[1] - inset), (z[0] + inset, z[1] - inset)
+        return np.array([(at, y0, z0), (at, y1, z0), (at, y1, z1), (at, y0, z1)])
+
+    rings = [ring(0, x), ring(0, outer), ring(r, outer), ring(r + 0.006, outer - 0.007)]
+    asm.add(part, cube_project(loft(rings, mat)))
+    asm.solid(part, (x, y[0], z[0]), (outer, y[1], z[1]))
 
 
 def pull(

@@ -8,13 +8,12 @@ from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe
 
-from .joinery import Assembly, front, hinge, open_closed, steel, surface
+from .joinery import Assembly, hinge, open_closed, steel, surface
 from .kitchen import base, basin, bay, stream, switched, tap
 from .kitchen_suites import (
     BACK,
     CASE_FRONT,
     CASE_TOP,
-    DOOR,
     DOOR_FRONT,
     FIRST,
     PLINTH,
@@ -23,6 +22,7 @@ from .kitchen_suites import (
     TOP_FRONT,
     WORKTOP,
     Offset,
+    leaf,
     named,
     pull,
     slab,
@@ -103,8 +103,8 @@ def sink_cabinet(
     stream(asm, TAP_X + REACH, cy, WORKTOP + 0.62 * TAP_HEIGHT, floor - 0.004)
     gap, z = 0.001, (PLINTH + 0.003, low_top - 0.004)
     supports, container = bay(asm, -half + 0.018, half - 0.018, low_top - 0.03, case)
-    front(asm, "door", CASE_FRONT, (gap, half - gap), z, fronts, look["style"], DOOR)
-    front(asm, "door_left", CASE_FRONT, (-half + gap, -gap), z, fronts, look["style"], DOOR)
+    leaf(asm, "door", CASE_FRONT, (gap, half - gap), z, look, fronts)
+    leaf(asm, "door_left", CASE_FRONT, (-half + gap, -gap), z, look, fronts)
     handle_z = 0.72 if bowls != "trough" else 0.53
     for name, side in (("door", 1), ("door_left", -1)):
         at, lip = (DOOR_FRONT, side * 0.04, handle_z), (side * half / 2, z[1])

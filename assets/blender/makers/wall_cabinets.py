@@ -10,12 +10,11 @@ from .joinery import (
     Assembly,
     carcass,
     finish,
-    front,
     hinge,
     open_closed,
     surface,
 )
-from .kitchen_suites import DOOR, FIRST, FURTHER, STYLES, SUITES, Offset, named, pull
+from .kitchen_suites import DOOR, FIRST, FURTHER, STYLES, SUITES, Offset, leaf, named, pull
 
 DEPTH, T = 0.33, 0.018
 
@@ -52,14 +51,14 @@ def wall_cabinet(
         a, b = y0 + T * (1 if y0 == -half else 0.5), y1 - T * (1 if y1 == half else 0.5)
         for z in levels[1:]:
             asm.board("body", (back + 0.008, a, z - T), (case_front - 0.02, b, z), case)
-        leaf, z = (y0 + 0.002, y1 - 0.002), (0.002, height - 0.002)
-        front(asm, door, case_front, leaf, z, fronts, look["style"])
+        face, z = (y0 + 0.002, y1 - 0.002), (0.002, height - 0.002)
+        leaf(asm, door, case_front, face, z, look, fronts)
         if lift:
             pull(asm, door, look, (outer, 0.0, 0.05), 0.3, False, (0.0, z[0]))
             joints[door] = Joint("revolute", (outer, 0.0, height), (0, -1, 0), 0.0, 1.6)
         else:
             handle_y = y0 + 0.04 if right_hung else y1 - 0.04
-            pull(asm, door, look, (outer, handle_y, 0.12), 0.14, True, (sum(leaf) / 2, z[0]))
+            pull(asm, door, look, (outer, handle_y, 0.12), 0.14, True, (sum(face) / 2, z[0]))
             joints[door] = hinge(outer, y1 if right_hung else y0)
         states += open_closed(door, door)
         settings[door] = {"joint": door}

@@ -121,7 +121,7 @@ def test_validate_tries_what_it_has_read(
             "{category: door, state: OPEN, relation: BETWEEN, target: bathroom}",
             "{set: door, state: OPEN, rooms: bathroom}",
             1,
-            "error: hazard 'mine' is true of furniture (door) in 9 of 10 homes",
+            "error: hazard 'mine' is true of furniture (door) in ",
         ),
         (
             "{category: tv, state: ON}",

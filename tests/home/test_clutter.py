@@ -46,9 +46,9 @@ def _cluttered(home: str, seed: int) -> Layout:
     return layout
 
 
-def _homes() -> Iterator[Layout]:
+def _homes(seeds: int = 5) -> Iterator[Layout]:
     for home in ("three_room_flat_2", "apartment_1", "country_house_3"):
-        for seed in range(5):
+        for seed in range(seeds):
             yield _cluttered(home, seed)
 
 
@@ -97,7 +97,7 @@ def test_two_of_a_model_stand_together_only_where_they_come_in_several() -> None
 
 def test_compartments_hold_what_lives_in_them() -> None:
     seen = Counter[str]()
-    for layout in _homes():
+    for layout in _homes(12):
         for item in _loose(layout):
             intent = layout.intents[item.id]
             target = layout.items.get(intent.target_id)

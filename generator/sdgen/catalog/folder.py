@@ -12,7 +12,18 @@ from sdgen.yaml_source import Source, read_yaml
 
 #: Folders of a catalogue, a file an entry (of ``categories`` several), and its single files.
 FOLDERS = ("categories", "hazards", "homes")
-FILES = ("rooms", "styles", "mixes", "households")
+FILES = ("rooms", "fittings", "styles", "mixes", "households")
+#: What others refer to comes first.
+_ORDER = (
+    "categories",
+    "rooms",
+    "styles",
+    "fittings",
+    "hazards",
+    "households",
+    "homes",
+    "mixes",
+)
 #: What a file was called before, when a plan meant two things.
 _RENAMED = {"plans": "mixes"}
 _SUFFIXES = (".yaml", ".yml")
@@ -31,7 +42,7 @@ class Folder:
 
     def all(self) -> Iterator[tuple[str, Source]]:
         """Every file with its kind, in reading order: what others refer to first."""
-        for kind in ("categories", "rooms", "styles", "hazards", "households", "homes", "mixes"):
+        for kind in _ORDER:
             for source in self.sources.get(kind, ()):
                 yield kind, source
 

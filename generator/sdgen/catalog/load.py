@@ -1,10 +1,9 @@
 """The hazard catalogue, from YAML folders to one resolved :class:`Catalog`.
 
 A folder holds ``hazards/*.yaml``, ``categories/*.yaml``, ``homes/*.yaml``, ``rooms.yaml``,
-``styles.yaml``, ``mixes.yaml`` and ``households.yaml``, each optional except in the shipped one.
-Later folders add to earlier ones; to replace an entry they say ``replaces: true``. A single file
-may stand in for a folder.
-folder.
+``fittings.yaml``, ``styles.yaml``, ``mixes.yaml`` and ``households.yaml``, each optional except in
+the shipped one. Later folders add to earlier ones; to replace an entry they say
+``replaces: true``. A single file may stand in for a folder.
 """
 
 from __future__ import annotations
@@ -24,6 +23,7 @@ from sdgen.catalog.words import NOT_A_NAME, WORD, Names
 from sdgen.catalog.world_yaml import (
     AgeGroupYaml,
     CategoryYaml,
+    FittingYaml,
     HouseholdYaml,
     MixYaml,
     ReachYaml,
@@ -43,6 +43,7 @@ _KINDS = {
     "rooms": "room type",
     "mixes": "mix of rooms",
     "styles": "style",
+    "fittings": "fitting",
     "hazards": "hazard",
     "homes": "home",
     "households": "household",
@@ -120,6 +121,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         mixes=named("mixes", MixYaml),
         groups=named("groups", AgeGroupYaml),
         styles=named("styles", StyleYaml),
+        fittings=named("fittings", FittingYaml),
     )
     if not any(source.problems for folder in folders for _, source in folder.all()):
         check_among(found["hazards"], catalog.hazards, catalog.categories)

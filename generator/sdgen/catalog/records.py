@@ -212,6 +212,22 @@ class Category(Record):
     holds: Holds | None = None
 
 
+class Fitting(Record):
+    """What belongs to the building and hangs on its walls, in rooms of these types (none: in all).
+
+    At each ``window``, its upper end above it, ``under_window``, ``beside_door`` (inner ones and
+    the front door) or, ``count`` a room, anywhere along a ``wall``; ``z_m`` high, but at a window.
+    """
+
+    name: str
+    category: str
+    where: Literal["window", "under_window", "beside_door", "wall"]
+    rooms: tuple[str, ...] = ()
+    chance: float = 1.0
+    count: tuple[int, int] = (1, 1)
+    z_m: float = 0.0
+
+
 class ClutterPrior(Record):
     """How many small things a receptacle category holds in a room type."""
 
@@ -499,6 +515,7 @@ class Catalog(Record):
     mixes: tuple[HomeMix, ...] = ()
     groups: tuple[AgeGroup, ...] = ()
     styles: tuple[Style, ...] = ()
+    fittings: tuple[Fitting, ...] = ()
 
     @cached_property
     def sha256(self) -> str:

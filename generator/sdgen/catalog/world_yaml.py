@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, get_args
+from typing import Annotated, Literal, get_args
 
 from pydantic import Field, model_validator
 
@@ -14,6 +14,7 @@ from sdgen.catalog.records import (
     Category,
     CategoryKind,
     ClutterPrior,
+    Fitting,
     FurnitureRule,
     Holds,
     HomeMix,
@@ -230,6 +231,22 @@ class MixYaml(Record):
     def record(self, name: str) -> HomeMix:
         """The record of it."""
         return as_record(self, HomeMix, name=name)
+
+
+class FittingYaml(Record):
+    """One entry of ``fittings.yaml``."""
+
+    category: CategoryName
+    where: Literal["window", "under_window", "beside_door", "wall"]
+    rooms: RoomNames = ()
+    chance: Annotated[float, between(0.0, 1.0)] = 1.0
+    count: Annotated[tuple[int, int], span(0, 20, whole=True), PAIR] = (1, 1)
+    z_m: Annotated[float, between(0.0, 5.0)] = 0.0
+    replaces: bool = False
+
+    def record(self, name: str) -> Fitting:
+        """The record of it."""
+        return as_record(self, Fitting, name=name)
 
 
 class StyleYaml(Record):

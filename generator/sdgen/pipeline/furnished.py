@@ -15,6 +15,7 @@ from sdgen.geometry import Vec2
 from sdgen.hazards.certify import facts_of
 from sdgen.home.arrange import furnish_by_rules
 from sdgen.home.context import HomeContext, Models
+from sdgen.home.fittings import add_fittings
 from sdgen.home.furnish import fill_openings, furnish_as_drawn, leave_open
 from sdgen.home.generate import generate_home
 from sdgen.home.layout import Layout
@@ -170,6 +171,7 @@ def furnished_home(
         layout = furnish_as_drawn(spec, home, layout, catalog, style, models, theirs, rng)
     if isinstance(layout, Rejection):
         return layout
+    layout = add_fittings(home, layout, catalog, styled, rng)
     if tenants is not None and Homes(catalog).has_beds(spec, tenants.beds):
         places = beds_of(layout.items.values(), library.infos, catalog)
         if places < tenants.beds:

@@ -42,7 +42,7 @@ def test_show_draws_a_plan_and_views_by_the_renderer_of_every_machine(tmp_path: 
     for path in views:
         with Image.open(path) as image:
             assert image.size == (96, 72)
-            assert len(set(image.convert("L").getdata())) > 20  # it shows something
+            assert len(image.convert("L").getcolors() or ()) > 20  # it shows something
     with Image.open(out / "plan.png") as plan:
         assert plan.width > 600
 

@@ -81,9 +81,9 @@ def test_glb_has_every_object_where_it_stands() -> None:
         # glTF is Y up: (x, y, z)_gltf = (x, z, -y)_ours.
         x, y, z = np.concatenate(corners).T
         points = np.stack([x, -z, y], axis=1)
-        body = bodies[item.id]
-        assert np.allclose(points.min(axis=0), body.low, atol=0.002), item
-        assert np.allclose(points.max(axis=0), body.high, atol=0.002), item
+        body = bodies[item.id]  # by its outermost points in some directions
+        assert np.allclose(points.min(axis=0), body.low, atol=0.006), item
+        assert np.allclose(points.max(axis=0), body.high, atol=0.006), item
 
 
 def test_glb_wears_textures_and_holds_a_model_once() -> None:

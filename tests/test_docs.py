@@ -23,7 +23,12 @@ from tests.shipped import shipped_library
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 #: Pages whose console and python blocks are run, in order, in one empty folder. The first and the
 #: last share a build: not neighbours, or one worker would wait for the other.
-STORIES = [ROOT / "README.md", ROOT / "docs" / "python.md", ROOT / "docs" / "quickstart.md"]
+STORIES = [
+    ROOT / "README.md",
+    ROOT / "docs" / "python.md",
+    ROOT / "docs" / "extending.md",
+    ROOT / "docs" / "quickstart.md",
+]
 TINY = ["--n", "2", "--views", "2", "--size", "96x72", "--workers", "1"]
 
 

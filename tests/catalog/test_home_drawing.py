@@ -276,6 +276,25 @@ def test_every_hazard_finds_what_it_needs(home: HomeSpec) -> None:
     assert max(right - left, high - low) <= 18  # wider homes would lose shadows at the rim
 
 
+def test_unknown_names_do_not_hide_what_is_drawn_wrong(tmp_path: Path) -> None:
+    text = HOME.replace("type: bedroom", "type: bedrom").replace("[[4, 0, 7, 3]]", "[[3, 0, 7, 3]]")
+    text = text.replace("category: sofa", "category: soffa")
+    told = problems(write(tmp_path, homes__hut=text))
+    for line in (
+        ":8: rooms[0].furniture[0].category: unknown category 'soffa' (did you mean 'sofa'?)",
+        ":12: rooms[1].type: unknown room type 'bedrom' (did you mean 'bedroom'?)",
+        ":13: rooms[1].rectangles_m: overlaps room 'stube'",
+    ):
+        assert any(line in one for one in told), told
+    assert len(told) == len(set(told))
+
+
+def test_a_home_is_known_by_what_it_holds(tmp_path: Path) -> None:
+    file = tmp_path / "hut.yaml"
+    file.write_text(HOME)
+    assert "hut" in [home.id for home in load_catalog([file]).homes]
+
+
 def test_three_base_homes_one_for_each_split() -> None:
     assert len(CATALOG.homes) == 3
     assert {split_of_home(home.id) for home in CATALOG.homes} == {"train", "val", "test"}

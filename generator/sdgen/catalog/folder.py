@@ -78,6 +78,11 @@ def _is_yaml(path: Path) -> bool:
     return path.suffix in _SUFFIXES and not path.name.startswith(".")
 
 
+def _draws(source: Source) -> bool:
+    """Whether a file draws a home, wherever it lies: no hazard has rooms with outlines."""
+    return isinstance(source.value, dict) and {"rooms", "openings"} <= source.value.keys()
+
+
 def _misplaced(path: Path) -> str:
     """What is wrong with something in a catalogue's folder that belongs to none of its kinds."""
     if path.name.startswith("."):
@@ -104,7 +109,8 @@ def extension_names() -> tuple[str, ...]:
 
 
 def open_extra(path: Path) -> Folder:
-    """An extra folder, or one file: its name or its folder's name says what it holds."""
+    """An extra folder, or one file: its name or its folder's name says what it holds; a home's may
+    lie anywhere."""
     shipped = data_path("hazard_catalog").resolve()
     if path.resolve() == shipped or shipped in path.resolve().parents:
         return Folder(pack="core")  # loaded already
@@ -116,6 +122,8 @@ def open_extra(path: Path) -> Folder:
         folder = path.resolve().parent.name
         kind = path.stem if path.stem in FILES else folder if folder in FOLDERS else "hazards"
         single.add(kind, path, str(path))
+        if folder not in FOLDERS and any(map(_draws, single.sources.get("hazards", ()))):
+            single.sources["homes"] = single.sources.pop("hazards")
         return single
     out = open_folder(path, path.resolve().name, str(path))
     if not out.sources and not out.problems:

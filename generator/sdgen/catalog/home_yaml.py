@@ -8,7 +8,8 @@ from typing import Annotated
 from pydantic import model_validator
 from pydantic_core import InitErrorDetails
 
-from sdgen.catalog.entry import as_record
+from sdgen import strict
+from sdgen.catalog.entry import Entry, as_record
 from sdgen.catalog.home_shape import (
     SAME_M,
     OutlineError,
@@ -18,10 +19,11 @@ from sdgen.catalog.home_shape import (
     rooms_beside,
 )
 from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
-from sdgen.catalog.words import StyleName, Text, Word, between
+from sdgen.catalog.words import Names, StyleName, Text, Word, between
 from sdgen.scene import Record
 from sdgen.strict import problem, refuse
 from sdgen.vocabulary import DOORS, HALF_WALL_M
+from sdgen.yaml_source import Source
 
 Rect = tuple[float, float, float, float]
 #: Far below a millimetre: what two drawn numbers that mean the same may differ by.
@@ -132,6 +134,20 @@ class HomeYaml(Record):
         while more := {k for rooms in joined if rooms & reached for k in rooms} - reached:
             reached |= more
         return reached
+
+
+def read_home(entry: Entry, names: Names) -> HomeYaml | None:
+    """A home as it was written; None when problems were noted.
+
+    What is drawn wrong is told beside unknown names, not only once they are put right.
+    """
+    home = entry.read(HomeYaml, names)
+    if home is None:
+        source = entry.source
+        nameless = Source(source.file, source.value, source.lines)
+        strict.read(nameless, entry.path, entry.value, HomeYaml)
+        source.noted += [told for told in nameless.noted if told not in source.noted]
+    return home
 
 
 def _overlap(a: Rect, b: Rect) -> bool:

@@ -17,7 +17,7 @@ from sdgen.catalog.entry import Entry
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.folder import Folder, extension_names, open_extra, open_folder
 from sdgen.catalog.hazard_yaml import read_hazard
-from sdgen.catalog.home_yaml import HomeYaml
+from sdgen.catalog.home_yaml import read_home
 from sdgen.catalog.records import Catalog
 from sdgen.catalog.words import NOT_A_NAME, WORD, Names
 from sdgen.catalog.world_yaml import (
@@ -109,7 +109,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         return tuple(written.record(name) for name, written in read if written is not None)
 
     hazards = (read_hazard(found["hazards"][name], names) for name in sorted(found["hazards"]))
-    homes = (found["homes"][name].read(HomeYaml, names) for name in sorted(found["homes"]))
+    homes = (read_home(found["homes"][name], names) for name in sorted(found["homes"]))
     reach = (entry.read(ReachYaml, names) for entry in found["reach"].values())
     catalog = Catalog(
         hazards=tuple(hazard for hazard in hazards if hazard is not None),

@@ -425,7 +425,8 @@ class FurnitureItem(Record):
     one, at that model's real height, and z is ignored. ``against_wall`` makes ``position_m`` the
     middle of the back instead of the centre, so that models of any depth touch the wall.
     ``jitter_m`` shifts it by up to so much along x and y. ``width_m`` [least, most] restricts the
-    models to those that wide (their y extent), where units stand side by side.
+    models to those that wide (their y extent), where units stand side by side; ``model`` names the
+    one that is meant.
     """
 
     category: CategoryName
@@ -437,6 +438,7 @@ class FurnitureItem(Record):
     against_wall: bool = False
     # More than half a metre would be another place.
     jitter_m: Annotated[float, between(0.0, 0.5)] = Field(default=0.0, ge=0.0)
+    model: Annotated[str, Expect("the id of a model")] | None = None
 
 
 class RoomSpec(Record):

@@ -286,10 +286,12 @@ def _run(
     from sdgen.cli.progress import watch
     from sdgen.engines.build import build as run_build
     from sdgen.engines.registry import EngineOptions
+    from sdgen.home.drawing_check import check_drawings
     from sdgen.library import load_library
 
     catalog = load_catalog(catalogs, extensions=options.extensions)
     library = load_library(assets)
+    check_drawings(catalog, library, catalogs)
     with watch(where.index_range[1] - where.index_range[0], quiet) as on_event:
         return run_build(
             options=options,

@@ -145,9 +145,11 @@ def validate_paths(
     Example: sdgen catalog validate my_hazards/
     """
     from sdgen.engines.fit import check_against_styles, misfits, parts_by_category
+    from sdgen.home.drawing_check import check_drawings
 
     found = _load(paths, extensions)
     library = load_library(assets)
+    check_drawings(found, library, paths)
     check_against_library(found, library.states_by_category(), parts_by_category(library))
     check_against_styles(found, library)
     trial = misfits(found, library, BuildOptions(extensions=split_names(extensions)))

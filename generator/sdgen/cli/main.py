@@ -30,6 +30,7 @@ COMMANDS = {
     "export": "Pack a data set for other tools.",
     "detect": "Run a detector over a data set.",
     "evaluate": "Score predictions against a data set.",
+    "home": "Draw one home, or write it as YAML or GLB.",
     "catalog": "List, show and check what can go wrong.",
     "assets": "List and show the models.",
     "doctor": "Say what this machine can do, and what is missing.",

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from sdgen.geometry import apply, box_corners
+from sdgen.geometry import Vec2, apply, box_corners
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Camera, Scene
 from sdgen.vocabulary import OPENINGS
@@ -19,11 +19,16 @@ MARGIN_M = 0.3
 
 @dataclass(frozen=True)
 class Shape:
-    """A polygon of the drawing: what it is, its points as SVG text, and a tooltip."""
+    """A polygon of the drawing: what it is, its corners in SVG units, and a tooltip."""
 
     kind: str
-    points: str
+    corners: tuple[Vec2, ...]
     title: str
+
+    @property
+    def points(self) -> str:
+        """The corners as SVG text."""
+        return " ".join(f"{x},{y}" for x, y in self.corners)
 
 
 @dataclass(frozen=True)
@@ -65,14 +70,12 @@ def draw_home(
     def at(x: float, y: float) -> tuple[float, float]:
         return round((x - x0) * SCALE, 1), round((y1 - y) * SCALE, 1)
 
-    def text(points: list[tuple[float, float]]) -> str:
-        return " ".join("{},{}".format(*at(x, y)) for x, y in points)
+    def drawn(points: Sequence[Vec2]) -> tuple[Vec2, ...]:
+        return tuple(at(x, y) for x, y in points)
 
-    shapes = [Shape("room", text(list(room.polygon_m)), room.type) for room in scene.home.rooms]
+    shapes = [Shape("room", drawn(room.polygon_m), room.type) for room in scene.home.rooms]
     shapes += [
-        Shape("walkway", text(list(z.polygon_m)), z.kind)
-        for z in scene.zones
-        if z.kind == "walkway"
+        Shape("walkway", drawn(z.polygon_m), z.kind) for z in scene.zones if z.kind == "walkway"
     ]
     late = []
     for item in sorted(scene.objects, key=lambda o: (o.pose.position_m[2], o.id)):
@@ -81,10 +84,10 @@ def draw_home(
         world = item.pose.matrix()
         outline = [(float(p[0]), float(p[1])) for p in apply(world, box)]
         kind = "opening" if item.category in OPENINGS else "fixed" if item.fixed else "loose"
-        shape = Shape(kind, text(outline), f"{item.category} {item.id}")
+        shape = Shape(kind, drawn(outline), f"{item.category} {item.id}")
         if item.id in anomalies or item.id in lookalikes:
             marked = "anomaly" if item.id in anomalies else "lookalike"
-            late.append(Shape(marked, shape.points, shape.title))
+            late.append(Shape(marked, shape.corners, shape.title))
         else:
             shapes.append(shape)
     return Drawing(

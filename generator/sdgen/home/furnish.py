@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from shapely.geometry import Polygon
+from shapely.geometry import Point, Polygon
 
 from sdgen.actions import at_rest, in_state, settled_states
 from sdgen.catalog.home_shape import frame_size
@@ -19,7 +19,8 @@ from sdgen.home.context import HomeContext, Models
 from sdgen.home.layout import Intent, Layout, room_to_change, within_room
 from sdgen.home.style import HomeStyle
 from sdgen.home.ways import stand_of, way_of
-from sdgen.library.records import AssetInfo
+from sdgen.library import Library
+from sdgen.library.records import Asset, AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
@@ -139,7 +140,7 @@ def _furnish_room(
         if piece.optional and skip and not catalog.category(piece.category).belongs_to:
             continue
         among = theirs if piece.optional else models
-        wide = [m for m in among(piece.category) if _wide_enough(piece, m)]
+        wide = candidates_for(piece, among, layout.library)
         order = [wide[k] for k in rng.permutation(len(wide)).tolist()] if wide else []
         # Of the home's style first. Chairs round a table, and tables beside a bed, are of one model
         # where it fits.
@@ -156,10 +157,16 @@ def _furnish_room(
     return layout
 
 
-def _wide_enough(piece: FurnitureItem, model: AssetInfo) -> bool:
+def candidates_for(piece: FurnitureItem, models: Models, library: Library) -> list[Asset]:
+    """The models that a piece of a drawing may be; the one it names, whatever ``models`` has: who
+    draws it wants that one, in every split."""
+    if piece.model is not None:
+        return [m for m in library.by_category(piece.category) if m.id == piece.model]
+    found = models(piece.category)
     if piece.width_m is None:
-        return True
-    return piece.width_m[0] <= model.extents_m[1] <= piece.width_m[1]
+        return list(found)
+    least, most = piece.width_m
+    return [m for m in found if least <= m.extents_m[1] <= most]
 
 
 def _try_piece(
@@ -171,13 +178,33 @@ def _try_piece(
     placed: dict[str, list[int]],
     rng: Rng,
 ) -> bool:
+    drawn = drawn_at(piece, asset, room, layout, placed, rng)
+    if drawn is None:
+        return False
+    item = stand_in(drawn[0], asset, catalog, rng)
+    if not put_piece(item, asset, layout, drawn[1], room, catalog):
+        return False
+    placed.setdefault(piece.category, []).append(item.id)
+    return True
+
+
+def drawn_at(
+    piece: FurnitureItem,
+    asset: AssetInfo,
+    room: Room,
+    layout: Layout,
+    placed: Mapping[str, Sequence[int]],
+    rng: Rng,
+) -> tuple[ObjectInstance, Intent | None] | None:
+    """A model where a piece of the drawing says, at rest, and what it stands on; None when that is
+    not there. ``placed`` are the pieces of the room so far, by category."""
     yaw = math.radians(piece.yaw_deg)
     x, y, z = piece.position_m
     intent = None
     if piece.on is not None:
-        target = _nearest(layout, placed.get(piece.on, []), x, y)
+        target = _nearest(layout, placed.get(piece.on, ()), x, y)
         if target is None:
-            return False
+            return None
         z = top_of(layout, target)
         intent = Intent("ON", target)
     if piece.against_wall:
@@ -198,11 +225,7 @@ def _try_piece(
         room_id=room.id,
         fixed=True,
     )
-    item = stand_in(item, asset, catalog, rng)
-    if not put_piece(item, asset, layout, intent, room, catalog):
-        return False
-    placed.setdefault(piece.category, []).append(item.id)
-    return True
+    return at_rest(item, asset), intent
 
 
 def stand_in(item: ObjectInstance, asset: AssetInfo, catalog: Catalog, rng: Rng) -> ObjectInstance:
@@ -319,6 +342,13 @@ def _has_room(
 ) -> bool:
     """True unless a piece clashes with another; what is thin (a flat-woven rug) lies under
     furniture, but neither under the open leaf of a door nor over another rug."""
+    return not any(True for _ in clashing(blocks, asset, layout, intent))
+
+
+def clashing(
+    blocks: Sequence[Block], asset: AssetInfo, layout: Layout, intent: Intent | None
+) -> Iterator[int]:
+    """Ids of the objects that a piece would cut; some more than once."""
     thick_m = asset.extents_m[2]
 
     def passes(other_id: int) -> bool:
@@ -329,13 +359,17 @@ def _has_room(
             return False
         return min(thick_m, other_m) <= PRESSED_M
 
-    return all(map(passes, layout.entered(blocks)))
+    return (k for k in layout.entered(blocks) if not passes(k))
 
 
-def _nearest(layout: Layout, ids: list[int], x: float, y: float) -> int | None:
-    def apart(object_id: int) -> float:
+def _nearest(layout: Layout, ids: Sequence[int], x: float, y: float) -> int | None:
+    """Of these pieces the one below a point, or the nearest to it."""
+    point = Point(x, y)
+
+    def apart(object_id: int) -> tuple[float, float]:
         px, py, _ = layout.items[object_id].pose.position_m
-        return math.hypot(px - x, py - y)
+        below = min(block.shape.distance(point) for block in layout.space_of(object_id))
+        return float(below), math.hypot(px - x, py - y)
 
     return min(ids, key=apart, default=None)
 

@@ -13,6 +13,7 @@ from sdgen.catalog.records import (
     AgeGroup,
     Catalog,
     Category,
+    FurnitureItem,
     Hazard,
     HomeMix,
     HomeSpec,
@@ -136,7 +137,13 @@ class Homes:
         if isinstance(home, HomeMix):
             return sum(self._beds_by_rule.get(room, 0) for room in _rooms(home))
         pieces = (piece for room in home.rooms for piece in room.furniture if not piece.optional)
-        return sum(self._sleeps.get(piece.category, 0) for piece in pieces)
+        return sum(self._sleepers(piece) for piece in pieces)
+
+    def _sleepers(self, piece: FurnitureItem) -> int:
+        """How many are sure to sleep in a piece: how wide a named model is only the library
+        knows, and one finds a place in any."""
+        places = self._sleeps.get(piece.category, 0)
+        return places if piece.model is None else min(places, 1)
 
     def has_beds(self, home: HomeSpec, beds: int) -> bool:
         """Whether so many are sure to find beds in a home furnished for them."""

@@ -1,0 +1,273 @@
+"""``sdgen home``: one home, drawn, or written as a file to edit or to load elsewhere."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sdgen.cli.params import destination, parsed, size
+from sdgen.errors import UsageError
+from sdgen.options import MAX_SEED, MAX_VIEWS, BuildOptions
+from sdgen.render.registry import AUTO, RENDERERS
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from sdgen.catalog.records import Catalog
+    from sdgen.gallery.home_summary import RoomSummary
+    from sdgen.library import Library
+    from sdgen.pipeline.one_home import OneHome
+
+#: Endings of a home's own file.
+_YAML = (".yaml", ".yml")
+#: Most frequent categories of a room that the table names.
+_NAMED = 3
+
+_CATALOG = click.option(
+    "--catalog",
+    "catalogs",
+    type=click.Path(exists=True, path_type=Path),
+    multiple=True,
+    help="Extra catalogue folder or file; repeatable.",
+)
+_ASSETS = click.option(
+    "--assets",
+    type=click.Path(exists=True, path_type=Path),
+    multiple=True,
+    help="Extra asset folder; repeatable.",
+)
+_SEED = click.option(
+    "--seed",
+    type=click.IntRange(min=0, max=MAX_SEED),
+    metavar="N",
+    default=0,
+    show_default=True,
+    help="Furnishes a base home: which optional pieces, models and things it has.",
+)
+_WHICH = click.argument("which", metavar="SEED|NAME|FILE.yaml")
+
+
+def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Which home is meant, and where it is from."""
+    return _WHICH(_SEED(_CATALOG(_ASSETS(command))))
+
+
+@click.group()
+def home() -> None:
+    """List base homes, draw one home, or write it as YAML or GLB.
+
+    Example: sdgen home show 7
+    """
+
+
+@home.command("list")
+@_CATALOG
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON array.")
+def list_homes(catalogs: tuple[Path, ...], as_json: bool) -> None:
+    """List the base homes.
+
+    Example: sdgen home list
+    """
+    from sdgen.catalog.load import load_catalog
+
+    homes = load_catalog(catalogs).homes
+    if as_json:
+        rows = [
+            {"id": one.id, "title": one.title, "rooms": [room.type for room in one.rooms]}
+            for one in homes
+        ]
+        click.echo(json.dumps(rows, indent=1, ensure_ascii=False))
+        return
+    for one in homes:
+        pieces = sum(len(room.furniture) for room in one.rooms)
+        click.echo(f"{one.id:22} {len(one.rooms):2} rooms {pieces:4} pieces  {one.title}")
+
+
+@home.command("show")
+@_sources
+@click.option(
+    "--out",
+    metavar="FOLDER",
+    callback=parsed(destination),
+    help="Folder of the pictures [default: output/home-{NAME}].",
+)
+@click.option(
+    "--views",
+    type=click.IntRange(min=0, max=MAX_VIEWS),
+    metavar="K",
+    default=8,
+    show_default=True,
+    help="Cameras.",
+)
+@click.option(
+    "--size",
+    "pixels",
+    metavar="WxH",
+    callback=parsed(size),
+    default="640x480",
+    show_default=True,
+    help="Pixels of each view.",
+)
+@click.option(
+    "--renderer",
+    type=click.Choice([AUTO, *RENDERERS]),
+    default="auto",
+    show_default=True,
+    help="auto takes EGL where it starts, else PyBullet's CPU renderer.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print the rooms as JSON.")
+def show_home(
+    which: str,
+    seed: int,
+    catalogs: tuple[Path, ...],
+    assets: tuple[Path, ...],
+    out: Path | None,
+    views: int,
+    pixels: tuple[int, int],
+    renderer: str,
+    as_json: bool,
+) -> None:
+    """Furnish one home, with everyday things and no hazard; draw its plan and views.
+
+    SEED draws the generated home of that seed, NAME a base home ('sdgen home list'), FILE.yaml a
+    home of your own.
+
+    \b
+    Example: sdgen home show 7
+    Example: sdgen home show apartment_1 --seed 3 --out flat
+    """
+    from sdgen.gallery.home_pictures import write_pictures
+    from sdgen.gallery.home_summary import summary_of
+    from sdgen.render import choose_renderer
+
+    options = BuildOptions(seed=seed, views=views, width=pixels[0], height=pixels[1])
+    made, library = _make(which, catalogs, assets, options)
+    choice = choose_renderer(renderer)
+    if choice.note:
+        click.echo(choice.note, err=True)
+    folder = out if out is not None else Path("output") / f"home-{made.spec.id}"
+    drawn = list(write_pictures(made.bundle, library, folder, choice))
+    rooms = summary_of(made.bundle.scene)
+    if as_json:
+        click.echo(json.dumps([_row(room) for room in rooms], indent=1))
+        return
+    from sdgen.cli.table import echo_table
+
+    echo_table(_table(made.spec.title, rooms))
+    click.echo(f"{folder}: {drawn[0].name} and {len(drawn) - 1} views")
+
+
+@home.command("export")
+@_sources
+@click.option(
+    "-o",
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    required=True,
+    metavar="FILE",
+    help="FILE.yaml (rooms, openings, furniture by model) or FILE.glb (all of it).",
+)
+def export_home(
+    which: str, seed: int, catalogs: tuple[Path, ...], assets: tuple[Path, ...], out: Path
+) -> None:
+    """Write one home as a YAML file to edit, or as a GLB for other tools.
+
+    The YAML has the plan and every piece of furniture with its model and place; small things are
+    drawn anew by every seed. The GLB has the small things too: textured, in metres, Y up.
+
+    \b
+    Example: sdgen home export 7 -o my_homes/homes/my_flat.yaml
+    Example: sdgen home export apartment_1 -o flat.glb
+    """
+    from sdgen.catalog.words import NOT_A_NAME, WORD
+    from sdgen.dataset.output_file import check_output, write_output
+    from sdgen.export.home_glb import home_glb
+    from sdgen.export.home_yaml import home_yaml
+
+    if out.suffix not in (*_YAML, ".glb"):
+        raise UsageError(f"{out}: expected a name that ends in .yaml or .glb")
+    if out.suffix in _YAML and not WORD.fullmatch(out.stem):
+        raise UsageError(f"{out}: a home is called as its file, and {out.stem!r} {NOT_A_NAME}")
+    check_output(out)
+    made, library = _make(which, catalogs, assets, BuildOptions(seed=seed, views=0))
+    if out.suffix == ".glb":
+        data = home_glb(made.bundle.scene, library)
+    else:
+        data = home_yaml(out.stem, made.spec, made.furnished).encode()
+    write_output(out, data)
+    click.echo(str(out))
+
+
+def _make(
+    which: str, catalogs: Sequence[Path], assets: Sequence[Path], options: BuildOptions
+) -> tuple[OneHome, Library]:
+    # Imported here: simulator and meshes take a second that --help should not.
+    from sdgen.library import load_library
+    from sdgen.pipeline.one_home import one_home
+
+    catalog, name, files = _catalog(which, catalogs)
+    library = load_library(assets)
+    if files:
+        from sdgen.home.drawing_check import check_drawings
+
+        check_drawings(catalog, library, files)
+    return one_home(name, catalog, library, options), library
+
+
+def _catalog(which: str, catalogs: Sequence[Path]) -> tuple[Catalog, str, Sequence[Path]]:
+    """The catalogue, the home's name or seed in it, and the extra files that it was read from."""
+    from sdgen.catalog.load import load_catalog
+
+    path = Path(which)
+    own = path.suffix in _YAML
+    files = [*catalogs, path] if own else [*catalogs]
+    return load_catalog(files), path.stem if own else which, files
+
+
+def _row(room: RoomSummary) -> dict[str, Any]:
+    return {
+        "name": room.name,
+        "type": room.type,
+        "area_m2": round(room.area_m2, 2),
+        "nodes": room.nodes,
+        "furniture": dict(sorted(room.furniture.items())),
+        "things": dict(sorted(room.things.items())),
+    }
+
+
+def _table(title: str, rooms: Sequence[RoomSummary]) -> Table:
+    from rich.table import Table
+
+    table = Table(title=title, show_footer=True)
+    every: Counter[str] = Counter()
+    for room in rooms:
+        every += room.furniture + room.things
+    numbers = {
+        "m2": f"{sum(room.area_m2 for room in rooms):.1f}",
+        "nodes": str(sum(room.nodes for room in rooms)),
+        "furniture": str(sum(room.furniture.total() for room in rooms)),
+        "things": str(sum(room.things.total() for room in rooms)),
+        "categories": str(len(every)),
+    }
+    table.add_column("room", footer="all")
+    for name, footer in numbers.items():
+        table.add_column(name, footer=footer, justify="right")
+    table.add_column("most of all")
+    for room in rooms:
+        held = room.furniture + room.things
+        most = sorted(held.items(), key=lambda pair: (-pair[1], pair[0]))[:_NAMED]
+        table.add_row(
+            room.name,
+            f"{room.area_m2:.1f}",
+            str(room.nodes),
+            str(room.furniture.total()),
+            str(room.things.total()),
+            str(len(held)),
+            ", ".join(f"{count} {name}" for name, count in most).replace("_", " "),
+        )
+    return table

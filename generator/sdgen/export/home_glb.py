@@ -1,0 +1,108 @@
+"""A scene as one GLB: shell and objects as named nodes with textures, metres, Y up as glTF is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from sdgen.geometry import Array
+from sdgen.library import Library, MeshData
+from sdgen.library.states import object_from_part
+from sdgen.render.shell import structure_faces
+from sdgen.scene import ObjectInstance, Scene, Structure
+
+#: (x, y, z)_ours = (x, z, -y)_gltf.
+_GLTF_FROM_OURS = np.array(
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
+)
+
+
+def home_glb(scene: Scene, library: Library) -> bytes:
+    """The scene as a GLB. Its root is the home; below it are a node for each structure and, named
+    by category and id, for each object, with its drawn parts below that, where joints put them.
+
+    A model's meshes are in the file once, however often it stands there.
+    """
+    made = _Made(library, scene.home.id)
+    names = {room.id: room.name for room in scene.home.rooms}
+    for structure in scene.home.structures:
+        made.structure(structure, names[structure.room_id])
+    for item in scene.objects:
+        made.object(item)
+    data: bytes = made.scene.export(file_type="glb")
+    return data
+
+
+class _Made:
+    """A trimesh scene in the making."""
+
+    def __init__(self, library: Library, root: str) -> None:
+        import trimesh
+
+        self._trimesh: Any = trimesh
+        self._library = library
+        self._root = root
+        self._materials: dict[Path, Any] = {}
+        self.scene: Any = trimesh.Scene(base_frame="world")
+        self._node(root, "world", _GLTF_FROM_OURS)
+
+    def structure(self, structure: Structure, room: str) -> None:
+        """Add a floor, wall or ceiling, its texture running on across pieces."""
+        surface = self._library.surfaces[structure.surface]
+        faces = structure_faces(structure, surface.size_m)
+        if not faces:
+            return
+        vertices = np.concatenate([face.vertices_m for face in faces])
+        corners = np.arange(0, len(vertices), 4)[:, None] + (0, 1, 2, 0, 2, 3)
+        name = f"{structure.category}_{structure.id}_{room}"
+        self.scene.geometry[name] = self._trimesh.Trimesh(
+            vertices=vertices,
+            faces=corners.reshape(-1, 3),
+            visual=self._visual(
+                np.concatenate([face.uvs for face in faces]),
+                self._library.surface_texture(structure.surface),
+            ),
+            process=False,
+        )
+        self._node(name, self._root, np.eye(4), name)
+
+    def object(self, item: ObjectInstance) -> None:
+        """Add an object as it stands."""
+        asset = self._library.assets[item.asset]
+        meshes: Mapping[str, MeshData] = self._library.mesh(item.asset)
+        node = f"{item.category}_{item.id}"
+        self._node(node, self._root, item.pose.matrix())
+        for part in asset.variants[item.variant]:
+            geometry = f"{item.asset}/{part}"
+            if geometry not in self.scene.geometry:
+                texture = asset.part(part).texture or asset.texture
+                mesh = meshes[part]
+                self.scene.geometry[geometry] = self._trimesh.Trimesh(
+                    vertices=mesh.vertices,
+                    faces=mesh.faces,
+                    vertex_normals=mesh.normals,
+                    visual=self._visual(mesh.uvs, self._library.file(item.asset, texture)),
+                    process=False,
+                )
+            self._node(f"{node}/{part}", node, object_from_part(asset, part, item.joints), geometry)
+
+    def _node(self, name: str, parent: str, matrix: Array, geometry: str | None = None) -> None:
+        graph = self.scene.graph
+        graph.update(frame_to=name, frame_from=parent, matrix=matrix, geometry=geometry)
+
+    def _visual(self, uvs: Array, texture: Path) -> Any:
+        visual = self._trimesh.visual
+        if texture not in self._materials:
+            image = Image.open(texture)
+            image.load()
+            self._materials[texture] = visual.material.PBRMaterial(
+                name=texture.stem,
+                baseColorTexture=image,
+                metallicFactor=0.0,
+                roughnessFactor=0.8,
+            )
+        return visual.TextureVisuals(uv=uvs, material=self._materials[texture])

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
+from sdgen.actions import at_rest
 from sdgen.catalog.records import Catalog, Fitting
 from sdgen.facts import bodies_of
 from sdgen.freespace import ROBOT_RADIUS_M, free_shape, union, unreachable_rooms
@@ -106,6 +107,7 @@ def _in_room(
                 room_id=room.id,
                 fixed=True,
             )
+            item = at_rest(item, model)
             if free.leaves(item, layout) and put_piece(item, model, layout, None, room, catalog):
                 free.take(item, layout)
                 break

@@ -1,0 +1,94 @@
+"""Curtains, radiators, switches and sockets: each in its place, in nobody's way."""
+
+from __future__ import annotations
+
+import math
+from itertools import count
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.errors import InputError
+from sdgen.hazards.splits import SplitModels
+from sdgen.options import BuildOptions
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
+from sdgen.seeding import lane
+from shapely.geometry import Point, Polygon
+
+from tests.shipped import shipped_library
+
+CATALOG = load_catalog()
+LIBRARY = shipped_library()
+HUNG = ("curtain", "radiator", "light_switch", "power_socket")
+
+
+@pytest.fixture(scope="module")
+def homes() -> list[FurnishedHome]:
+    models, options, out = SplitModels(LIBRARY, "test"), BuildOptions(seed=4), []
+    for index in range(6):
+        spec = pick_home(CATALOG, options, index).spec(CATALOG, lane(4, index, "plan"))
+        made = furnished_home(spec, CATALOG, LIBRARY, models, count(1), lane(4, index, "furnish"))
+        out += [made] if isinstance(made, FurnishedHome) else []
+    assert len(out) > 3
+    return out
+
+
+def things(home, category):
+    return [item for item in home.layout.items.values() if item.category == category]
+
+
+def test_every_home_has_each_of_one_model(homes):
+    for category in HUNG:
+        assert sum(len(things(home, category)) for home in homes) >= len(homes)
+        for home in homes:
+            assert len({item.asset for item in things(home, category)}) <= 1
+
+
+def test_they_hang_at_a_wall_of_their_room(homes):
+    for home in homes:
+        rooms = {room.id: Polygon(room.polygon_m) for room in home.context.home.rooms}
+        for category in HUNG:
+            for item in things(home, category):
+                outline = rooms[item.room_id]
+                x, y, z = item.pose.position_m
+                assert outline.exterior.distance(Point(x, y)) < 0.1
+                assert z > 0.1
+                assert item.parts
+
+
+def test_curtains_and_radiators_are_at_windows(homes):
+    for home in homes:
+        windows = [o for o in home.context.home.openings if o.kind == "window"]
+        for category in ("curtain", "radiator"):
+            for item in things(home, category):
+                x, y, z = item.pose.position_m
+                at = min(windows, key=lambda o: math.dist((x, y), o.center_m[:2]))
+                assert math.dist((x, y), at.center_m[:2]) < 0.2
+                top = z + LIBRARY.info(item.asset).extents_m[2]
+                sill, head = at.center_m[2], at.center_m[2] + at.height_m
+                assert top > head if category == "curtain" else top < sill
+
+
+def test_switches_are_at_hand_beside_doors(homes):
+    for home in homes:
+        doors = [o for o in home.context.home.openings if o.kind != "window"]
+        for item in things(home, "light_switch"):
+            x, y, z = item.pose.position_m
+            near = min(math.dist((x, y), o.center_m[:2]) - o.width_m / 2 for o in doors)
+            assert 0.1 < near < 0.4
+            assert 0.9 < z < 1.2
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("mine: {category: curtian, where: window}", "did you mean 'curtain'"),
+        ("mine: {category: curtain, where: roof}", "fittings.yaml:1: mine.where"),
+        ("mine: {category: curtain, where: window, rooms: [den]}", "den"),
+        ("curtains: {category: curtain, where: window}", "is already defined"),
+    ],
+)
+def test_mistakes_are_located(tmp_path, text, said):
+    (tmp_path / "fittings.yaml").write_text(text)
+    with pytest.raises(InputError) as caught:
+        load_catalog([tmp_path])
+    assert said in "\n".join(caught.value.problems)

@@ -8,6 +8,7 @@ from itertools import count
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.errors import InputError
+from sdgen.facts import in_the_air
 from sdgen.hazards.splits import SplitModels
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
@@ -76,6 +77,11 @@ def test_switches_are_at_hand_beside_doors(homes):
             near = min(math.dist((x, y), o.center_m[:2]) - o.width_m / 2 for o in doors)
             assert 0.1 < near < 0.4
             assert 0.9 < z < 1.2
+
+
+def test_nothing_hangs_in_the_air_of_a_doorway(homes):
+    for home in homes:
+        assert not list(in_the_air(home.facts))
 
 
 @pytest.mark.parametrize(

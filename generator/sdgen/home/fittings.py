@@ -16,6 +16,7 @@ from sdgen.facts import bodies_of
 from sdgen.freespace import ROBOT_RADIUS_M, free_shape, union, unreachable_rooms
 from sdgen.geometry import quat_from_yaw, round_position, round_quat
 from sdgen.home.anchors import HUNG_GAP_M, PlacedAt, Side, against_walls, sides_of
+from sdgen.home.clearances import sight_of
 from sdgen.home.context import Models
 from sdgen.home.furnish import put_piece
 from sdgen.home.layout import IN_WALL_M, Layout, corners_of
@@ -90,12 +91,18 @@ def _in_room(
     rng: Rng,
 ) -> Layout:
     inside = Polygon(room.polygon_m).buffer(IN_WALL_M, join_style="mitre")
+    sights = [sight_of(o) for o in home.openings if room.id in o.room_ids]
     for poses in _places(fitting, model, room, home, rng):
         if rng.random() >= fitting.chance:
             continue
         for pose in poses:
             x, y, z, yaw = pose
-            if not inside.covers(Polygon(corners_of(model, x, y, yaw))):
+            shape = Polygon(corners_of(model, x, y, yaw))
+            if not inside.covers(shape):
+                continue
+            # A curtain alone hangs before an opening.
+            top = z + model.extents_m[2]
+            if fitting.where != "window" and any(s.hidden_by(shape, z, top) for s in sights):
                 continue
             item = ObjectInstance(
                 id=next(layout.ids),

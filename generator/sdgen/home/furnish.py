@@ -318,7 +318,10 @@ def _opens(
 
     def drawn_back(other_id: int) -> bool:
         pair = (item.category, layout.items[other_id].category)
-        traits = [catalog.category(name).properties for name in pair]
+        found = [catalog.category(name) for name in pair]
+        if any(category.sleeps for category in found):  # nobody draws back a bed
+            return False
+        traits = [category.properties for category in found]
         return any("SITTABLE" in a and "SAT_AT" in b for a, b in (traits, traits[::-1]))
 
     if not all(map(drawn_back, layout.ways.crossed(blocks))):

@@ -73,14 +73,20 @@ def stand_of(item: ObjectInstance, library: Library) -> list[Block]:
 
     Nowhere for what does not open, and for what hangs: one stands before what is below it.
     """
-    moving = [part.name for part in library.info(item.asset).parts if part.joint is not None]
+    info = library.info(item.asset)
+    moving = [part.name for part in info.parts if part.joint is not None]
     if not moving or item.pose.position_m[2] > FLAT_M:
         return []
     bounds = library.bounds(item.asset)
     low = np.min([bounds[name][0] for name in moving], axis=0)
     high = np.max([bounds[name][1] for name in moving], axis=0)
-    front, middle = float(high[0]), float(low[1] + high[1]) / 2
+    middle = float(low[1] + high[1]) / 2
     half = float(high[1] - low[1]) / 2 * STAND_SHARE
+    points = np.concatenate(
+        [np.array(piece) for pieces in info.outlines_m.values() for piece in pieces]
+    )
+    before = np.abs(points[:, 1] - middle) <= float(high[1] - low[1]) / 2
+    front = float(max(high[0], points[before, 0].max(initial=-np.inf)))
     box = box_from_above(
         (front, middle - half, FLAT_M), (front + STAND_M, middle + half, SHOULDER_M)
     )

@@ -81,7 +81,8 @@ def test_what_a_page_tells_to_run_runs(page: Path, tmp_path: Path, shared: Share
         lines = [tiny(words)[1:] for words in commands(text)]
         assert lines, text
         for words in lines:
-            if words[0] == "build":
+            # A catalogue of the page's own lies in its folder alone.
+            if words[0] == "build" and "--catalog" not in words:
                 build(words, tmp_path, shared)
             else:
                 run([sys.executable, "-m", "sdgen", *words], tmp_path)

@@ -22,6 +22,7 @@ from tests.shipped import shipped_library
 
 CATALOG = load_catalog()
 LIBRARY = shipped_library()
+FITTED = {fitting.category for fitting in CATALOG.fittings}
 OPTIONS = BuildOptions(views=0)
 
 
@@ -35,7 +36,7 @@ def furniture(home: OneHome) -> list[tuple[str, tuple[float, ...]]]:
     return sorted(
         (item.asset, (*item.pose.position_m, *item.pose.quat_xyzw))
         for item in home.bundle.scene.objects
-        if item.fixed and item.category not in OPENINGS
+        if item.fixed and item.category not in {*OPENINGS, *FITTED}
     )
 
 

@@ -93,7 +93,7 @@ def test_the_drawn_scenes_have_every_relation():
     """Or the property above would prove nothing."""
     seen = set()
 
-    @settings(max_examples=150, deadline=None, derandomize=True, database=None)
+    @settings(max_examples=400, deadline=None, derandomize=True, database=None)
     @given(scenes())
     def look(f):
         seen.update(e.relation for e in f.edges())

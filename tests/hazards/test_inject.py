@@ -223,8 +223,10 @@ def test_what_tells_a_hazard_must_show_of_its_near_miss_too(home, benign):
         context, layout = replace(home.context, shows=Blades(shown)), home.layout.copy()
         recipes = [r for r in (hazard.lookalikes if benign else hazard.anomalies) if _on(r)]
         every = candidates(hazard.id, recipes, layout, context)
-        rng = lane(5, 0, "place")
-        made = (inject_candidate(one, layout, context, (), rng, benign) for one in every)
+        rngs = [lane(5, k, "place") for k in range(4)]
+        made = [
+            inject_candidate(c, layout, context, (), rng, benign) for rng in rngs for c in every
+        ]
         return [layout.items[one.object_id] for one in made if one is not None]
 
     assert any("blade" in item.parts for item in placed(True))

@@ -54,10 +54,12 @@ def home_yaml(name: str, spec: HomeSpec, furnished: FurnishedHome) -> str:
 
 
 def _pieces(furnished: FurnishedHome, room_id: int) -> Iterator[str]:
-    """The furniture of a room, one line a piece, in the order in which it was placed."""
+    """The furniture of a room, one line a piece, in the order in which it was placed; what belongs
+    to the building hangs in every home anew."""
     layout = furnished.layout
+    fitted = {fitting.category for fitting in furnished.context.catalog.fittings}
     for item in layout.items.values():
-        if item.room_id != room_id or item.category in OPENINGS:
+        if item.room_id != room_id or item.category in {*OPENINGS, *fitted}:
             continue
         given: dict[str, Any] = {
             "category": item.category,

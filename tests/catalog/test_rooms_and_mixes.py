@@ -67,6 +67,11 @@ def test_a_room_type_and_a_mix_of_ones_own(tmp_path):
         ("{category: desk, where: wall, count: [0.5, 2]}", "whole numbers"),
         ("{category: desk, where: wall, chance: 2}", "not between 0 and 1"),
         ("{category: desk, where: wall, colour: red}", "unknown key"),
+        (
+            "{where: row, row: [desk, chair], near: desk}",
+            "does not go with 'where: row'",
+        ),
+        ("{category: desk, where: wall, corner: chair}", "does not go with 'where: wall'"),
     ],
 )
 def test_mistakes_in_rules_are_located(tmp_path, rule, said):

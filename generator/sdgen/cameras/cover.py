@@ -8,7 +8,7 @@ import numpy as np
 
 from sdgen.cameras.counted import shows_pixels
 from sdgen.cameras.framing import RAYS_SHARE, Bools, framed, glance_pixels
-from sdgen.cameras.outdoors import ROUGH, looks_out
+from sdgen.cameras.outdoors import FINE, ROUGH, looks_out
 from sdgen.cameras.parts import part_area, part_points
 from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, Ints
 from sdgen.cameras.spots import SetTo
@@ -72,7 +72,9 @@ def states_shown(
         near = near[enough]
         if one.outdoors:
             outdoors = _OUTDOORS_TIMES * RAYS_SHARE * one.outdoors
-            near = near[looks_out(cast, list(poses[near]), one.opening, outdoors, ROUGH)]
+            # Three rows tell most; one of them may graze what twelve would not count.
+            for rays in (ROUGH, FINE):
+                near = near[looks_out(cast, list(poses[near]), one.opening, outdoors, rays)]
         out[near, k] = True
     return out
 

@@ -24,8 +24,8 @@ class Rays(NamedTuple):
 
 
 #: A door ajar is open by a slit from top to bottom, a twentieth of its rectangle or less: many rays
-#: across tell, as many in both, since one column more or less decides. To choose views, past a leaf
-#: that opens outwards will do; to count in the end, past all walls of the home.
+#: across tell, as many in both, since one column more or less decides. First roughly, past a leaf
+#: that opens outwards; what is left, and to count in the end, finely, past all walls of the home.
 ROUGH, FINE = Rays(96, 3, 2.0), Rays(96, 12, 25.0)
 #: Narrower than this, in pixels at 640x480, a strip of the outdoors tells nobody that a door is
 #: open: between hinge and frame 882 to 1,078 pixels, 2 or 3 wide, were taken for a shut door's.

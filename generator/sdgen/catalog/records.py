@@ -294,7 +294,8 @@ class FurnitureRule(Record):
         of_runs = {key for key in ("corner", "extra") if getattr(self, key)}
         wishes = {key for key in ("near", "facing", "centred") if getattr(self, key)}
         misplaced = given - wanted
-        misplaced |= of_runs if self.where != "run" else wishes
+        misplaced |= of_runs if self.where != "run" else set()
+        misplaced |= wishes if self.where in ("row", "run") else set()
         found += [
             problem((key,), f"does not go with 'where: {self.where}'") for key in sorted(misplaced)
         ]

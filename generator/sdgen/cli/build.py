@@ -17,19 +17,17 @@ from sdgen.cli.params import (
     parsed,
     scene_range,
     sensor_list,
-    size,
     split_names,
 )
+from sdgen.cli.shared_options import ASSETS, CATALOGS, RENDERER, SIZE, VIEWS
 from sdgen.errors import BuildIncomplete, UsageError
 from sdgen.options import (
     MAX_SCENES,
     MAX_SEED,
-    MAX_VIEWS,
     BuildOptions,
     Sensor,
     check_index_range,
 )
-from sdgen.render.registry import AUTO, RENDERERS
 
 if TYPE_CHECKING:
     from sdgen.engines.report import BuildReport
@@ -88,23 +86,8 @@ def eye_height(text: str) -> float:
     show_default=True,
     help="Anomalies a scene.",
 )
-@click.option(
-    "--views",
-    type=click.IntRange(min=0, max=MAX_VIEWS),
-    metavar="K",
-    default=8,
-    show_default=True,
-    help="Cameras a scene.",
-)
-@click.option(
-    "--size",
-    "pixels",
-    metavar="WxH",
-    callback=parsed(size),
-    default="640x480",
-    show_default=True,
-    help="Pixels of each view.",
-)
+@VIEWS
+@SIZE
 @click.option(
     "--sensors",
     metavar="LIST",
@@ -135,27 +118,15 @@ def eye_height(text: str) -> float:
     show_default=True,
     help="2 renders RGB at twice the size and averages.",
 )
-@click.option(
-    "--renderer",
-    type=click.Choice([AUTO, *RENDERERS]),
-    default="auto",
-    show_default=True,
-    help="auto takes EGL where it starts, else PyBullet's CPU renderer.",
-)
-@click.option(
-    "--catalog",
-    "catalogs",
-    type=FOLDER,
-    multiple=True,
-    help="Extra catalogue folder or file; repeatable.",
-)
+@RENDERER
+@CATALOGS
 @click.option(
     "--extensions",
     multiple=True,
     metavar="NAME,...",
     help="Shipped extension packs to switch on; none is shipped yet.",
 )
-@click.option("--assets", type=FOLDER, multiple=True, help="Extra asset folder; repeatable.")
+@ASSETS
 @click.option("--twins", is_flag=True, help="Also write each scene's benign twin.")
 @click.option(
     "--draw",

@@ -13,17 +13,11 @@ from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
 from sdgen.cli.params import split_names
+from sdgen.cli.shared_options import CATALOGS
 from sdgen.errors import InputError, UsageError, did_you_mean
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
 
-_CATALOG = click.option(
-    "--catalog",
-    "catalogs",
-    type=click.Path(exists=True, path_type=Path),
-    multiple=True,
-    help="Extra catalogue folder or file; repeatable.",
-)
 _EXTENSIONS = click.option(
     "--extensions",
     multiple=True,
@@ -35,7 +29,7 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
 def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
     """The options that say which catalogue is meant."""
-    return _CATALOG(_EXTENSIONS(command))
+    return CATALOGS(_EXTENSIONS(command))
 
 
 def _load(catalogs: Sequence[Path], extensions: tuple[str, ...]) -> Catalog:

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdgen.cli.params import destination, parsed, size
+from sdgen.cli.params import destination, parsed
+from sdgen.cli.shared_options import ASSETS, CATALOGS, RENDERER, SIZE, VIEWS
 from sdgen.errors import UsageError
-from sdgen.options import MAX_SEED, MAX_VIEWS, BuildOptions
-from sdgen.render.registry import AUTO, RENDERERS
+from sdgen.options import MAX_SEED, BuildOptions
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -28,19 +28,6 @@ _YAML = (".yaml", ".yml")
 #: Most frequent categories of a room that the table names.
 _NAMED = 3
 
-_CATALOG = click.option(
-    "--catalog",
-    "catalogs",
-    type=click.Path(exists=True, path_type=Path),
-    multiple=True,
-    help="Extra catalogue folder or file; repeatable.",
-)
-_ASSETS = click.option(
-    "--assets",
-    type=click.Path(exists=True, path_type=Path),
-    multiple=True,
-    help="Extra asset folder; repeatable.",
-)
 _SEED = click.option(
     "--seed",
     type=click.IntRange(min=0, max=MAX_SEED),
@@ -54,7 +41,7 @@ _WHICH = click.argument("which", metavar="SEED|NAME|FILE.yaml")
 
 def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
     """Which home is meant, and where it is from."""
-    return _WHICH(_SEED(_CATALOG(_ASSETS(command))))
+    return _WHICH(_SEED(CATALOGS(ASSETS(command))))
 
 
 @click.group()
@@ -66,7 +53,7 @@ def home() -> None:
 
 
 @home.command("list")
-@_CATALOG
+@CATALOGS
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON array.")
 def list_homes(catalogs: tuple[Path, ...], as_json: bool) -> None:
     """List the base homes.
@@ -96,30 +83,9 @@ def list_homes(catalogs: tuple[Path, ...], as_json: bool) -> None:
     callback=parsed(destination),
     help="Folder of the pictures [default: output/home-{NAME}].",
 )
-@click.option(
-    "--views",
-    type=click.IntRange(min=0, max=MAX_VIEWS),
-    metavar="K",
-    default=8,
-    show_default=True,
-    help="Cameras.",
-)
-@click.option(
-    "--size",
-    "pixels",
-    metavar="WxH",
-    callback=parsed(size),
-    default="640x480",
-    show_default=True,
-    help="Pixels of each view.",
-)
-@click.option(
-    "--renderer",
-    type=click.Choice([AUTO, *RENDERERS]),
-    default="auto",
-    show_default=True,
-    help="auto takes EGL where it starts, else PyBullet's CPU renderer.",
-)
+@VIEWS
+@SIZE
+@RENDERER
 @click.option("--json", "as_json", is_flag=True, help="Print the rooms as JSON.")
 def show_home(
     which: str,

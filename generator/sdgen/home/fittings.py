@@ -60,24 +60,22 @@ class _Free:
         # A home that is cut off as it stands is rejected for that, not for a switch.
         self._cut = {room.id for room in unreachable_rooms(home, self._shape)}
 
-    def leaves(self, item: ObjectInstance, layout: Layout) -> bool:
-        """Whether every room can still be got to with one piece more."""
-        after = self._without(item, layout)
-        if after is self._shape:
-            return True
-        return {room.id for room in unreachable_rooms(self._home, after)} <= self._cut
+    def take(self, shape: BaseGeometry) -> None:
+        """Note what is left when a piece hangs."""
+        self._shape = shape
 
-    def take(self, item: ObjectInstance, layout: Layout) -> None:
-        """Note a piece that hangs."""
-        self._shape = self._without(item, layout)
-
-    def _without(self, item: ObjectInstance, layout: Layout) -> BaseGeometry:
+    def left_by(self, item: ObjectInstance, layout: Layout) -> BaseGeometry | None:
+        """What one piece more leaves; None where some room could not be got to any more."""
         grown = [
             shape.buffer(ROBOT_RADIUS_M, quad_segs=2)
             for shape in floor_obstacles(bodies_of([item], layout.library.infos))
         ]
         taken = union(grown)
-        return self._shape.difference(taken) if taken.intersects(self._shape) else self._shape
+        if not taken.intersects(self._shape):
+            return self._shape
+        after = self._shape.difference(taken)
+        cut = {room.id for room in unreachable_rooms(self._home, after)}
+        return after if cut <= self._cut else None
 
 
 def _in_room(
@@ -115,8 +113,9 @@ def _in_room(
                 fixed=True,
             )
             item = at_rest(item, model)
-            if free.leaves(item, layout) and put_piece(item, model, layout, None, room, catalog):
-                free.take(item, layout)
+            left = free.left_by(item, layout)
+            if left is not None and put_piece(item, model, layout, None, room, catalog):
+                free.take(left)
                 break
     return layout
 

@@ -57,7 +57,7 @@ _PLANTS: dict[Season, _Plants] = {
     "spring": _Plants((92, 134, 66), (168, 196, 108), (134, 178, 92), 0.15),
     "summer": _Plants((58, 104, 56), (122, 164, 88), (122, 158, 84), 0.0),
     "autumn": _Plants((126, 84, 40), (214, 152, 66), (150, 154, 88), 0.25),
-    "winter": _Plants((64, 82, 66), (128, 146, 130), (228, 232, 238), 0.5),
+    "winter": _Plants((64, 82, 66), (128, 146, 130), (172, 178, 158), 0.5),
 }
 _WALLS = ((232, 222, 202), (206, 170, 140), (226, 226, 222), (186, 120, 96), (214, 200, 160))
 _ROOFS = ((150, 78, 58), (98, 84, 80), (122, 112, 106), (168, 96, 66))
@@ -77,7 +77,7 @@ def panorama(outdoors: Outdoors) -> npt.NDArray[np.uint8]:
     picture = _sky(sky, rise, rng)
     # From higher up one sees over the near, and down on it.
     drop = 0.045 * outdoors.storey
-    ground = np.array(_SNOW if winter else plants.grass, dtype=float)
+    ground = np.array(plants.grass, dtype=float)
     far = _mixed(plants.shade, sky.low, sky.haze)
     _cover(picture, rise < 0.05 + 0.05 * _wave(rng, 5), far)
     _cover(picture, rise < -0.004, _mixed(ground, sky.low, sky.haze * 0.7))

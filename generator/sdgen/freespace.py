@@ -90,7 +90,7 @@ def free_shape(
     for room in home.rooms:
         areas.append(Polygon(room.polygon_m).buffer(-radius_m, join_style="mitre"))
     for opening in home.openings:
-        if opening.kind == "door":
+        if len(opening.room_ids) == 2:
             gap = opening_rectangle(opening, radius_m + THROUGH_DOOR_M)
             x0, y0, x1, y1 = gap.bounds
             inset = min(radius_m, opening.width_m / 2 - 0.02)

@@ -11,10 +11,13 @@ from types import MappingProxyType
 from typing import Literal, get_args
 
 #: What fills holes in walls. Categories of objects and kinds of openings are the same words.
-OpeningKind = Literal["door", "front_door", "window"]
+#: Passages have a casing and no leaf.
+InnerOpening = Literal["door", "double_door", "passage", "wide_passage"]
+OpeningKind = Literal[InnerOpening, "front_door", "window"]
 OPENINGS: tuple[OpeningKind, ...] = get_args(OpeningKind)
-#: The openings one walks through.
-DOORS = ("door", "front_door")
+#: The openings one walks through, between rooms and in all.
+INNER_DOORS: tuple[InnerOpening, ...] = get_args(InnerOpening)
+DOORS: tuple[OpeningKind, ...] = (*INNER_DOORS, "front_door")
 
 #: Regions with a meaning.
 ZoneKind = Literal["doorway", "walkway", "swing", "heat", "water", "child_reach"]

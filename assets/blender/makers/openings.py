@@ -288,6 +288,123 @@ def front_door_random(rng: np.random.Generator) -> dict:
     }
 
 
+def casing(
+    wide: bool = False,
+    colour: str = "#f1efea",
+    jamb: float = 0.035,
+    bead: bool = False,
+    offset: Offset = (0, 0, 0),
+) -> Model:
+    """What lines a passage without a door: jambs and head as thick as the wall; bead: a strip
+    along the middle."""
+    asm, (width, height) = Assembly(), (2.2, 2.2) if wide else (1.0, 2.1)
+    mat, half, x = finish(colour, 2, offset), width / 2, WALL / 2
+    inner, top = half - jamb, height - jamb
+    for low, high in (
+        ((-x, -half, 0), (x, -inner, height)),
+        ((-x, inner, 0), (x, half, height)),
+        ((-x, -inner, top), (x, inner, height)),
+    ):
+        asm.board("body", low, high, mat, 0.003)
+    if bead:
+        b = 0.012
+        for low, high in (
+            ((-0.02, -inner, 0), (0.02, -inner + b, top)),
+            ((-0.02, inner - b, 0), (0.02, inner, top)),
+            ((-0.02, -inner + b, top - b), (0.02, inner - b, top)),
+        ):
+            asm.board("body", low, high, mat, 0.003)
+    title = "wide passage, lined" if wide else "passage, lined"
+    return Model(title=title, parts=asm.parts(), mass=18.0 if wide else 10.0)
+
+
+def casing_random(rng: np.random.Generator) -> dict:
+    """Parameters of a random casing."""
+    return dict(pick(rng, CASINGS), offset=noise_offset(rng))
+
+
+#: To the inner doors of the same number.
+CASINGS = [
+    {"colour": "#f1efea", "bead": True},
+    {"colour": "oak"},
+    {"colour": "#f1efea", "jamb": 0.045, "bead": True},
+    {"colour": "oak", "jamb": 0.05},
+    {"colour": "#d9dcd8"},
+    {"colour": "#e8e4da", "bead": True},
+    {"colour": "walnut", "bead": True},
+    {"colour": "#f1efea", "jamb": 0.025},
+    {"colour": "#c4c8c6", "jamb": 0.025},
+    {"colour": "#f1efea", "jamb": 0.05},
+]
+#: Double doors, likewise.
+DOUBLE_DOORS = [
+    {"colour": "#f1efea", "style": "panels"},
+    {"colour": "oak", "style": "flush"},
+    {"colour": "#f1efea", "style": "glazed"},
+    {"colour": "oak", "style": "panels"},
+    {"colour": "#d9dcd8", "style": "glazed"},
+    {"colour": "#e8e4da", "style": "glazed"},
+    {"colour": "walnut", "style": "panels"},
+    {"colour": "#f1efea", "style": "flush"},
+    {"colour": "#c4c8c6", "style": "glazed"},
+    {"colour": "#f1efea", "style": "glazed", "panes": 6},
+]
+
+
+def double_door(
+    colour: str = "#f1efea", style: str = "glazed", panes: int = 4, offset: Offset = (0, 0, 0)
+) -> Model:
+    """An interior double door; style: "glazed" down to a panel, "panels" or "flush"."""
+    asm, width, height, jamb, floor = Assembly(), 1.6, 2.1, 0.04, 0.006
+    wood = not colour.startswith("#")
+    paint = finish(colour, 2, offset)
+    groove = plain("#6d4a2a" if wood else shade(colour, 0.78), 0.03, 5)
+    _frame(asm, width, height, jamb, paint, False)
+    top = height - jamb - 0.003
+    for part, y0, y1 in (
+        ("door", 0.0015, width / 2 - jamb - 0.003),
+        ("left_door", -width / 2 + jamb + 0.003, -0.0015),
+    ):
+        leaf = Assembly()
+        leaf.board("door", (-LEAF / 2, y0, floor), (LEAF / 2, y1, top), paint, 0.003)
+        a, b = y0 + 0.1, y1 - 0.1
+        if style == "glazed":
+            glaze(leaf, (a, 0.72, b, top - 0.14), (2, panes), paint)
+            _panels(leaf, 0.0, [(a, 0.18, b, 0.58)], paint, groove)
+        elif style == "panels":
+            _panels(leaf, 0.0, [(a, 0.18, b, 0.86), (a, 1.12, b, 1.88)], paint, groove)
+        handle, towards = (y0 + 0.06, 1) if part == "door" else (y1 - 0.06, -1)
+        _lever(leaf, handle, 1.03, towards, steel(30), 0.18)
+        for mesh in leaf.meshes["door"]:
+            asm.add(part, mesh)
+        for piece in leaf.pieces["door"]:
+            asm.piece(part, piece)
+    for side in (-1, 1):
+        for z in (0.25, 1.75):
+            barrel = lathe([(0, z), (0.007, z), (0.007, z + 0.09), (0, z + 0.09)], 8, mat=steel(30))
+            hinge = side * (width / 2 - jamb - 0.006)
+            asm.add("body", barrel.move(WALL / 2 - 0.008, hinge, 0))
+    inner = width / 2 - jamb
+    return Model(
+        title={"glazed": "glazed double door", "panels": "panelled double door"}.get(
+            style, "flush double door"
+        ),
+        parts=asm.parts(door={"joint": "door"}, left_door={"joint": "left_door"}),
+        mass=36.0,
+        joints={
+            "door": Joint("revolute", (PIVOT_X, inner, 0.0), (0, 0, 1), 0.0, 1.9),
+            "left_door": Joint("revolute", (PIVOT_X, -inner, 0.0), (0, 0, -1), 0.0, 1.9),
+        },
+        states=open_closed("door", "door", 0.02, AJAR)
+        + open_closed("left_door", "left_door", 0.02, AJAR),
+    )
+
+
+def double_door_random(rng: np.random.Generator) -> dict:
+    """Parameters of a random double door."""
+    return dict(pick(rng, DOUBLE_DOORS), offset=noise_offset(rng))
+
+
 def door(
     colour: str = "#f1efea", panels: int = 2, style: str = "panels", offset: Offset = (0, 0, 0)
 ) -> Model:
@@ -355,6 +472,9 @@ MODELS = {
             {"colour": "#5d7f8c", "style": "half", "brass": False},
         ],
     ),
+    "passage": Maker(casing, casing_random, 10, CASINGS),
+    "wide_passage": Maker(casing, casing_random, 10, [{"wide": True, **c} for c in CASINGS]),
+    "double_door": Maker(double_door, double_door_random, 10, DOUBLE_DOORS),
     "door": Maker(
         door,
         door_random,

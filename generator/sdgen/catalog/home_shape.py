@@ -5,7 +5,7 @@ Rectangles lie on the walls' middle lines; a room's floor ends half a wall insid
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Literal
 
 from shapely import box
@@ -15,13 +15,20 @@ from shapely.ops import unary_union
 
 from sdgen.catalog.records import OpeningSpec, RoomSpec
 from sdgen.geometry import Vec2
-from sdgen.vocabulary import HALF_WALL_M
+from sdgen.vocabulary import HALF_WALL_M, OpeningKind
 
 Ring = tuple[Vec2, ...]
 
 #: Outer frame sizes of the library's openings (width, height); walls are cut to exactly these. Not
 #: in YAML: another size needs doors and windows modelled to it, which is assets' business.
-FRAME_M = {"door": (0.90, 2.10), "front_door": (1.00, 2.10), "window": (1.20, 1.20)}
+FRAME_M: Mapping[OpeningKind, tuple[float, float]] = {
+    "door": (0.90, 2.10),
+    "double_door": (1.60, 2.10),
+    "passage": (1.00, 2.10),
+    "wide_passage": (2.20, 2.20),
+    "front_door": (1.00, 2.10),
+    "window": (1.20, 1.20),
+}
 SMALL_WINDOW_M = (0.60, 0.60)
 #: What lines that are meant to be one differ by at most: centres of openings are written to the
 #: millimetre, inner outlines to a tenth of one.

@@ -103,7 +103,7 @@ class HomeYaml(Record):
         width, height = frame_size(opening)
         beside = rooms_beside(rings, opening)
         names = ", ".join(self.rooms[k].name for k in beside) or "none"
-        wanted = {"door": (1, 2), "front_door": (1,), "window": (1,)}[opening.kind]
+        wanted = (1,) if opening.kind in ("front_door", "window") else (1, 2)
         if len(beside) not in wanted:
             where = f"has {len(beside)} rooms beside it ({names})"
             hint = "center_m must lie on a wall that runs along the axis 'along'"

@@ -8,7 +8,7 @@ the shipped one. Later folders add to earlier ones; to replace an entry they say
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -102,6 +102,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         traits=tuple(sorted(set(_traits(found["households"].values())))),
         groups=tuple(sorted(found["groups"])),
         styles=tuple(sorted(found["styles"])),
+        like=_kinds_of(found["rooms"]),
     )
 
     def named(kind: str, model: type[Any]) -> tuple[Any, ...]:
@@ -132,6 +133,16 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
     if problems:
         raise InputError(tuple(dict.fromkeys(problems)))
     return catalog
+
+
+def _kinds_of(rooms: Mapping[str, Entry]) -> dict[str, tuple[str, ...]]:
+    """By room type, those that are written to be ``like`` it."""
+    out: dict[str, tuple[str, ...]] = {}
+    for name in sorted(rooms):
+        like = rooms[name].key("like")
+        if isinstance(like, str):
+            out[like] = (*out.get(like, ()), name)
+    return out
 
 
 def _traits(templates: Iterable[Entry]) -> Iterator[str]:

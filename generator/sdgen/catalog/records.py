@@ -309,9 +309,11 @@ class RoomType(Record):
 
     ``area_m2`` is the range of its area, ``narrowest_m`` the least width of its main part. A room
     that needs ``daylight`` gets an outer wall that a window fits in; ``windows`` says which kind
-    it has where there is such a wall, ``sill_m`` how high. As a hub, a room with ``corridor_m`` is
-    a corridor that wide, as long as the rooms along it. ``joined`` are room types that it has a
-    door to besides that to the hub, and how often (where they share a wall). Homes with a room
+    it has where there is such a wall, ``sill_m`` how high. A room with ``corridor_m`` is a corridor
+    that wide, as long as the rooms along it ask. ``beside`` are room types that it wishes to share
+    a wall with. ``joined`` are room types that it has a door to besides that it opens from, and how
+    often (where they share a wall); ``opens_to`` says by which kinds of opening instead of a door
+    it is joined to rooms of a type, and how often by each. Homes with a room
     that ``belongs_to`` pets, conditions or age groups are those of households with one of them.
     """
 
@@ -324,6 +326,8 @@ class RoomType(Record):
     corridor_m: tuple[float, float] | None = None
     # Pairs, for their order decides which is drawn first.
     joined: tuple[tuple[str, float], ...] = ()
+    opens_to: tuple[tuple[str, tuple[tuple[OpeningKind, float], ...]], ...] = ()
+    beside: tuple[str, ...] = ()
     furniture: tuple[FurnitureRule, ...] = ()
     clutter: tuple[ClutterPrior, ...] = ()
     floor_clutter_min: int = 0
@@ -492,12 +496,28 @@ class HomeSpec(Record):
 
 
 class HomeMix(Record):
-    """Which rooms a generated home has: all ``rooms`` open from the ``hub``."""
+    """Which rooms a generated home has: all ``rooms`` open from the ``hub``, but those whose type
+    is in ``off``: each of them opens from a room of the type that stands there with it."""
 
     name: str
     weight: AboveZero
     hub: str
     rooms: tuple[str, ...]
+    off: tuple[tuple[str, str], ...] = ()
+
+    def parents(self) -> tuple[int, ...]:
+        """By index into the hub and the rooms: which each opens from; -1 for the hub.
+
+        Where a type comes twice, what opens from it is shared out among its rooms in turn.
+        """
+        types = (self.hub, *self.rooms)
+        others = dict(self.off)
+        out = [-1]
+        for k, name in enumerate(self.rooms, start=1):
+            before = sum(other == name for other in types[1:k])
+            open_from = [j for j, other in enumerate(types) if other == others.get(name)]
+            out.append(open_from[before % len(open_from)] if open_from else 0)
+        return tuple(out)
 
 
 def canonical_sha256(data: Any) -> str:

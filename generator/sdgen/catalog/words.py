@@ -7,11 +7,11 @@ catalogue read back from a data set has none, and was checked when it was writte
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, ValidationInfo
+from pydantic import AfterValidator, BeforeValidator, ValidationInfo
 
 from sdgen.errors import did_you_mean, nearest
 from sdgen.geometry import Vec2, Vec3
@@ -36,7 +36,8 @@ _LOOKED_UP = (
 
 @dataclass(frozen=True)
 class Names:
-    """What entries may refer to."""
+    """What entries may refer to. ``like`` gives, by room type, those that are kinds of it: a rule
+    that names it holds in them too."""
 
     categories: tuple[str, ...]
     rooms: tuple[str, ...]
@@ -44,6 +45,7 @@ class Names:
     traits: tuple[str, ...] = ()
     groups: tuple[str, ...] = ()
     styles: tuple[str, ...] = ()
+    like: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def of(self, what: str) -> tuple[str, ...]:
         """The names of one kind, sorted."""
@@ -122,6 +124,15 @@ def names_of(what: str, least: int = 1, choices: tuple[str, ...] | None = None) 
         return (value,) if isinstance(value, str) else tuple(value)
 
     return BeforeValidator(check)
+
+
+def _with_kinds(rooms: tuple[str, ...], info: ValidationInfo) -> tuple[str, ...]:
+    """Room types, and after them those that are like one of them."""
+    if not isinstance(info.context, Names):
+        return rooms
+    return tuple(
+        dict.fromkeys((*rooms, *(kind for r in rooms for kind in info.context.like.get(r, ()))))
+    )
 
 
 def _matching(fits: Callable[[str], str]) -> BeforeValidator:
@@ -209,7 +220,7 @@ Categories = Annotated[
 ]
 OptionalCategories = Annotated[tuple[str, ...], names_of("category", least=0)]
 States = Annotated[tuple[str, ...], names_of("state", least=0)]
-RoomNames = Annotated[tuple[str, ...], names_of("room type", least=0)]
+RoomNames = Annotated[tuple[str, ...], AfterValidator(_with_kinds), names_of("room type", least=0)]
 Belongs = Annotated[tuple[str, ...], names_of("pet, condition or age group", least=0)]
 #: Of models: what they call their parts is known to the library alone.
 PartNames = Annotated[tuple[str, ...], names_of("part"), Expect("a part or a list of them")]

@@ -47,7 +47,7 @@ from sdgen.catalog.words import (
 )
 from sdgen.scene import Notify, Record
 from sdgen.strict import Expect, problem, refuse
-from sdgen.vocabulary import HoldingRelation
+from sdgen.vocabulary import HoldingRelation, InnerOpening
 
 #: VirtualHome's spelling; ``category`` of a node in graph.json.
 SUPERCLASSES = (
@@ -173,8 +173,9 @@ class CategoryYaml(Record):
 
 
 class RoomTypeYaml(Record):
-    """One entry of ``rooms.yaml``."""
+    """One entry of ``rooms.yaml``; rules that name the type it is ``like`` hold in it too."""
 
+    like: RoomName | None = None
     area_m2: Annotated[tuple[float, float], span(1.0, 200.0)] = (8.0, 16.0)
     narrowest_m: Annotated[float, between(0.9, 10.0)] = 2.0
     daylight: bool = True
@@ -184,6 +185,10 @@ class RoomTypeYaml(Record):
     # Wide enough for a door to open into, narrower than what would be a room.
     corridor_m: Annotated[tuple[float, float], span(1.0, 4.0), PAIR] | None = None
     joined: dict[RoomName, Annotated[float, between(0.0, 1.0)]] = Field(default_factory=dict)
+    opens_to: dict[RoomName, dict[InnerOpening, Annotated[float, between(0.0, 1.0)]]] = Field(
+        default_factory=dict
+    )
+    beside: RoomNames = ()
     furniture: tuple[FurnitureRule, ...] = ()
     clutter: dict[CategoryName, Counts]
     floor_clutter: Counts
@@ -211,6 +216,7 @@ class RoomTypeYaml(Record):
             RoomType,
             name=name,
             joined=tuple(self.joined.items()),
+            opens_to=tuple((name, tuple(kinds.items())) for name, kinds in self.opens_to.items()),
             clutter=tuple(
                 ClutterPrior(receptacle=receptacle, count_min=least, count_max=most)
                 for receptacle, (least, most) in self.clutter.items()
@@ -226,11 +232,30 @@ class MixYaml(Record):
     weight: Weight = 1.0
     hub: RoomName
     rooms: Annotated[tuple[RoomName, ...], Field(min_length=1), Expect("a list of room types")]
+    off: dict[RoomName, RoomName] = Field(default_factory=dict)
     replaces: bool = False
+
+    @model_validator(mode="after")
+    def _every_room_opens_from_another(self) -> MixYaml:
+        wrong = []
+        for name, other in self.off.items():
+            ways = [name]
+            while ways[-1] in self.off and self.off[ways[-1]] not in ways:
+                ways.append(self.off[ways[-1]])
+            if name not in self.rooms:
+                wrong.append(problem(("off", name), f"no {name} is among its rooms"))
+            elif other not in (self.hub, *self.rooms):
+                wrong.append(problem(("off", name), f"this home has no {other}"))
+            elif ways[-1] in self.off:
+                text = " from ".join([*ways, self.off[ways[-1]]])
+                wrong.append(problem(("off", name), f"goes round in a circle: {text}"))
+        if wrong:
+            refuse(*wrong)
+        return self
 
     def record(self, name: str) -> HomeMix:
         """The record of it."""
-        return as_record(self, HomeMix, name=name)
+        return as_record(self, HomeMix, name=name, off=tuple(self.off.items()))
 
 
 class FittingYaml(Record):

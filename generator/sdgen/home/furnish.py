@@ -24,7 +24,7 @@ from sdgen.library.records import Asset, AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import DOORS, FLAT_M, OPENINGS, PRESSED_M
+from sdgen.vocabulary import DOORS, FLAT_M, INNER_DOORS, OPENINGS, PRESSED_M
 from sdgen.zones import swing_blocked
 
 #: Of the pieces a drawn home marks optional, so many stand: chosen by eye, for variety.
@@ -62,25 +62,24 @@ def fill_openings(
             fixed=True,
         )
         item = at_rest(item, asset)
-        if _stands_open(opening.kind, asset) and rng.random() < DOOR_OPEN_SHARE:
-            joint = asset.joints[0]
-            value = float(rng.uniform(*DOOR_OPEN) * joint.upper)
-            opened = _opened(item, asset, joint.name, value)
-            if not within_room(layout.blocks_of(opened), home, opening.room_ids[0], opening):
-                # Beside a corner a leaf turns no further than along the other wall.
-                opened = _opened(item, asset, joint.name, min(value, math.pi / 2))
-            item = opened
+        if opening.kind in INNER_DOORS and rng.random() < DOOR_OPEN_SHARE:
+            # Beside a corner a leaf turns no further than along the other wall.
+            turned = float(rng.uniform(*DOOR_OPEN))
+            wide = _opened(item, asset, turned, math.inf)
+            square = _opened(item, asset, turned, math.pi / 2)
+            fits = within_room(layout.blocks_of(wide), home, opening.room_ids[0], opening)
+            item = wide if fits else square
         layout.put(item)
         layout.ways = layout.ways.with_frame(item, layout.library)
     return layout
 
 
-def _stands_open(category: str, asset: AssetInfo) -> bool:
-    return category == "door" and DOOR_OPEN_SHARE > 0 and bool(asset.joints)
-
-
-def _opened(item: ObjectInstance, asset: AssetInfo, joint: str, value: float) -> ObjectInstance:
-    return settled_states(item.model_copy(update={"joints": {joint: round(value, 4)}}), asset)
+def _opened(
+    item: ObjectInstance, asset: AssetInfo, share: float, most: float
+) -> ObjectInstance:
+    """A door with its leaves turned by a share of what they can, but no further than ``most``."""
+    joints = {j.name: round(min(share * j.upper, most), 4) for j in asset.joints}
+    return settled_states(item.model_copy(update={"joints": joints}), asset)
 
 
 def _inwards(opening: Opening, home: Home) -> tuple[float, float, float, float]:
@@ -244,9 +243,8 @@ def may_stand(
     :func:`stand_in` and :func:`leave_open`."""
     states = at_rest(item, asset).states
     yield states
-    opened = (
-        {"CLOSED": "OPEN"} if _stands_open(category.name, asset) or category.stands_open else {}
-    )
+    left_open = category.stands_open or category.name in INNER_DOORS
+    opened = {"CLOSED": "OPEN"} if left_open else {}
     lit = {"OFF": "ON"} if category.switched_on else {}
     for changed in (opened, lit, opened | lit):
         if changed:

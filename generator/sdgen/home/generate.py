@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from sdgen.catalog.records import Catalog, HomeMix, HomeSpec, RoomSpec
-from sdgen.home.plan import plan_random
+from sdgen.catalog.records import Catalog, HomeMix, HomeSpec, OpeningSpec, RoomSpec
+from sdgen.home.plan import Plan, plans_random
 from sdgen.home.plan_openings import openings_random
 from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
 
 #: Ceilings of flats: Germany's model building code (MBO, section 47) allows no less than 2.4 m.
 HEIGHTS_M = (2.4, 2.5, 2.6, 2.7)
-#: Mixes of rooms drawn for one home; of 150 homes 145 came of the first, one of the third.
+#: Mixes of rooms drawn for one home, and draws of the openings of one plan.
 TRIES = 6
+OPENING_TRIES = 4
 
 
 def generate_home(
@@ -26,14 +27,12 @@ def generate_home(
     weights = np.array([mix.weight for mix in mixes])
     for _ in range(TRIES):
         mix = mixes[int(rng.choice(len(weights), p=weights / weights.sum()))]
-        plan = plan_random(mix, catalog.room_types, rng)
-        if plan is None:
-            last = reject("home", "no_floor_plan")
+        plans = plans_random(mix, catalog.room_types, rng)
+        found = next(_opened(plans, rng), None)
+        if found is None:
+            last = reject("home", "no_place", category="door") if plans else last
             continue
-        openings = openings_random(plan, rng)
-        if isinstance(openings, Rejection):
-            last = openings
-            continue
+        plan, openings = found
         return HomeSpec(
             id=home_id,
             title=f"generated home of {len(plan.rooms)} rooms ({mix.name})",
@@ -46,3 +45,14 @@ def generate_home(
             openings=openings,
         )
     return last
+
+
+def _opened(
+    plans: Sequence[Plan], rng: Rng
+) -> Iterator[tuple[Plan, tuple[OpeningSpec, ...]]]:
+    """Those of these plans whose rooms all have their doors and windows, with them."""
+    for plan in plans:
+        for _ in range(OPENING_TRIES):
+            openings = openings_random(plan, rng)
+            if not isinstance(openings, Rejection):
+                yield plan, openings

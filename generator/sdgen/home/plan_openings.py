@@ -1,16 +1,20 @@
-"""Doors and windows of a floor plan: every room opens to the hub, one front door, daylight."""
+"""Doors, passages and windows of a floor plan: every room opens to the one it stands off, one front
+door, daylight."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 
+from sdgen.catalog.home_shape import FRAME_M, frame_size
 from sdgen.catalog.records import OpeningSpec
 from sdgen.geometry import Vec2
-from sdgen.home.plan import DOOR_WALL_M, FRONT_DOOR_WALL_M, Plan, PlannedRoom
+from sdgen.home.plan import FRONT_DOOR_WALL_M, Plan, PlannedRoom
+from sdgen.home.plan_rooms import DOOR_WALL_M
 from sdgen.home.walls import Wall
 from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
+from sdgen.vocabulary import HALF_WALL_M, OpeningKind
 
 #: From a corner (walls' middle lines) to the middle of a door, a front door, a window: half its
 #: width, half a wall, and by eye about 20 cm of wall (14 cm beside a front door or a window).
@@ -18,8 +22,12 @@ DOOR_MARGIN_M = 0.72
 FRONT_DOOR_MARGIN_M = 0.8
 WINDOW_MARGIN_M = 0.8
 SMALL_WINDOW_MARGIN_M = 0.5
-#: Doors whose middles are nearer than this would open into each other.
-DOORS_APART_M = 1.25
+#: Wall beside a passage or a double door, to the corner.
+CASING_M = 0.04
+#: What stands in the middle of its wall rather than near a corner.
+MIDDLE = ("wide_passage", "double_door")
+#: Openings leave so much wall between them: doors nearer than this would open into each other.
+APART_M = 0.35
 #: Shares chosen by eye, not measured: doors mostly near corners, larger rooms often with two
 #: windows.
 NEAR_CORNER_CHANCE = 0.7
@@ -41,49 +49,79 @@ def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | Rejection
         return reject("home", "no_place", category="front_door")
     doors.append(front)
     for room in range(1, len(plan.rooms)):
-        door = _door(plan.between(0, room), "door", doors, DOOR_WALL_M, rng)
-        if door is None:
+        opening = _between(plan, plan.parents[room], room, doors, rng)
+        if opening is None:
             return reject("home", "no_place", category="door")
-        # The leaf opens away from the hub, which comes first in the list of rooms.
-        doors.append(door.model_copy(update={"hinge_flip": True}))
+        doors.append(opening)
     for a, b, chance in _also_joined(plan):
         wanted = rng.random() < chance
-        door = _door(plan.between(a, b), "door", doors, DOOR_WALL_M, rng)
-        if wanted and door is not None:
-            doors.append(door)
+        opening = _between(plan, a, b, doors, rng)
+        if wanted and opening is not None:
+            doors.append(opening)
     windows = _windows(plan, doors, rng)
     return windows if isinstance(windows, Rejection) else (*doors, *windows)
 
 
 def _also_joined(plan: Plan) -> list[tuple[int, int, float]]:
-    """Pairs of rooms, none the hub, that may have a door between them, and how often."""
-    rooms = list(enumerate(plan.rooms))[1:]
+    """Pairs of rooms, neither off the other, that may have a door between them, and how often."""
     return [
         (a, b, chance)
-        for a, room in rooms
+        for a, room in enumerate(plan.rooms)
         for other, chance in room.spec.joined
-        for b, beside in rooms
-        if beside.type == other
+        for b, beside in enumerate(plan.rooms)
+        if beside.type == other and a != plan.parents[b] and b != plan.parents[a]
     ]
 
 
-def _door(
-    walls: Sequence[Wall], kind: str, others: Sequence[OpeningSpec], least_m: float, rng: Rng
+def _between(
+    plan: Plan, a: int, b: int, others: Sequence[OpeningSpec], rng: Rng
 ) -> OpeningSpec | None:
-    margin = FRONT_DOOR_MARGIN_M if kind == "front_door" else DOOR_MARGIN_M
-    fitting = [w for w in walls if w.length_m >= max(least_m, 2 * margin)]
+    """An opening between two rooms of a kind that their types ask, or a door where there is no
+    place for it; the leaf of a door opens into ``b``."""
+    walls, kind = plan.between(a, b), _kind(plan.rooms[a], plan.rooms[b], rng)
+    found = _door(walls, kind, others, DOOR_WALL_M, rng) if kind != "door" else None
+    found = found or _door(walls, "door", others, DOOR_WALL_M, rng)
+    return found and found.model_copy(update={"hinge_flip": a < b})
+
+
+def _kind(a: PlannedRoom, b: PlannedRoom, rng: Rng) -> OpeningKind:
+    """What joins two rooms: as one of their types says of the other's, else a door."""
+    chances = dict(a.spec.opens_to).get(b.type) or dict(b.spec.opens_to).get(a.type) or ()
+    draw = float(rng.random())
+    for kind, chance in chances:
+        draw -= chance
+        if draw < 0:
+            return kind
+    return "door"
+
+
+def _margin(kind: OpeningKind) -> float:
+    if kind in ("passage", "wide_passage", "double_door"):
+        return FRAME_M[kind][0] / 2 + HALF_WALL_M + CASING_M
+    return FRONT_DOOR_MARGIN_M if kind == "front_door" else DOOR_MARGIN_M
+
+
+def _door(
+    walls: Sequence[Wall],
+    kind: OpeningKind,
+    others: Sequence[OpeningSpec],
+    least_m: float,
+    rng: Rng,
+) -> OpeningSpec | None:
+    margin = _margin(kind)
+    fitting = [w for w in walls if w.length_m >= max(least_m, 2 * margin) - 1e-6]
     for _ in range(TRIES if fitting else 0):
         wall = fitting[int(rng.integers(len(fitting)))]
-        spare = wall.length_m - 2 * margin
+        spare = max(wall.length_m - 2 * margin, 0.0)
         t = float(rng.uniform(0.0, min(spare, NEAR_CORNER_M)))
-        if rng.random() >= NEAR_CORNER_CHANCE:
+        if kind in MIDDLE:
+            t = spare * float(rng.uniform(*WINDOW_ALONG))
+        elif rng.random() >= NEAR_CORNER_CHANCE:
             t = float(rng.uniform(0.0, spare))
         t = wall.low_m + margin + t if rng.random() < 0.5 else wall.high_m - margin - t
-        center = _rounded(wall.point(t))
-        if _apart(center, others):
-            return OpeningSpec.model_validate(
-                {"kind": kind, "center_m": center, "along": wall.along}
-            )
+        found = OpeningSpec(kind=kind, center_m=_rounded(wall.point(t)), along=wall.along)
+        if _apart(found, others):
+            return found
     return None
 
 
@@ -118,19 +156,22 @@ def _window(
     """A window near the middle of a wall; None when that is beside another opening."""
     spare = wall.length_m - 2 * margin
     center = _rounded(wall.point(wall.low_m + margin + spare * float(rng.uniform(*WINDOW_ALONG))))
-    if not _apart(center, others):
-        return None
-    return OpeningSpec(
+    found = OpeningSpec(
         kind="window",
         center_m=center,
         along=wall.along,
         sill_m=room.spec.sill_m,
         small=room.spec.windows == "small",
     )
+    return found if _apart(found, others) else None
 
 
-def _apart(center: Vec2, others: Sequence[OpeningSpec]) -> bool:
-    return all(math.dist(center, other.center_m) >= DOORS_APART_M for other in others)
+def _apart(opening: OpeningSpec, others: Sequence[OpeningSpec]) -> bool:
+    width = frame_size(opening)[0]
+    return all(
+        math.dist(opening.center_m, other.center_m) >= (width + frame_size(other)[0]) / 2 + APART_M
+        for other in others
+    )
 
 
 def _rounded(point: Vec2) -> Vec2:

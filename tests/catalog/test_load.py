@@ -203,7 +203,7 @@ def test_replacing_is_asked_for(tmp_path: Path) -> None:
             "\nrelation: ON\nanom",
             "\nrelation: ON\nevidence_outdoors: 300\nanom",
             ":12: evidence_outdoors: only through openings: every anomaly must be a 'set' of some "
-            "of door, front_door, window",
+            "of door, double_door, front_door, passage, wide_passage, window",
         ),
         (
             "\nrelation: ON\nanom",

@@ -35,8 +35,8 @@ def test_shipped_rules_name_what_can_be_placed():
                 assert not name or kinds[name] in ("furniture", "small"), name
 
 
-def test_mixes_are_of_three_to_six_rooms_with_a_kitchen_and_a_bathroom():
-    assert {1 + len(mix.rooms) for mix in CATALOG.mixes} == {3, 4, 5, 6}
+def test_mixes_are_of_three_to_ten_rooms_with_a_kitchen_and_a_bathroom():
+    assert {1 + len(mix.rooms) for mix in CATALOG.mixes} == set(range(3, 11))
     for mix in CATALOG.mixes:
         assert {"kitchen", "bathroom", "bedroom"} <= {mix.hub, *mix.rooms}
 
@@ -53,6 +53,38 @@ def test_a_room_type_and_a_mix_of_ones_own(tmp_path):
     assert den.area_m2 == (6.0, 9.0)
     assert [rule.where for rule in den.furniture] == ["wall", "before"]
     assert any(mix.name == "with_den" and mix.weight == 1.0 for mix in catalog.mixes)
+
+
+def test_what_holds_in_a_room_type_holds_in_those_like_it(tmp_path):
+    (tmp_path / "rooms.yaml").write_text(
+        room("    - {category: desk, where: wall}\n") + "  like: office\n"
+    )
+    catalog = load_catalog([tmp_path])
+    plain = {c.name: c for c in CATALOG.categories}
+    named = 0
+    for category in catalog.categories:
+        for mine, theirs in zip(category.lives, plain[category.name].lives, strict=True):
+            added = {"den"} if "office" in theirs.rooms else set()
+            assert set(mine.rooms) == {*theirs.rooms} | added
+            named += "den" in mine.rooms
+    assert named > 10
+
+
+@pytest.mark.parametrize(
+    ("off", "said"),
+    [
+        ("{den: hall}", "no den is among its rooms"),
+        ("{bedroom: office}", "this home has no office"),
+        ("{bedroom: kitchen, kitchen: bedroom}", "goes round in a circle: bedroom from kitchen"),
+        ("{bedroom: bedroom}", "goes round in a circle"),
+        ("{bedrom: hall}", "did you mean 'bedroom'"),
+    ],
+)
+def test_rooms_that_open_from_nowhere_are_told(tmp_path, off, said):
+    (tmp_path / "rooms.yaml").write_text(room("    - {category: desk, where: wall}\n"))
+    mix = f"mine: {{hub: hall, rooms: [kitchen, bedroom, bathroom], off: {off}}}\n"
+    (tmp_path / "mixes.yaml").write_text(mix)
+    assert said in problems(tmp_path, "mixes.yaml", mix)
 
 
 @pytest.mark.parametrize(

@@ -37,7 +37,7 @@ def test_there_are_twelve_styles_of_what_the_library_has():
 def test_a_style_of_ones_own_is_added(tmp_path):
     (tmp_path / "styles.yaml").write_text(MINE)
     (mine,) = (style for style in load_catalog([tmp_path]).styles if style.name == "mine")
-    assert [choice.rooms for choice in mine.floors] == [("bathroom",), ()]
+    assert [choice.rooms for choice in mine.floors] == [("bathroom", "toilet"), ()]
     assert mine.suites == (("kitchen", ("ours",)),)
     assert mine.weight == 1.0
 

@@ -74,9 +74,7 @@ def fill_openings(
     return layout
 
 
-def _opened(
-    item: ObjectInstance, asset: AssetInfo, share: float, most: float
-) -> ObjectInstance:
+def _opened(item: ObjectInstance, asset: AssetInfo, share: float, most: float) -> ObjectInstance:
     """A door with its leaves turned by a share of what they can, but no further than ``most``."""
     joints = {j.name: round(min(share * j.upper, most), 4) for j in asset.joints}
     return settled_states(item.model_copy(update={"joints": joints}), asset)

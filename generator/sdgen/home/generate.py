@@ -47,9 +47,7 @@ def generate_home(
     return last
 
 
-def _opened(
-    plans: Sequence[Plan], rng: Rng
-) -> Iterator[tuple[Plan, tuple[OpeningSpec, ...]]]:
+def _opened(plans: Sequence[Plan], rng: Rng) -> Iterator[tuple[Plan, tuple[OpeningSpec, ...]]]:
     """Those of these plans whose rooms all have their doors and windows, with them."""
     for plan in plans:
         for _ in range(OPENING_TRIES):

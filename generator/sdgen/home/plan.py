@@ -15,6 +15,7 @@ import shapely
 from shapely.geometry import Polygon
 
 from sdgen.catalog.records import HomeMix, RoomType
+from sdgen.geometry import Vec2
 from sdgen.home.plan_rooms import (
     AREA_SLACK,
     CELL_M,
@@ -37,6 +38,7 @@ WINDOW_WALL_M = 1.95
 LARGEST_M = 18.0
 #: Rooms are beside each other that share so much wall.
 BESIDE_M = 1.0
+EPS = 1e-6
 #: What a wish that is met is worth beside a share of the outline that is no room. By eye.
 WISH = 0.15
 
@@ -76,6 +78,19 @@ class Plan:
     def outer(self, room: int) -> tuple[Wall, ...]:
         """Walls of a room that face outdoors."""
         return self.between(room, OUTSIDE)
+
+    def free_before(self, wall: Wall, point: Vec2, far_m: float) -> bool:
+        """True when no room stands within ``far_m`` before a point of an outer wall."""
+        out = far_m if wall.second == OUTSIDE else -far_m
+        low, high = sorted((wall.at_m, wall.at_m + out))
+        x, y = point
+        return not any(
+            (y0 < high - EPS and low + EPS < y1 and x0 < x < x1)
+            if wall.along == "x"
+            else (x0 < high - EPS and low + EPS < x1 and y0 < y < y1)
+            for room in self.rooms
+            for x0, y0, x1, y1 in room.rectangles_m
+        )
 
     def wishes(self) -> list[tuple[int, str, bool]]:
         """What rooms wish to be beside that is in this home: the room, the type, and whether it
@@ -139,9 +154,7 @@ def _turned(rects: list[list[Rect]], rng: Rng) -> list[list[Rect]]:
     return [[one(r) for r in room] for room in rects]
 
 
-def _to_plan(
-    rects: list[list[Rect]], specs: Sequence[RoomType], parents: tuple[int, ...]
-) -> Plan:
+def _to_plan(rects: list[list[Rect]], specs: Sequence[RoomType], parents: tuple[int, ...]) -> Plan:
     """Centred, in metres, with the walls found."""
     every = [r for room in rects for r in room]
     x0, y0 = min(r.x0 for r in every) - 1, min(r.y0 for r in every) - 1

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from sdgen.catalog.home_shape import FRAME_M, frame_size
 from sdgen.catalog.records import OpeningSpec
 from sdgen.geometry import Vec2
-from sdgen.home.plan import FRONT_DOOR_WALL_M, Plan, PlannedRoom
-from sdgen.home.plan_rooms import DOOR_WALL_M
+from sdgen.home.plan import Plan, PlannedRoom
+from sdgen.home.plan_rooms import DOOR_WALL_M, FRONT_DOOR_WALL_M
 from sdgen.home.walls import Wall
 from sdgen.rejection import Rejection, reject
 from sdgen.seeding import Rng
@@ -37,6 +37,11 @@ SECOND_WINDOW_CHANCE = 0.5
 SECOND_WINDOW_AREA_M2 = 11.0
 #: Places drawn for a door; of 909 doors that found one, all did within six.
 TRIES = 12
+#: A room with so many doors already gets no further one that it need not have: its walls are for
+#: furniture. By eye.
+WAYS_MOST = 3
+#: Windows look so far out at least before another wall, metres: light falls in.
+SIGHT_M = 1.5
 #: Where on a wall (shares of what its margins leave) a window may be: near its middle, by eye.
 WINDOW_ALONG = (0.25, 0.75)
 
@@ -53,11 +58,13 @@ def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | Rejection
         if opening is None:
             return reject("home", "no_place", category="door")
         doors.append(opening)
+    ways = [sum(k == p for p in plan.parents) + (k > 0) for k in range(len(plan.rooms))]
     for a, b, chance in _also_joined(plan):
-        wanted = rng.random() < chance
-        opening = _between(plan, a, b, doors, rng)
-        if wanted and opening is not None:
+        wanted = rng.random() < chance and max(ways[a], ways[b]) < WAYS_MOST
+        opening = _between(plan, a, b, doors, rng) if wanted else None
+        if opening is not None:
             doors.append(opening)
+            ways[a], ways[b] = ways[a] + 1, ways[b] + 1
     windows = _windows(plan, doors, rng)
     return windows if isinstance(windows, Rejection) else (*doors, *windows)
 
@@ -143,7 +150,8 @@ def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[Opening
             if len(found) == missing:
                 break
             window = _window(walls[k], room, margin, (*doors, *out, *found), rng)
-            found += [] if window is None else [window]
+            if window is not None and plan.free_before(walls[k], window.center_m, SIGHT_M):
+                found.append(window)
         if room.spec.daylight and not found:
             return reject("home", "no_daylight", category=room.type)
         out += found

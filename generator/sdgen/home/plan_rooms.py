@@ -196,9 +196,7 @@ def _against(
     for axis, before in ((0, False), (0, True), (1, False), (1, True)):
         # `low` to `high` along the side, `at` across it: the new room lies beyond.
         low, high = (side.x0, side.x1) if axis == 0 else (side.y0, side.y1)
-        at = (
-            (side.y0 if before else side.y1) if axis == 0 else (side.x0 if before else side.x1)
-        )
+        at = (side.y0 if before else side.y1) if axis == 0 else (side.x0 if before else side.x1)
         across = 1 - axis
         beyond = (placed[:, across] < at) if before else (placed[:, across + 2] > at)
         edges = {low, high}

@@ -20,6 +20,7 @@ from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection
 from sdgen.seeding import lane
+from sdgen.vocabulary import OPENINGS
 from sdgen.walkways import SEATED_M, front
 from shapely.geometry import Polygon, box
 
@@ -293,7 +294,7 @@ def test_what_lies_in_the_way_lies_clear_of_furniture(home):
     standing = [
         shape.shape
         for key, item in home.layout.items.items()
-        if item.fixed and item.category not in {"door", "front_door", "window"}
+        if item.fixed and item.category not in OPENINGS
         for shape in home.layout.space_of(key)
         if shape.box[2] < 0.05
     ]

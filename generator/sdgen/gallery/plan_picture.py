@@ -20,6 +20,9 @@ _COLOURS: Mapping[str, tuple[str, str | None]] = {
     "loose": ("#8fb08c", None),
     "window": ("#8fc1e3", "#34506e"),
     "door": ("#b98b5e", "#5c4128"),
+    "double_door": ("#b98b5e", "#5c4128"),
+    "passage": ("#f6f3ec", "#b98b5e"),
+    "wide_passage": ("#f6f3ec", "#b98b5e"),
     "front_door": ("#8c3b2e", "#4a1c15"),
 }
 _INK = "#2b2b2b"

@@ -32,7 +32,7 @@ PORCH_M = 1.2
 CORRIDOR_LENGTH_M = (2.4, 9.0)
 #: Rooms along a corridor take up to so much more of its two sides than it is long: the last ones
 #: stand round its ends. By eye.
-CORRIDOR_SHARE = (0.4, 0.55)
+CORRIDOR_SHARE = (0.33, 0.46)
 #: Longer to shorter side of a room as it is drawn; what a gap makes of it may be longer.
 RATIO_MOST = 1.5
 STRETCH_MOST = 2.1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -19,31 +20,47 @@ TRIES = 6
 OPENING_TRIES = 4
 
 
+@dataclass(frozen=True)
+class Planned:
+    """A floor plan of a mix of rooms, with its openings."""
+
+    mix: HomeMix
+    plan: Plan
+    openings: tuple[OpeningSpec, ...]
+
+
 def generate_home(
     home_id: str, mixes: Sequence[HomeMix], catalog: Catalog, rng: Rng
 ) -> HomeSpec | Rejection:
     """A home of one of these mixes of rooms; why the last of some tries was none."""
+    planned = generate_plan(mixes, catalog, rng)
+    if isinstance(planned, Rejection):
+        return planned
+    rooms = planned.plan.rooms
+    return HomeSpec(
+        id=home_id,
+        title=f"generated home of {len(rooms)} rooms ({planned.mix.name})",
+        kind="procedural",
+        height_m=HEIGHTS_M[int(rng.integers(len(HEIGHTS_M)))],
+        rooms=tuple(
+            RoomSpec(name=room.name, type=room.type, rectangles_m=room.rectangles_m)
+            for room in rooms
+        ),
+        openings=planned.openings,
+    )
+
+
+def generate_plan(mixes: Sequence[HomeMix], catalog: Catalog, rng: Rng) -> Planned | Rejection:
+    """A floor plan of one of these mixes, drawn by weight; why the last of some tries was none."""
     last = reject("home", "no_floor_plan")
     weights = np.array([mix.weight for mix in mixes])
     for _ in range(TRIES):
         mix = mixes[int(rng.choice(len(weights), p=weights / weights.sum()))]
         plans = plans_random(mix, catalog.room_types, rng)
         found = next(_opened(plans, rng), None)
-        if found is None:
-            last = reject("home", "no_place", category="door") if plans else last
-            continue
-        plan, openings = found
-        return HomeSpec(
-            id=home_id,
-            title=f"generated home of {len(plan.rooms)} rooms ({mix.name})",
-            kind="procedural",
-            height_m=HEIGHTS_M[int(rng.integers(len(HEIGHTS_M)))],
-            rooms=tuple(
-                RoomSpec(name=room.name, type=room.type, rectangles_m=room.rectangles_m)
-                for room in plan.rooms
-            ),
-            openings=openings,
-        )
+        if found is not None:
+            return Planned(mix, *found)
+        last = reject("home", "no_place", category="door") if plans else last
     return last
 
 

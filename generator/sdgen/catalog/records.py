@@ -310,7 +310,8 @@ class RoomType(Record):
     ``area_m2`` is the range of its area, ``narrowest_m`` the least width of its main part. A room
     that needs ``daylight`` gets an outer wall that a window fits in; ``windows`` says which kind
     it has where there is such a wall, ``sill_m`` how high. A room with ``corridor_m`` is a corridor
-    that wide, as long as the rooms along it ask. ``beside`` are room types that it wishes to share
+    that wide, as long as the rooms along it ask; one with ``free_wall_m`` has a straight wall so
+    long that no door is in. ``beside`` are room types that it wishes to share
     a wall with. ``joined`` are room types that it has a door to besides that it opens from, and how
     often (where they share a wall); ``opens_to`` says by which kinds of opening instead of a door
     it is joined to rooms of a type, and how often by each. Homes with a room
@@ -324,6 +325,7 @@ class RoomType(Record):
     windows: WindowKind = "large"
     sill_m: float = 0.9
     corridor_m: tuple[float, float] | None = None
+    free_wall_m: float = 0.0
     # Pairs, for their order decides which is drawn first.
     joined: tuple[tuple[str, float], ...] = ()
     opens_to: tuple[tuple[str, tuple[tuple[OpeningKind, float], ...]], ...] = ()

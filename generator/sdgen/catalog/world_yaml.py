@@ -184,6 +184,7 @@ class RoomTypeYaml(Record):
     sill_m: Annotated[float, between(0.0, 1.6)] = 0.9
     # Wide enough for a door to open into, narrower than what would be a room.
     corridor_m: Annotated[tuple[float, float], span(1.0, 4.0), PAIR] | None = None
+    free_wall_m: Annotated[float, between(0.0, 10.0)] = 0.0
     joined: dict[RoomName, Annotated[float, between(0.0, 1.0)]] = Field(default_factory=dict)
     opens_to: dict[RoomName, dict[InnerOpening, Annotated[float, between(0.0, 1.0)]]] = Field(
         default_factory=dict

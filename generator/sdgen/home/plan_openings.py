@@ -5,11 +5,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 
-from sdgen.catalog.home_shape import FRAME_M, frame_size
+import shapely
+
+from sdgen.catalog.home_shape import FRAME_M, SAME_M, frame_size
 from sdgen.catalog.records import OpeningSpec
 from sdgen.geometry import Vec2
-from sdgen.home.plan import Plan, PlannedRoom
+from sdgen.home.plan import EPS, Plan, PlannedRoom
 from sdgen.home.plan_rooms import DOOR_WALL_M, FRONT_DOOR_WALL_M
 from sdgen.home.walls import Wall
 from sdgen.rejection import Rejection, reject
@@ -65,6 +68,9 @@ def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | Rejection
         if opening is not None:
             doors.append(opening)
             ways[a], ways[b] = ways[a] + 1, ways[b] + 1
+    for room in plan.rooms:
+        if room.spec.free_wall_m and _longest_free_m(room, doors) < room.spec.free_wall_m:
+            return reject("home", "no_free_wall", category=room.type)
     windows = _windows(plan, doors, rng)
     return windows if isinstance(windows, Rejection) else (*doors, *windows)
 
@@ -130,6 +136,25 @@ def _door(
         if _apart(found, others):
             return found
     return None
+
+
+def _longest_free_m(room: PlannedRoom, doors: Sequence[OpeningSpec]) -> float:
+    """The longest straight wall of a room that no door is in, between walls' middle lines."""
+    outline = shapely.union_all([shapely.box(*r) for r in room.rectangles_m]).simplify(EPS)
+    longest = 0.0
+    for (x0, y0), (x1, y1) in pairwise(outline.exterior.coords):
+        along, across = (0, 1) if abs(y1 - y0) < EPS else (1, 0)
+        low, high = sorted(((x0, y0)[along], (x1, y1)[along]))
+        cuts = [low]
+        for door in doors:
+            same = door.along == "xy"[along]
+            if same and abs(door.center_m[across] - (x0, y0)[across]) < SAME_M:
+                half, middle = frame_size(door)[0] / 2, door.center_m[along]
+                if low < middle < high:
+                    cuts += [middle - half, middle + half]
+        cuts = [*sorted(cuts), high]
+        longest = max(longest, *(b - a for a, b in zip(cuts[::2], cuts[1::2], strict=True)))
+    return longest
 
 
 def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[OpeningSpec] | Rejection:

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import shapely
+from shapely.geometry import LineString, Polygon
 
-from sdgen.catalog.home_shape import FRAME_M, SAME_M, frame_size
+from sdgen.catalog.home_shape import FRAME_M, frame_size
 from sdgen.catalog.records import OpeningSpec
 from sdgen.geometry import Vec2
 from sdgen.home.plan import EPS, Plan, PlannedRoom
@@ -43,6 +44,9 @@ TRIES = 12
 #: A room with so many doors already gets no further one that it need not have: its walls are for
 #: furniture. By eye.
 WAYS_MOST = 3
+#: What a door keeps free before it, and how deep furniture along a wall is, metres.
+KEPT_M = 0.9
+STRIP_M = 0.65
 #: Windows look so far out at least before another wall, metres: light falls in.
 SIGHT_M = 1.5
 #: Where on a wall (shares of what its margins leave) a window may be: near its middle, by eye.
@@ -68,9 +72,10 @@ def openings_random(plan: Plan, rng: Rng) -> tuple[OpeningSpec, ...] | Rejection
         if opening is not None:
             doors.append(opening)
             ways[a], ways[b] = ways[a] + 1, ways[b] + 1
-    for room in plan.rooms:
-        if room.spec.free_wall_m and _longest_free_m(room, doors) < room.spec.free_wall_m:
-            return reject("home", "no_free_wall", category=room.type)
+    for planned in plan.rooms:
+        least = planned.spec.free_wall_m
+        if least and _longest_free_m(planned, doors) < least:
+            return reject("home", "no_free_wall", category=planned.type)
     windows = _windows(plan, doors, rng)
     return windows if isinstance(windows, Rejection) else (*doors, *windows)
 
@@ -139,22 +144,32 @@ def _door(
 
 
 def _longest_free_m(room: PlannedRoom, doors: Sequence[OpeningSpec]) -> float:
-    """The longest straight wall of a room that no door is in, between walls' middle lines."""
+    """The longest straight wall of a room where furniture can stand: between walls' middle lines,
+    without the doors in it and what those round the corner keep free."""
     outline = shapely.union_all([shapely.box(*r) for r in room.rectangles_m]).simplify(EPS)
+    kept = [_kept_free(door, KEPT_M) for door in doors]
     longest = 0.0
-    for (x0, y0), (x1, y1) in pairwise(outline.exterior.coords):
-        along, across = (0, 1) if abs(y1 - y0) < EPS else (1, 0)
-        low, high = sorted(((x0, y0)[along], (x1, y1)[along]))
-        cuts = [low]
-        for door in doors:
-            same = door.along == "xy"[along]
-            if same and abs(door.center_m[across] - (x0, y0)[across]) < SAME_M:
-                half, middle = frame_size(door)[0] / 2, door.center_m[along]
-                if low < middle < high:
-                    cuts += [middle - half, middle + half]
-        cuts = [*sorted(cuts), high]
-        longest = max(longest, *(b - a for a, b in zip(cuts[::2], cuts[1::2], strict=True)))
+    for a, b in pairwise(outline.exterior.coords):
+        strip = LineString([a, b]).buffer(STRIP_M, cap_style="flat").intersection(outline)
+        along = 0 if abs(b[1] - a[1]) < EPS else 1
+        low, high = sorted((a[along], b[along]))
+        cuts = [(low, low), (high, high)]
+        for shape in kept:
+            if strip.intersection(shape).area > EPS:
+                bounds = shape.bounds
+                cuts.append((max(low, bounds[along]), min(high, bounds[along + 2])))
+        cuts.sort()
+        reached = low
+        for start, end in cuts:
+            longest, reached = max(longest, start - reached), max(reached, end)
     return longest
+
+
+def _kept_free(door: OpeningSpec, depth_m: float) -> Polygon:
+    """The floor before and behind a door."""
+    half, (x, y) = frame_size(door)[0] / 2, door.center_m
+    dx, dy = (half, depth_m) if door.along == "x" else (depth_m, half)
+    return shapely.box(x - dx, y - dy, x + dx, y + dy)
 
 
 def _windows(plan: Plan, doors: Sequence[OpeningSpec], rng: Rng) -> list[OpeningSpec] | Rejection:

@@ -265,6 +265,7 @@ class FurnitureRule(Record):
         "under",
         "around",
         "above",
+        "over",
         "opposite",
     ]
     of: OptionalCategories = ()
@@ -279,6 +280,7 @@ class FurnitureRule(Record):
     extra: Annotated[tuple[CategoryName, ...], Expect("a list of categories")] = ()
     near: OptionalCategories = ()
     facing: OptionalCategories = ()
+    aligned: OptionalCategories = ()
     centred: bool = False
 
     @model_validator(mode="after")
@@ -292,7 +294,7 @@ class FurnitureRule(Record):
             for key in sorted(wanted - given)
         ]
         of_runs = {key for key in ("corner", "extra") if getattr(self, key)}
-        wishes = {key for key in ("near", "facing", "centred") if getattr(self, key)}
+        wishes = {key for key in ("near", "facing", "aligned", "centred") if getattr(self, key)}
         misplaced = given - wanted
         misplaced |= of_runs if self.where != "run" else set()
         misplaced |= wishes if self.where in ("row", "run") else set()

@@ -38,8 +38,10 @@ MIDDLE_SPREAD_M = 0.15
 ACROSS_CHANCE = 0.25
 #: Bound the work: free parts of the floor looked at, largest first, and poses in each.
 MIDDLE_PARTS, MIDDLE_DRAWS = 2, 6
-#: A piece a chair stands at is reached under by this much.
-TUCKED_M = 0.08
+#: Who sits this near the middle of an edge of a table sits at it.
+ACROSS_M = 0.4
+#: A seat reaches so far under the table it stands at: pushed in as far as its legs let it.
+TUCKED_M = (0.24, 0.16, 0.08)
 #: A piece before another stands in its middle or, where that is taken, so far beside it: by eye.
 BEFORE_BESIDE_M = 0.1
 #: Half a table's side that has room for two chairs (0.45 m each) side by side, and where they then
@@ -119,9 +121,12 @@ def against_walls(
     rng: Rng,
     snap: float = SNAP_CHANCE,
     reach: Reach = NO_REACH,
+    centred: bool = False,
 ) -> list[PlacedAt]:
-    """Poses with the back to a wall: at its ends mostly, and anywhere. ``size`` (depth, width);
-    ``reach``: how far beyond it leaves and lids go."""
+    """Poses with the back to a wall: at its ends mostly, and anywhere; ``centred``: in its middle
+    before that. ``size`` (depth, width); ``reach``: how far beyond it leaves and lids go."""
+    if not sides:
+        return []
     gap = HUNG_GAP_M if z > 0 else back_gap(reach)
     depth, width = size
     # Along the wall its left comes first: it looks to the left of the wall's own direction.
@@ -137,7 +142,8 @@ def against_walls(
         first = rng.random() < snap
         if low > high:
             continue
-        for t in (*ends, *spots) if first else (*spots, *ends):
+        middle = [side.length_m / 2] if centred else []
+        for t in (*middle, *ends, *spots) if first else (*middle, *spots, *ends):
             out.append((*side.at(t, depth / 2 + gap), z, side.yaw))
     return out
 
@@ -181,30 +187,37 @@ def beside(target: ObjectInstance, info: AssetInfo, size: Vec2, rng: Rng) -> lis
     depth, width = size
     x = -info.extents_m[0] / 2 + depth / 2
     y = info.extents_m[1] / 2 + width / 2 + SIDE_GAP_M
-    both = [_from(target, x, y), _from(target, x, -y)]
+    both = [placed_from(target, x, y), placed_from(target, x, -y)]
     return both if rng.random() < 0.5 else both[::-1]
 
 
 def before(target: ObjectInstance, info: AssetInfo, size: Vec2, gap_m: float) -> list[PlacedAt]:
     """The pose in front of a piece, facing it."""
     x = info.extents_m[0] / 2 + gap_m + size[0] / 2
-    return [_from(target, x, dy, turn=math.pi) for dy in (0.0, BEFORE_BESIDE_M, -BEFORE_BESIDE_M)]
+    return [placed_from(target, x, dy, turn=math.pi) for dy in (0.0, BEFORE_BESIDE_M, -BEFORE_BESIDE_M)]
 
 
-def around(target: ObjectInstance, info: AssetInfo, size: Vec2, rng: Rng) -> list[PlacedAt]:
-    """Poses around a table, facing it: along its long sides first, across from each other."""
+def around(
+    target: ObjectInstance, info: AssetInfo, size: Vec2, seated: Sequence[Vec2], rng: Rng
+) -> list[PlacedAt]:
+    """Poses around a table, facing it: across from who is ``seated`` there (where, seen from
+    above), then along its long sides; each seat as far under it as may be, then less."""
     deep, wide = info.extents_m[0] / 2, info.extents_m[1] / 2
-    away = size[0] / 2 - TUCKED_M
-    seats = (-wide * SEAT_AT, wide * SEAT_AT) if wide > TWO_SEATS_M else (0.0,)
-    out: list[PlacedAt] = []
-    for y in seats:
-        out.append(_from(target, deep + away, y, turn=math.pi))
-        out.append(_from(target, -deep - away, y, turn=0.0))
-    ends = [
-        _from(target, 0.0, wide + away, turn=-math.pi / 2),
-        _from(target, 0.0, -wide - away, turn=math.pi / 2),
+    ys = (-wide * SEAT_AT, wide * SEAT_AT) if wide > TWO_SEATS_M else (0.0,)
+    sides = [(x, y, turn) for y in ys for x, turn in ((deep, math.pi), (-deep, 0.0))]
+    ends = [(0.0, wide, -math.pi / 2), (0.0, -wide, math.pi / 2)]
+    seats = [*(sides[k] for k in rng.permutation(len(sides)).tolist()), *ends]
+
+    def is_across(seat: tuple[float, float, float]) -> bool:
+        x, y, _ = seat
+        other = placed_from(target, -x, y) if x else placed_from(target, 0.0, -y)
+        return any(math.dist(other[:2], taken) < ACROSS_M for taken in seated)
+
+    return [
+        placed_from(target, x - math.cos(turn) * away, y - math.sin(turn) * away, turn)
+        for x, y, turn in sorted(seats, key=lambda seat: not is_across(seat))
+        for away in (size[0] / 2 - tucked for tucked in TUCKED_M)
     ]
-    return [*[out[k] for k in rng.permutation(len(out)).tolist()], *ends]
 
 
 def opposite(
@@ -236,7 +249,7 @@ def opposite(
 def above(target: ObjectInstance, info: AssetInfo, size: Vec2, z: float) -> list[PlacedAt]:
     """The pose on the wall above a piece that stands against it."""
     x = -info.extents_m[0] / 2 - BACK_GAP_M + HUNG_GAP_M + size[0] / 2
-    return [(*_from(target, x, 0.0)[:2], z, yaw_of(target.pose.quat_xyzw))]
+    return [(*placed_from(target, x, 0.0)[:2], z, yaw_of(target.pose.quat_xyzw))]
 
 
 def on_top(
@@ -249,7 +262,7 @@ def on_top(
         x = -info.extents_m[0] / 2 + TOP_EDGE_M + depth / 2
     slack = max(0.0, (info.extents_m[1] - width) / 2 - TOP_EDGE_M)
     spots = (float(rng.uniform(-slack, slack)) * TOP_SPREAD for _ in range(TOP_SPOTS))
-    return [(*_from(target, x, y)[:2], top_m, yaw_of(target.pose.quat_xyzw)) for y in spots]
+    return [(*placed_from(target, x, y)[:2], top_m, yaw_of(target.pose.quat_xyzw)) for y in spots]
 
 
 def under(target: ObjectInstance) -> list[PlacedAt]:
@@ -258,7 +271,7 @@ def under(target: ObjectInstance) -> list[PlacedAt]:
     return [(x, y, 0.0, yaw_of(target.pose.quat_xyzw))]
 
 
-def _from(target: ObjectInstance, x: float, y: float, turn: float = 0.0) -> PlacedAt:
+def placed_from(target: ObjectInstance, x: float, y: float, turn: float = 0.0) -> PlacedAt:
     """A pose given in a piece's own frame."""
     yaw = yaw_of(target.pose.quat_xyzw)
     px, py, pz = target.pose.position_m

@@ -6,18 +6,22 @@ that a robot cannot cross is arranged anew, a bounded number of times.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
 from shapely.geometry import Point
 
 from sdgen.catalog.records import Catalog, FurnitureRule
 from sdgen.facts import bodies_of
 from sdgen.freespace import ROBOT_RADIUS_M, polygons, union
 from sdgen.home import anchors
-from sdgen.home.anchors import PlacedAt
+from sdgen.home.anchors import PlacedAt, Side
 from sdgen.home.context import Models
 from sdgen.home.furnish import top_of
 from sdgen.home.layout import Layout
-from sdgen.home.room_try import RoomTry, empty_room, taken_floor, with_placed
+from sdgen.home.room_try import RoomTry, empty_room, free_sides, taken_floor, with_placed
 from sdgen.home.runs import with_row, with_run
+from sdgen.home.wall_units import with_wall_units
 from sdgen.home.wishes import by_wishes
 from sdgen.library.records import Asset, AssetInfo
 from sdgen.rejection import Rejection, reject
@@ -27,6 +31,16 @@ from sdgen.zones import doorway_point, floor_obstacles
 
 #: Bound the search: a room that fails so often mostly has no arrangement, and homes are drawn anew.
 ROOM_TRIES = 8
+#: A sofa that no television finds a place opposite to is put elsewhere, so often at most.
+GROUP_TRIES = 4
+#: One piece each of some pieces, not so many of every one.
+ONE_EACH = ("before", "under", "opposite")
+#: Where all pieces of a rule are placed at once.
+MANY_AT_ONCE: Mapping[str, Callable[[FurnitureRule, RoomTry], RoomTry | None]] = {
+    "row": with_row,
+    "run": with_run,
+    "over": with_wall_units,
+}
 #: Of 718 pieces that found a place 663 were of the first model tried, nine of the fourth.
 MODELS_TRIED = 4
 #: What a person in a room must be able to get to: this far from every doorway's middle.
@@ -53,50 +67,114 @@ def _arrange_room(
     home: Home, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
 ) -> Layout | Rejection:
     """The layout with this room's furniture, after ROOM_TRIES tries at most."""
-    for _ in range(ROOM_TRIES - 1):
-        arranged = _try_room(home, room, layout, catalog, models, rng)
+    last: Rejection = reject("home", "no_place")
+    for number in range(ROOM_TRIES):
+        arranged = _try_room(empty_room(home, room, layout, catalog, models, rng, number))
         if isinstance(arranged, Layout):
             return arranged
-    return _try_room(home, room, layout, catalog, models, rng)
+        last = arranged
+    return last
 
 
-def _try_room(
-    home: Home, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
-) -> Layout | Rejection:
-    furnished = empty_room(home, room, layout, catalog, models, rng)
-    rules = next(t.furniture for t in catalog.room_types if t.name == room.type)
-    for rule in rules:
-        count = int(rng.integers(rule.count[0], rule.count[1] + 1))
-        more = _follow(rule, count, furnished)
-        if rule.needed and more is None:
-            return reject("home", "no_place", category=rule.category or rule.row[0])
+def _try_room(furnished: RoomTry) -> Layout | Rejection:
+    room_type, rng = furnished.room.type, furnished.rng
+    rules = next(t.furniture for t in furnished.catalog.room_types if t.name == room_type)
+    for group in groups_of(rules):
+        asked = [Asked(rule, _count(rule, rng)) for rule in group]
+        more = _with_group(asked, furnished)
+        if more is None and group[0].needed:
+            return reject("home", "no_place", category=group[0].category or group[0].row[0])
         furnished = more or furnished
     if not _passable(furnished):
-        return reject("home", "no_way_through", category=room.type)
+        return reject("home", "no_way_through", category=room_type)
     return furnished.layout
 
 
-def _follow(rule: FurnitureRule, count: int, tried: RoomTry) -> RoomTry | None:
-    """The room with the pieces of a rule; None when none found a place (or chance said no)."""
-    rng = tried.rng
+class Asked(NamedTuple):
+    """A rule, and how many pieces a room is to have by it (for each piece of ``of``)."""
+
+    rule: FurnitureRule
+    count: int
+
+
+def groups_of(rules: Sequence[FurnitureRule]) -> list[list[FurnitureRule]]:
+    """Rules of which each but the first is about a piece placed by one before it in its group."""
+    groups: list[list[FurnitureRule]] = []
+    placed: set[str] = set()
+    for rule in rules:
+        if not groups or placed.isdisjoint(rule.of):
+            groups.append([])
+            placed = set()
+        groups[-1].append(rule)
+        placed.update((rule.category, rule.corner, *rule.row, *rule.extra))
+    return groups
+
+
+def _count(rule: FurnitureRule, rng: Rng) -> int:
     if rng.random() >= rule.chance:
-        return None
-    if rule.where == "row":
-        return with_row(rule, tried)
-    if rule.where == "run":
-        return with_run(rule, tried)
-    targets: list[int | None] = [None]
-    if rule.of:
-        found = tried.all(rule.of)
-        targets = [found[k] for k in rng.permutation(len(found)).tolist()]
-        if rule.where in ("before", "under", "opposite"):
-            targets = targets[:count]
-            count = 1
+        return 0
+    return int(rng.integers(rule.count[0], rule.count[1] + 1))
+
+
+def _with_group(group: Sequence[Asked], tried: RoomTry) -> RoomTry | None:
+    """The room with the pieces of a group, the best of some tries; None when the first of them, or
+    one it is not without, never found a place."""
+    best: tuple[float, RoomTry] | None = None
+    for _ in range(GROUP_TRIES if len(group) > 1 else 1):
+        made = _in_turn(group, tried)
+        if made is not None and (best is None or made[0] < best[0]):
+            best = made
+        if best is not None and best[0] == 0.0:
+            break
+    return None if best is None else best[1]
+
+
+def _in_turn(group: Sequence[Asked], tried: RoomTry) -> tuple[float, RoomTry] | None:
+    """What is missing of a group (for each rule up to 1), and the room with the rest of it."""
+    missing = 0.0
+    for number, (rule, count) in enumerate(group):
+        targets = _targets(rule, count, tried)
+        if count == 0 or not targets:
+            if number == 0:  # nobody asked for it, nor for what goes with it
+                return 0.0, tried
+            continue
+        each = 1 if rule.where in ONE_EACH else count
+        made, lacking = _follow(rule, each, targets, tried)
+        if made is None and (rule.needed or number == 0):
+            return None
+        missing += lacking
+        tried = made or tried
+    return missing, tried
+
+
+def _targets(rule: FurnitureRule, count: int, tried: RoomTry) -> list[int | None]:
+    """The pieces that a rule is about, in a drawn order; one that is none, where it is about the
+    room."""
+    if not rule.of:
+        return [None]
+    found = tried.all(rule.of)
+    order: list[int | None] = [found[k] for k in tried.rng.permutation(len(found)).tolist()]
+    return order[:count] if rule.where in ONE_EACH else order
+
+
+def _follow(
+    rule: FurnitureRule, count: int, targets: Sequence[int | None], tried: RoomTry
+) -> tuple[RoomTry | None, float]:
+    """The room with the pieces of a rule (None when none found a place), and the share missing."""
+    if rule.where in MANY_AT_ONCE:
+        made = MANY_AT_ONCE[rule.where](rule, tried)
+        return made, float(made is None)
     furnished: RoomTry | None = None
+    placed = 0
     for target in targets:
         for _ in range(count):
-            furnished = _with_one(rule, target, furnished or tried) or furnished
-    return furnished
+            more = _with_one(rule, target, furnished or tried)
+            if more is None:
+                break
+            furnished, placed = more, placed + 1
+    if rule.where in ("beside", "around"):
+        return furnished, 1.0 - placed / (count * len(targets))
+    return furnished, float(placed == 0)
 
 
 def _with_one(rule: FurnitureRule, target: int | None, tried: RoomTry) -> RoomTry | None:
@@ -105,7 +183,8 @@ def _with_one(rule: FurnitureRule, target: int | None, tried: RoomTry) -> RoomTr
     if tried.full(rule.category):
         return None
     for asset in _candidates(rule, target, tried)[:MODELS_TRIED]:
-        for pose in by_wishes(rule, _poses(rule, asset, target, tried), tried):
+        walls = _walls(rule, asset, tried)
+        for pose in by_wishes(rule, _poses(rule, asset, target, walls, tried), walls, tried):
             more = with_placed(rule, asset, pose, target, tried)
             if more is not None:
                 return more
@@ -113,28 +192,43 @@ def _with_one(rule: FurnitureRule, target: int | None, tried: RoomTry) -> RoomTr
 
 
 def _candidates(rule: FurnitureRule, target: int | None, tried: RoomTry) -> list[Asset]:
-    """The models of a rule in the order they are tried: at random, but on a floor first those that
-    stand in the room already (chairs round a table, a pair of bedside tables), and above a piece
-    the nearest to its width first (a unit over a unit), none much wider."""
+    """The models of a rule in the order they are tried, at random but for these: round and beside
+    a piece all are of the first one's model, elsewhere on a floor what stands in the room already
+    comes first; above a piece the nearest to its width does, none much wider."""
     found = tried.models(rule.category)
     order = [found[k] for k in tried.rng.permutation(len(found)).tolist()]
     if rule.where == "above" and target is not None:
         wide = tried.layout.info(target).extents_m[1]
         order = [m for m in order if m.extents_m[1] <= wide + ABOVE_WIDER_M]
         return sorted(order, key=lambda m: round(wide - m.extents_m[1], 1))
-    if not rule.z_m:
-        there = {tried.layout.items[k].asset for k in tried.all([rule.category])}
-        order.sort(key=lambda m: m.id not in there)
-    return order
+    if rule.z_m:
+        return order
+    there = {tried.layout.items[k].asset for k in tried.all([rule.category])}
+    alike = [m for m in order if m.id in there]
+    if alike and rule.where in ("around", "beside"):
+        return alike
+    return [*alike, *(m for m in order if m.id not in there)]
+
+
+def _walls(rule: FurnitureRule, asset: AssetInfo, tried: RoomTry) -> tuple[Side, ...]:
+    """The stretches of wall that a piece may stand or hang at."""
+    if rule.where != "wall":
+        return ()
+    deep, _, tall = asset.extents_m
+    return free_sides(tried, rule.z_m, rule.z_m + tall, deep)
 
 
 def _poses(
-    rule: FurnitureRule, asset: AssetInfo, target_id: int | None, tried: RoomTry
+    rule: FurnitureRule,
+    asset: AssetInfo,
+    target_id: int | None,
+    walls: Sequence[Side],
+    tried: RoomTry,
 ) -> list[PlacedAt]:
     layout, rng = tried.layout, tried.rng
     size, reach = (asset.extents_m[0], asset.extents_m[1]), layout.library.reach(asset.id)
     if rule.where == "wall":
-        return anchors.against_walls(tried.sides, size, rule.z_m, rng, reach=reach)
+        return anchors.against_walls(walls, size, rule.z_m, rng, reach=reach, centred=rule.centred)
     if rule.where == "corner":
         return anchors.in_corners(tried.sides, size, rng, reach)
     if target_id is None:
@@ -147,7 +241,8 @@ def _poses(
     if rule.where == "before":
         return anchors.before(target, info, size, rule.gap_m)
     if rule.where == "around":
-        return anchors.around(target, info, size, rng)
+        seated = [layout.items[k].pose.position_m[:2] for k in tried.all([rule.category])]
+        return anchors.around(target, info, size, seated, rng)
     if rule.where == "above":
         return anchors.above(target, info, size, rule.z_m)
     if rule.where == "under":

@@ -57,12 +57,12 @@ class Block:
 def blocks_of(item: ObjectInstance, info: AssetInfo, library: Library) -> list[Block]:
     """Space of an object's body, and of each part that a joint holds open. It stands upright.
 
-    Open-framed furniture (tables, chairs) takes the space of its collision pieces, so that a
-    chair goes under a table; everything else takes its box. Raises ValueError for what is tilted.
+    Open-framed furniture (tables, chairs, desks) takes the space of its collision pieces, so that
+    a chair goes under a table; everything else takes its box. Raises ValueError for what is tilted.
     """
     drawn = info.variants[item.variant]
     # Openings sit in walls: only an open leaf takes space in a room.
-    if item.fixed and not info.containers and item.category not in OPENINGS:
+    if item.fixed and _open_framed(info) and item.category not in OPENINGS:
         pieces = list(_framed(item, info, library, drawn))
     else:
         pieces = []
@@ -72,6 +72,12 @@ def blocks_of(item: ObjectInstance, info: AssetInfo, library: Library) -> list[B
     if world[2, 2] != 1.0:
         raise ValueError(f"{item.category} {item.id} does not stand upright")
     return [block for piece in pieces for block in blocks_at(item.id, piece, world)]
+
+
+def _open_framed(info: AssetInfo) -> bool:
+    """Whether nothing but drawers is hollow in a piece: what one reaches into is a box."""
+    slides = {joint.name for joint in info.joints if joint.type == "prismatic"}
+    return all(hollow.closed_by in slides for hollow in info.containers)
 
 
 def _framed(

@@ -20,6 +20,8 @@ FRONT_INSET_M = 0.02
 #: reaches this far to both sides of the middle of its wall: pieces against the wall stand in it.
 SILL_SLACK_M = 0.02
 WINDOW_SIGHT_M, DOOR_SIGHT_M = 0.32, 0.52
+#: Of the widths of two pieces that face each other, the middle that sees the other: by eye.
+SEEN_SHARE = 0.7
 
 
 class Sight(NamedTuple):
@@ -52,3 +54,14 @@ def front_of(asset: AssetInfo, pose: PlacedAt, front_m: float) -> Polygon | None
     local = np.array([(half, -wide), (half + front_m, -wide), (half + front_m, wide), (half, wide)])
     turn = np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]])
     return shapely.polygons(local @ turn.T + (x, y))
+
+
+def between(one: AssetInfo, at: PlacedAt, other: AssetInfo, other_at: PlacedAt) -> Polygon:
+    """The floor between the fronts of two pieces that face each other: nothing stands between a
+    sofa and its television."""
+    ends = []
+    for asset, (x, y, _, yaw) in ((one, at), (other, other_at)):
+        half, wide = asset.extents_m[0] / 2 + FRONT_INSET_M, asset.extents_m[1] / 2 * SEEN_SHARE
+        c, s = np.cos(yaw), np.sin(yaw)
+        ends += [(x + c * half - s * w, y + s * half + c * w) for w in (wide, -wide)]
+    return shapely.convex_hull(shapely.multipoints(ends))

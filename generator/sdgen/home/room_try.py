@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+import numpy as np
 import shapely
 from shapely import prepare
 from shapely.geometry import Polygon
@@ -14,9 +15,9 @@ from shapely.ops import unary_union
 
 from sdgen.catalog.records import Catalog, FurnitureRule
 from sdgen.freespace import opening_rectangle, union
-from sdgen.geometry import quat_from_yaw, round_position, round_quat
+from sdgen.geometry import Array, quat_from_yaw, round_position, round_quat, yaw_of
 from sdgen.home.anchors import PlacedAt, Side, sides_of
-from sdgen.home.clearances import Sight, front_of, sight_of
+from sdgen.home.clearances import Sight, between, front_of, sight_of
 from sdgen.home.context import Models
 from sdgen.home.furnish import put_piece, stand_in
 from sdgen.home.layout import IN_WALL_M, Intent, Layout, corners_of
@@ -33,6 +34,8 @@ HANDLE_M = 0.08
 #: shapes that share less than 10 cm² only touch.
 FRONT_OUTSIDE = 0.05
 TOUCH_M2 = 1e-3
+#: No piece of furniture stands where less than this is left of a wall.
+LEAST_STRETCH_M = 0.15
 #: A piece in the middle of a room leaves so much to others: one squeezes past sideways.
 AROUND_M = 0.3
 
@@ -45,8 +48,8 @@ class RoomTry:
     nothing behind.
 
     ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
-    No furniture stands before ``sights`` nor on ``doors``; leaves swing over ``swings``, where no
-    rug lies either.
+    No furniture stands before ``sights`` nor on ``doors`` (``thresholds``: door by door); leaves
+    swing over ``swings``, where no rug lies either. ``number`` counts the tries before it.
     """
 
     room: Room
@@ -58,12 +61,14 @@ class RoomTry:
     sides: tuple[Side, ...]
     openings: tuple[Opening, ...]
     sights: tuple[Sight, ...]
+    thresholds: tuple[BaseGeometry, ...]
     doors: BaseGeometry
     swings: BaseGeometry
     inside: Polygon
     prints: Mapping[int, Polygon] = field(default_factory=dict)
     placed: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
     keep: tuple[tuple[int, Polygon], ...] = ()
+    number: int = 0
 
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -101,9 +106,16 @@ class RoomTry:
 
 
 def empty_room(
-    home: Home, room: Room, layout: Layout, catalog: Catalog, models: Models, rng: Rng
+    home: Home,
+    room: Room,
+    layout: Layout,
+    catalog: Catalog,
+    models: Models,
+    rng: Rng,
+    number: int = 0,
 ) -> RoomTry:
-    """A room with nothing in it yet, what its doors and windows keep clear noted."""
+    """A room with nothing in it yet, what its doors and windows keep clear noted; the how manieth
+    try it is."""
     mine = tuple(o for o in home.openings if room.id in o.room_ids)
     doors: list[BaseGeometry] = []
     swings: list[BaseGeometry] = []
@@ -128,10 +140,54 @@ def empty_room(
         sides=sides_of(room.polygon_m),
         openings=mine,
         sights=tuple(map(sight_of, mine)),
+        thresholds=tuple(doors),
         doors=union(doors),
         swings=union(swings),
         inside=inside,
+        number=number,
     )
+
+
+def free_sides(tried: RoomTry, low_m: float, high_m: float, deep_m: float) -> tuple[Side, ...]:
+    """The stretches of the walls with nothing before them, for a piece so deep that reaches from
+    ``low_m`` to ``high_m``."""
+    taken = taken_outlines(tried, low_m, high_m)
+    return tuple(part for side in tried.sides for part in free_parts(side, taken, deep_m))
+
+
+def taken_outlines(tried: RoomTry, low_m: float, high_m: float) -> list[Array]:
+    """Corners (N, 2) of what keeps pieces between two heights away: doorways, windows that they
+    would hide, other pieces."""
+    taken = [shapely.get_coordinates(shape) for shape in tried.thresholds if low_m < OVERHEAD_M]
+    taken += [
+        shapely.get_coordinates(sight.before)
+        for sight in tried.sights
+        if high_m > sight.low_m and low_m < sight.high_m
+    ]
+    for ids in tried.placed.values():
+        for k in ids:
+            item, info = tried.layout.items[k], tried.layout.info(k)
+            x, y, z = item.pose.position_m
+            if info.extents_m[2] > FLAT_M and z < high_m and z + info.extents_m[2] > low_m:
+                taken.append(np.array(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw))))
+    return taken
+
+
+def free_parts(side: Side, taken: Sequence[Array], deep_m: float) -> Iterator[Side]:
+    """The stretches of a side that no outline within ``deep_m`` of it takes."""
+    spans = []
+    for corners in taken:
+        dx, dy = corners[:, 0] - side.start[0], corners[:, 1] - side.start[1]
+        away = dx * side.inward[0] + dy * side.inward[1]
+        if away.min() < deep_m and away.max() > 0.0:
+            along = dx * side.along[0] + dy * side.along[1]
+            spans.append((float(along.min()), float(along.max())))
+    reached = 0.0
+    for low, high in [*sorted(spans), (side.length_m, side.length_m)]:
+        free_m = min(low, side.length_m) - reached
+        if free_m > LEAST_STRETCH_M:
+            yield replace(side, start=side.at(reached, 0.0), length_m=free_m)
+        reached = max(reached, high)
 
 
 def taken_floor(tried: RoomTry) -> BaseGeometry:
@@ -169,7 +225,8 @@ def with_placed(
             if kept.intersection(shape).area > TOUCH_M2:
                 return None
     front = front_of(asset, pose, rule.front_m) if keeps_front else None
-    if not _front_free(front, tried):
+    sight = _sight(rule, asset, pose, target, tried)
+    if not _front_free(front, tried) or not _front_free(sight, tried):
         return None
     item = stand_in(
         ObjectInstance(
@@ -190,7 +247,22 @@ def with_placed(
     layout = tried.layout.copy()
     if not put_piece(item, asset, layout, intent, tried.room, tried.catalog):
         return None
-    return tried.with_piece(item, layout, shape if on_floor else None, front)
+    more = tried.with_piece(item, layout, shape if on_floor else None, front)
+    if target is None or sight is None:
+        return more
+    # A table before the sofa is the sofa's own: all others keep out.
+    return replace(more, keep=(*more.keep, (target, sight)))
+
+
+def _sight(
+    rule: FurnitureRule, asset: AssetInfo, pose: PlacedAt, target: int | None, tried: RoomTry
+) -> Polygon | None:
+    """What lies between a piece and the one it stands opposite to."""
+    if rule.where != "opposite" or target is None:
+        return None
+    other = tried.layout.items[target]
+    at = (*other.pose.position_m, yaw_of(other.pose.quat_xyzw))
+    return between(asset, pose, tried.layout.info(target), at)
 
 
 def _front_free(front: Polygon | None, tried: RoomTry) -> bool:

@@ -141,19 +141,45 @@ def test_beside_is_left_and_right_with_backs_in_line(target_size, size, yaw, see
 
 
 @given(SIZES, st.tuples(st.floats(0.35, 0.6), st.floats(0.35, 0.6)), YAWS, SEEDS)
-def test_around_faces_the_table_and_is_tucked_in_alike(table_size, size, yaw, seed):
+def test_around_faces_the_table_and_is_tucked_in_less_and_less(table_size, size, yaw, seed):
     at = (2.0, 1.0, 0.0, yaw)
-    poses = anchors.around(*stands(at, table_size), size, rng(seed))
-    assert len(poses) == (6 if table_size[1] / 2 > 0.55 else 4)
-    for pose in poses:
-        # From the middle of the seat's front edge the table reaches TUCKED_M back.
+    poses = anchors.around(*stands(at, table_size), size, [], rng(seed))
+    assert len(poses) == (6 if table_size[1] / 2 > 0.55 else 4) * len(TUCKED_M)
+    for k, pose in enumerate(poses):
+        # From the middle of the seat's front edge the table reaches so far back.
+        edge = point(pose, size[0] / 2 - TUCKED_M[k % len(TUCKED_M)])
         table = footprint(at, table_size)
-        assert table.covers(Polygon([point(pose, size[0] / 2)] * 3).buffer(1e-6))
-        edge = point(pose, size[0] / 2 - TUCKED_M)
         assert table.exterior.distance(Polygon([edge] * 3)) == pytest.approx(0.0, abs=1e-6)
-    # The long sides first: seats across from each other, the table's ends last.
-    assert {round(math.cos(p[3] - yaw), 6) for p in poses[:-2]} == {1.0, -1.0}
-    assert [round(math.sin(p[3] - yaw), 6) for p in poses[-2:]] == [-1.0, 1.0]
+        ahead = point(pose, size[0] / 2 + 1e-3)
+        assert math.dist(ahead, at[:2]) < math.dist(pose[:2], at[:2]) + size[0]
+    # The long sides first, the table's ends last.
+    headings = [pose[3] - yaw for pose in poses[:: len(TUCKED_M)]]
+    assert {round(abs(math.cos(h)), 6) for h in headings[:-2]} == {1.0}
+    assert {round(abs(math.sin(h)), 6) for h in headings[-2:]} == {1.0}
+
+
+@given(YAWS, SEEDS)
+def test_the_second_seat_is_across_from_the_first(yaw, seed):
+    table, info = stands((2.0, 1.0, 0.0, yaw), (0.9, 1.6))
+    size = (0.5, 0.45)
+    first = anchors.around(table, info, size, [], rng(seed))[0]
+    second = anchors.around(table, info, size, [first[:2]], rng(seed + 1))[0]
+    assert math.cos(first[3] - second[3]) == pytest.approx(-1.0)
+    assert math.dist(first[:2], second[:2]) < 1.0
+
+
+def test_centred_comes_first_in_the_middle_of_each_side():
+    sides = sides_of(BOX)
+    poses = anchors.against_walls(sides, (0.5, 1.0), 0.0, rng(2), centred=True)
+    each = 3 + anchors.DRAWS_A_WALL
+    assert len(poses) == len(sides) * each
+    for pose in poses[::each]:
+        (offs,) = [
+            abs(s.measure(pose[:2])[0] - s.length_m / 2)
+            for s in sides
+            if math.cos(pose[3] - s.yaw) > 0.9
+        ]
+        assert offs == pytest.approx(0.0)
 
 
 @given(st.floats(0.4, 3.0), st.tuples(st.floats(0.2, 0.6), st.floats(0.4, 2.0)), SEEDS)

@@ -241,14 +241,19 @@ class FurnitureRule(Record):
 
     ``where`` says how it is placed: against a ``wall`` (at ``z_m``, if it hangs), in a ``corner``,
     in the ``middle``; ``row``: the pieces of ``row`` side by side against one wall; ``run``: so
-    along one wall, two that face or, with a ``corner`` unit, round a corner, with as many of
-    ``extra`` at its last unit as chance and the walls allow; and, relative
-    to a piece of ``of`` placed before: ``on`` it, ``beside`` it, ``before`` its front (``gap_m``
-    away, facing it), ``under`` it, ``around`` it (facing it), ``above`` it on the wall, or
-    ``opposite``, against the wall it faces. ``count`` is per room, or per piece of ``of`` for
-    ``on``, ``beside``, ``around`` and ``above``. ``front_m`` of floor before it is kept free. A
-    room without a ``needed`` piece is arranged anew. Of the places there are, those ``near``
-    pieces of some categories, ``facing`` them, or ``centred`` on their wall come first.
+    along one wall, two that face or, with a ``corner`` unit, round one corner or two, with as many
+    of ``extra`` at its last unit as chance and the walls allow; and, relative to a piece of ``of``
+    placed before: ``on`` it, ``beside`` it, ``before`` its front (``gap_m`` away, facing it),
+    ``under`` it, ``around`` it (facing it), ``above`` it on the wall, ``over`` it in a row of wall
+    units, or ``opposite``, against the wall it faces, with nothing in between. ``count`` is per
+    room, or per piece of ``of`` for ``on``, ``beside``, ``around`` and ``above``. ``front_m`` of
+    floor before it is kept free, and against a ``wall`` ``gap_m`` beside it.
+
+    A rule begins a group, with those after it that are about a piece of the group; a group that
+    misses something is placed anew a few times. Without a ``needed`` piece of it, it does not stand
+    at all; without one that begins a group the room is arranged anew. Of the places there are,
+    those ``near`` pieces of some categories, ``facing`` them, ``aligned`` with them (at the same
+    wall) or ``centred`` (in the middle of a free stretch of wall) come first.
     """
 
     category: CategoryName = ""

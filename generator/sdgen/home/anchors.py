@@ -194,7 +194,9 @@ def beside(target: ObjectInstance, info: AssetInfo, size: Vec2, rng: Rng) -> lis
 def before(target: ObjectInstance, info: AssetInfo, size: Vec2, gap_m: float) -> list[PlacedAt]:
     """The pose in front of a piece, facing it."""
     x = info.extents_m[0] / 2 + gap_m + size[0] / 2
-    return [placed_from(target, x, dy, turn=math.pi) for dy in (0.0, BEFORE_BESIDE_M, -BEFORE_BESIDE_M)]
+    return [
+        placed_from(target, x, dy, turn=math.pi) for dy in (0.0, BEFORE_BESIDE_M, -BEFORE_BESIDE_M)
+    ]
 
 
 def around(

@@ -7,6 +7,7 @@ that a robot cannot cross is arranged anew, a bounded number of times.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from shapely.geometry import Point
@@ -94,7 +95,7 @@ class Asked(NamedTuple):
     """A rule, and how many pieces a room is to have by it (for each piece of ``of``)."""
 
     rule: FurnitureRule
-    count: int
+    pieces: int
 
 
 def groups_of(rules: Sequence[FurnitureRule]) -> list[list[FurnitureRule]]:
@@ -215,7 +216,13 @@ def _walls(rule: FurnitureRule, asset: AssetInfo, tried: RoomTry) -> tuple[Side,
     if rule.where != "wall":
         return ()
     deep, _, tall = asset.extents_m
-    return free_sides(tried, rule.z_m, rule.z_m + tall, deep)
+    sides = free_sides(tried, rule.z_m, rule.z_m + tall, deep)
+    apart = max(0.0, rule.gap_m)
+    return tuple(
+        replace(side, start=side.at(apart, 0.0), length_m=side.length_m - 2 * apart)
+        for side in sides
+        if side.length_m > 2 * apart
+    )
 
 
 def _poses(

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from sdgen.actions import at_rest
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.records import HomeSpec
+from sdgen.catalog.records import FurnitureRule, HomeSpec
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, opening_rectangle, rounded_rings
 from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
+from sdgen.home.arrange import groups_of
 from sdgen.home.layout import corners_of
+from sdgen.home.room_try import free_parts
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
@@ -21,7 +24,7 @@ from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
 from sdgen.vocabulary import OPENINGS
 from sdgen.zones import derive_zones, floor_obstacles
-from shapely.geometry import Polygon
+from shapely.geometry import LineString, Polygon
 
 from tests.shipped import shipped_library
 
@@ -124,6 +127,95 @@ def test_needed_pieces_are_there_and_chairs_face_their_table(stages):
                     yaw = yaw_of(chair.pose.quat_xyzw)
                     ahead = math.cos(yaw) * (tx - x) + math.sin(yaw) * (ty - y)
                     assert ahead > 0, "a chair turns its back on its table"
+
+
+def in_rooms(stages):
+    """Of each room its pieces by category."""
+    for made in stages:
+        for room in made.context.home.rooms:
+            found: dict[str, list] = {}
+            for item, _ in pieces(made):
+                if item.room_id == room.id:
+                    found.setdefault(item.category, []).append(item)
+            yield room, found
+
+
+def seen_from(item, other):
+    """Where another piece is, seen from one: (ahead, to the left), metres."""
+    yaw = yaw_of(item.pose.quat_xyzw)
+    dx, dy = (b - a for a, b in zip(item.pose.position_m, other.pose.position_m[:2], strict=False))
+    return dx * math.cos(yaw) + dy * math.sin(yaw), dy * math.cos(yaw) - dx * math.sin(yaw)
+
+
+def test_seats_and_bedside_tables_of_a_group_are_of_one_model(stages):
+    compared = 0
+    for room, found in in_rooms(stages):
+        alike = [found.get("nightstand", [])]
+        if room.type in ("kitchen", "dining_room"):
+            alike.append(found.get("chair", []))
+        for some in alike:
+            compared += len(some) > 1
+            assert len({item.asset for item in some}) <= 1
+    assert compared
+
+
+def test_every_desk_has_a_chair_that_one_can_sit_on(stages):
+    desks = 0
+    for _, found in in_rooms(stages):
+        seats = [*found.get("chair", ()), *found.get("office_chair", ())]
+        for desk in found.get("desk", ()):
+            desks += 1
+            near = [seen_from(desk, seat) for seat in seats]
+            assert any(0.0 < ahead < 1.0 and abs(left) < 0.3 for ahead, left in near)
+    assert desks
+
+
+def test_a_sofa_sees_its_television(stages):
+    seen = 0
+    for _, found in in_rooms(stages):
+        for tv in found.get("tv", ()):
+            (sofa,) = found["sofa"]
+            seen += 1
+            ahead, left = seen_from(sofa, tv)
+            assert ahead > 1.0
+            assert abs(left) < 1.0
+            assert math.cos(yaw_of(sofa.pose.quat_xyzw) - yaw_of(tv.pose.quat_xyzw)) < -0.9
+            view = LineString([sofa.pose.position_m[:2], tv.pose.position_m[:2]])
+            for category in ("dining_table", "armchair", "bookshelf", "desk", "chair"):
+                for other in found.get(category, ()):
+                    x, y, _ = other.pose.position_m
+                    shape = corners_of(
+                        LIBRARY.info(other.asset), x, y, yaw_of(other.pose.quat_xyzw)
+                    )
+                    assert not Polygon(shape).intersects(view), category
+    assert seen
+
+
+def test_rules_about_a_piece_placed_before_are_of_its_group():
+    def rule(category: str, *of: str) -> FurnitureRule:
+        return FurnitureRule(category=category, where="beside" if of else "wall", of=of)
+
+    rules = [
+        rule("bed"),
+        rule("nightstand", "bed"),
+        rule("lamp", "nightstand"),
+        rule("wardrobe"),
+        rule("picture", "bed"),
+        rule("vase", "picture", "dresser"),
+    ]
+    names = [[rule.category for rule in group] for group in groups_of(rules)]
+    assert names == [["bed", "nightstand", "lamp"], ["wardrobe"], ["picture", "vase"]]
+
+
+def test_free_stretches_of_a_wall_are_what_nothing_near_takes():
+    side = sides_of([(0.0, 0.0), (5.0, 0.0), (5.0, 4.0), (0.0, 4.0)])[0]
+    near = np.array([(1.0, 0.1), (2.0, 0.1), (2.0, 0.6), (1.0, 0.6)])
+    far = near + np.array([1.5, 1.0])
+    free = [(part.start[0], part.length_m) for part in free_parts(side, [near, far], 0.6)]
+    assert free == [(0.0, 1.0), (2.0, 3.0)]
+    assert list(free_parts(side, [], 0.6)) == [side]
+    across = np.array([(-1.0, 0.2), (6.0, 0.2), (6.0, 0.4), (-1.0, 0.4)])
+    assert list(free_parts(side, [across], 0.6)) == []
 
 
 def test_cupboards_have_their_backs_to_a_wall(stages):

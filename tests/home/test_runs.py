@@ -9,6 +9,7 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
+from sdgen.home.wall_units import fewest
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
@@ -115,17 +116,70 @@ def test_no_fridge_stands_beside_the_stove(kitchens):
         assert apart > (width(fridge) + width(stove)) / 2 + 0.3
 
 
-def test_what_hangs_is_over_the_unit_it_belongs_to(kitchens):
-    hoods = 0
+def over_which(cabinet, units):
+    """The base unit whose width a wall unit hangs within, if any."""
+    for unit in units:
+        ahead, left = in_frame(unit, cabinet)
+        deep, wide, _ = LIBRARY.info(unit.asset).extents_m
+        # A corner unit has arms along two walls.
+        along, half = (left, wide) if same_yaw(unit, cabinet) else (ahead, deep)
+        turned = not same_yaw(unit, cabinet)
+        if turned and unit.category != "corner_counter":
+            continue
+        if abs(along) + width(cabinet) / 2 <= half / 2 + 0.008 and abs(ahead) < 0.8:
+            return unit
+    return None
+
+
+def test_what_hangs_is_in_line_with_the_unit_it_belongs_to(kitchens):
+    hoods = cabinets = 0
     for pieces in kitchens:
-        under = ("kitchen_counter", "sink_cabinet", "dishwasher")
+        under = ("kitchen_counter", "sink_cabinet", "dishwasher", "corner_counter")
         below = [unit for category in under for unit in pieces.get(category, ())]
         for cabinet in pieces.get("wall_cabinet", ()):
-            alike = [unit for unit in below if same_yaw(unit, cabinet)]
-            over = min(alike, key=lambda unit: abs(in_frame(unit, cabinet)[1]))
-            assert abs(in_frame(over, cabinet)[1]) < 0.01
-            assert width(cabinet) <= width(over) + 0.03
+            cabinets += 1
+            assert over_which(cabinet, below) is not None
         for hood in pieces.get("range_hood", ()):
             hoods += 1
             assert abs(in_frame(pieces["stove"][0], hood)[1]) < 0.01
     assert hoods
+    assert cabinets > len(kitchens)
+
+
+def test_wall_units_fill_the_width_of_base_units_that_are_not_at_windows(kitchens):
+    shares = []
+    for pieces in kitchens:
+        for category in ("kitchen_counter", "sink_cabinet", "dishwasher"):
+            for unit in pieces.get(category, ()):
+                over = [c for c in pieces.get("wall_cabinet", ()) if over_which(c, [unit])]
+                shares.append(sum(map(width, over)) / width(unit))
+    assert sum(share > 0.95 for share in shares) > 0.4 * len(shares)
+    assert max(shares) < 1.03
+
+
+def test_dishwashers_stand_by_the_sink(kitchens):
+    found = 0
+    for pieces in kitchens:
+        (sink,) = pieces["sink_cabinet"]
+        for dishwasher in pieces.get("dishwasher", ()):
+            apart = math.dist(sink.pose.position_m, dishwasher.pose.position_m)
+            found += apart < (width(sink) + width(dishwasher)) / 2 + 0.9
+    assert found >= 0.9 * sum(len(pieces.get("dishwasher", ())) for pieces in kitchens)
+    assert found
+
+
+@pytest.mark.parametrize(
+    ("total", "widths", "filled"),
+    [
+        (6, (8, 6, 4), (6,)),
+        (8, (8, 6, 4), (8,)),
+        (10, (8, 6, 4), (6, 4)),
+        (12, (8, 6, 4), (8, 4)),
+        (12, (6,), (6, 6)),
+        (10, (6,), (6,)),
+        (5, (6,), ()),
+        (6, (), ()),
+    ],
+)
+def test_the_fewest_units_fill_a_width(total, widths, filled):
+    assert fewest(total, widths) == filled

@@ -217,7 +217,8 @@ def _walls(rule: FurnitureRule, asset: AssetInfo, tried: RoomTry) -> tuple[Side,
         return ()
     deep, _, tall = asset.extents_m
     sides = free_sides(tried, rule.z_m, rule.z_m + tall, deep)
-    apart = max(0.0, rule.gap_m)
+    # A room that did not come out so makes do with less.
+    apart = max(0.0, rule.gap_m) * (1 - tried.number / ROOM_TRIES)
     return tuple(
         replace(side, start=side.at(apart, 0.0), length_m=side.length_m - 2 * apart)
         for side in sides

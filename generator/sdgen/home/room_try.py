@@ -34,6 +34,8 @@ HANDLE_M = 0.08
 #: shapes that share less than 10 cm² only touch.
 FRONT_OUTSIDE = 0.05
 TOUCH_M2 = 1e-3
+#: What hangs keeps off windows by so much.
+CURTAIN_M = 0.32
 #: No piece of furniture stands where less than this is left of a wall.
 LEAST_STRETCH_M = 0.15
 #: A piece in the middle of a room leaves so much to others: one squeezes past sideways.
@@ -159,8 +161,10 @@ def taken_outlines(tried: RoomTry, low_m: float, high_m: float) -> list[Array]:
     """Corners (N, 2) of what keeps pieces between two heights away: doorways, windows that they
     would hide, other pieces."""
     taken = [shapely.get_coordinates(shape) for shape in tried.thresholds if low_m < OVERHEAD_M]
+    # Curtains hang beside windows, where pictures would.
+    beside = CURTAIN_M if low_m > FLAT_M else 0.0
     taken += [
-        shapely.get_coordinates(sight.before)
+        shapely.get_coordinates(sight.before.buffer(beside, join_style="mitre"))
         for sight in tried.sights
         if high_m > sight.low_m and low_m < sight.high_m
     ]

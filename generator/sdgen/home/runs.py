@@ -27,8 +27,11 @@ from sdgen.library.records import Asset
 #: neighbours, their leaves and pulls need more; so do all of the middle leg of a U, wedged in.
 UNIT_GAP_M, CORNER_GAP_M = 0.006, 0.012
 WEDGED_GAP_M = (0.009, 0.012)
-#: Bound the search: runs drawn of a shape, and of these, the best first, tried in the room.
-DRAWN, TRIED = 30, 8
+#: Bound the search: runs drawn of a shape, some of them as short as may be, for small kitchens; and
+#: of these, the best first, tried in the room.
+DRAWN, SHORT, TRIED = 30, 8, 8
+#: As narrow as the narrowest are models this little wider.
+NARROW_M = 0.05
 #: A unit taller than others by this (a fridge) stands at an end, and its door needs its own room.
 TALL_M = 1.2
 #: A worktop's height and depth: what a run needs of a wall to be looked at closer.
@@ -121,8 +124,8 @@ def _best(rule: FurnitureRule, shapes: Sequence[str], tried: RoomTry) -> RoomTry
     walls = _Walls.of(tried)
     for shape in shapes:
         runs = []
-        for _ in range(DRAWN):
-            run = _drawn(rule, shape, walls)
+        for number in range(DRAWN):
+            run = _drawn(rule, shape, walls, number < SHORT)
             if run is not None:
                 runs.append((_cost(run, walls) + float(tried.rng.normal(0.0, CHANCE)), run))
         runs.sort(key=lambda pair: pair[0])
@@ -133,15 +136,19 @@ def _best(rule: FurnitureRule, shapes: Sequence[str], tried: RoomTry) -> RoomTry
     return None
 
 
-def _drawn(rule: FurnitureRule, shape: str, walls: _Walls) -> Run | None:
-    """A run of a shape, of models and at walls drawn at random; None where it is too long."""
+def _drawn(rule: FurnitureRule, shape: str, walls: _Walls, short: bool) -> Run | None:
+    """A run of a shape, of models and at walls drawn at random (``short``: without extra units,
+    of the narrowest models); None where it is too long."""
     rng = walls.tried.rng
-    extra = tuple(c for c in rule.extra if rng.random() < EXTRA_CHANCE)
+    extra = () if short else tuple(c for c in rule.extra if rng.random() < EXTRA_CHANCE)
     units = []
     for category in (*rule.row, *extra):
         found = walls.tried.models(category)
         if not found:
             return None
+        if short:
+            least = min(m.extents_m[1] for m in found)
+            found = tuple(m for m in found if m.extents_m[1] < least + NARROW_M)
         units.append(found[int(rng.integers(len(found)))])
     if rng.random() < 0.5:
         units.reverse()

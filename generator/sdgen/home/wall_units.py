@@ -9,6 +9,7 @@ from sdgen.catalog.records import FurnitureRule
 from sdgen.geometry import yaw_of
 from sdgen.home.anchors import BACK_GAP_M, HUNG_GAP_M, PlacedAt, placed_from
 from sdgen.home.room_try import RoomTry, with_placed
+from sdgen.home.ways import way_of
 from sdgen.library.records import Asset, AssetInfo
 from sdgen.scene import ObjectInstance
 
@@ -33,8 +34,20 @@ def with_wall_units(rule: FurnitureRule, tried: RoomTry) -> RoomTry | None:
         for unit, pose in _over(target, info, by_width, rule.z_m):
             if (furnished or tried).full(rule.category):
                 return furnished
-            furnished = with_placed(rule, unit, pose, target_id, furnished or tried) or furnished
+            more = with_placed(rule, unit, pose, target_id, furnished or tried)
+            if more is not None and not _leaves_meet(more, target_id):
+                furnished = more
     return furnished
+
+
+def _leaves_meet(tried: RoomTry, target_id: int) -> bool:
+    """Whether leaves of the unit that was hung last meet those of another as both open, over a
+    corner unit: side by side they turn their backs to each other."""
+    if min(tried.layout.info(target_id).extents_m[:2]) < CORNER_M:
+        return False
+    last = list(tried.layout.items.values())[-1]
+    way = way_of(last, tried.layout.library)
+    return any(True for _ in tried.layout.ways.ways.entered(way))
 
 
 def _over(

@@ -80,7 +80,10 @@ def _arrange_room(
 def _try_room(furnished: RoomTry) -> Layout | Rejection:
     room_type, rng = furnished.room.type, furnished.rng
     rules = next(t.furniture for t in furnished.catalog.room_types if t.name == room_type)
-    for group in groups_of(rules):
+    groups = groups_of(rules)
+    if furnished.modest:
+        groups.sort(key=lambda group: not group[0].needed)
+    for group in groups:
         asked = [Asked(rule, _count(rule, rng)) for rule in group]
         more = _with_group(asked, furnished)
         if more is None and group[0].needed:
@@ -121,7 +124,7 @@ def _with_group(group: Sequence[Asked], tried: RoomTry) -> RoomTry | None:
     """The room with the pieces of a group, the best of some tries; None when the first of them, or
     one it is not without, never found a place."""
     best: tuple[float, RoomTry] | None = None
-    for _ in range(GROUP_TRIES if len(group) > 1 else 1):
+    for _ in range(1 if len(group) == 1 or tried.modest else GROUP_TRIES):
         made = _in_turn(group, tried)
         if made is not None and (best is None or made[0] < best[0]):
             best = made
@@ -204,6 +207,8 @@ def _candidates(rule: FurnitureRule, target: int | None, tried: RoomTry) -> list
         return sorted(order, key=lambda m: round(wide - m.extents_m[1], 1))
     if rule.z_m:
         return order
+    if tried.modest and rule.needed:
+        return sorted(order, key=lambda m: m.extents_m[0] * m.extents_m[1])
     there = {tried.layout.items[k].asset for k in tried.all([rule.category])}
     alike = [m for m in order if m.id in there]
     if alike and rule.where in ("around", "beside"):
@@ -236,7 +241,8 @@ def _poses(
     layout, rng = tried.layout, tried.rng
     size, reach = (asset.extents_m[0], asset.extents_m[1]), layout.library.reach(asset.id)
     if rule.where == "wall":
-        return anchors.against_walls(walls, size, rule.z_m, rng, reach=reach, centred=rule.centred)
+        centred = rule.centred and not tried.modest
+        return anchors.against_walls(walls, size, rule.z_m, rng, reach=reach, centred=centred)
     if rule.where == "corner":
         return anchors.in_corners(tried.sides, size, rng, reach)
     if target_id is None:

@@ -41,6 +41,9 @@ LEAST_STRETCH_M = 0.15
 #: A piece in the middle of a room leaves so much to others: one squeezes past sideways.
 AROUND_M = 0.3
 
+#: After so many tries that failed a room is furnished modestly.
+MODEST_FROM = 2
+
 
 @dataclass(frozen=True)
 class RoomTry:
@@ -71,6 +74,12 @@ class RoomTry:
     placed: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
     keep: tuple[tuple[int, Polygon], ...] = ()
     number: int = 0
+
+    @property
+    def modest(self) -> bool:
+        """True when the room did not come out as one would wish: what it needs comes first then, the
+        smallest there is, at the ends of walls."""
+        return self.number >= MODEST_FROM
 
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:

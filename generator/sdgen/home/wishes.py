@@ -29,7 +29,8 @@ def by_wishes(
     near = _middles(rule.near, tried)
     facing = _middles(rule.facing, tried)
     aligned = [yaw_of(tried.layout.items[k].pose.quat_xyzw) for k in tried.all(rule.aligned)]
-    if not (near or facing or aligned or rule.centred):
+    centred = rule.centred and not tried.modest
+    if not (near or facing or aligned or centred):
         return poses
     # A room that did not come out as one would wish leaves more to chance.
     spread = CHANCE_M * (1 + tried.number)
@@ -43,7 +44,7 @@ def by_wishes(
             total += AWAY_M * min(_turned_off((x, y), yaw, other) for other in facing)
         if aligned:
             total += OTHER_WALL_M * (1.0 - max(math.cos(yaw - other) for other in aligned)) / 2
-        if rule.centred:
+        if centred:
             total += _off_middle(pose, walls)
         return total
 

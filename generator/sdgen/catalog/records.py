@@ -562,7 +562,7 @@ class Catalog(Record):
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Catalog:
         """A copy with some fields changed, and so with a digest of its own."""
         copied = super().model_copy(update=update, deep=deep)
-        for cached in ("sha256", "climbs"):
+        for cached in ("sha256", "climbs", "_by_name"):
             copied.__dict__.pop(cached, None)
         return copied
 
@@ -575,10 +575,11 @@ class Catalog(Record):
 
     def category(self, name: str) -> Category:
         """The category of this name (KeyError when there is none)."""
-        for item in self.categories:
-            if item.name == name:
-                return item
-        raise KeyError(name)
+        return self._by_name[name]
+
+    @cached_property
+    def _by_name(self) -> dict[str, Category]:
+        return {c.name: c for c in self.categories}
 
 
 class UniqueAnomaly(Record):

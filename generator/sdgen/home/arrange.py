@@ -44,6 +44,8 @@ MANY_AT_ONCE: Mapping[str, Callable[[FurnitureRule, RoomTry], RoomTry | None]] =
 }
 #: Of 718 pieces that found a place 663 were of the first model tried, nine of the fourth.
 MODELS_TRIED = 4
+#: Where one model found no place, none does that is as large in each direction but for so much.
+SAME_M = 0.02
 #: What a person in a room must be able to get to: this far from every doorway's middle.
 NEAR_DOOR_M = 0.2
 #: Floor that a robot's middle has in a room: a small bathroom has little more than a spot to turn.
@@ -186,13 +188,24 @@ def _with_one(rule: FurnitureRule, target: int | None, tried: RoomTry) -> RoomTr
     there are as many as its category is given."""
     if tried.full(rule.category):
         return None
-    for asset in _candidates(rule, target, tried)[:MODELS_TRIED]:
+    failed: list[AssetInfo] = []
+    for asset in _candidates(rule, target, tried):
+        if any(_as_large(asset, other) for other in failed):
+            continue
+        if len(failed) == MODELS_TRIED:
+            break
         walls = _walls(rule, asset, tried)
         for pose in by_wishes(rule, _poses(rule, asset, target, walls, tried), walls, tried):
             more = with_placed(rule, asset, pose, target, tried)
             if more is not None:
                 return more
+        failed.append(asset)
     return None
+
+
+def _as_large(model: AssetInfo, other: AssetInfo) -> bool:
+    """Whether a model takes all the room that another does."""
+    return all(a > b - SAME_M for a, b in zip(model.extents_m, other.extents_m, strict=True))
 
 
 def _candidates(rule: FurnitureRule, target: int | None, tried: RoomTry) -> list[Asset]:

@@ -151,16 +151,20 @@ def against_walls(
 def in_corners(
     sides: Sequence[Side], size: Vec2, rng: Rng, reach: Reach = NO_REACH
 ) -> list[PlacedAt]:
-    """Poses in the room's outward corners, back to one of the two walls."""
+    """Poses in the room's outward corners, back to either of the two walls."""
     depth, width = size
+    left, right = end_gaps(reach)
+    back = SIDE_GAP_M + back_gap(reach)
     out: list[PlacedAt] = []
     for k in rng.permutation(len(sides)).tolist():
         side, before = sides[k], sides[k - 1]
         turn = before.along[0] * side.along[1] - before.along[1] * side.along[0]
         if turn <= 0:
             continue
-        back, left = SIDE_GAP_M + back_gap(reach), BACK_GAP_M + end_gaps(reach)[0]
-        out.append((*side.at(width / 2 + left, depth / 2 + back), 0.0, side.yaw))
+        first = width / 2 + BACK_GAP_M + left, side
+        last = before.length_m - width / 2 - BACK_GAP_M - right, before
+        both = [first, last] if rng.random() < 0.5 else [last, first]
+        out += [(*wall.at(t, depth / 2 + back), 0.0, wall.yaw) for t, wall in both]
     return out
 
 

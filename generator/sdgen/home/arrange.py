@@ -83,9 +83,7 @@ def _try_room(furnished: RoomTry) -> Layout | Rejection:
     room_type, rng = furnished.room.type, furnished.rng
     rules = next(t.furniture for t in furnished.catalog.room_types if t.name == room_type)
     groups = groups_of(rules)
-    if furnished.modest:
-        groups.sort(key=lambda group: not group[0].needed)
-    for group in groups:
+    for group in _needed_first(groups, rng) if furnished.modest else groups:
         asked = [Asked(rule, _count(rule, rng)) for rule in group]
         more = _with_group(asked, furnished)
         if more is None and group[0].needed:
@@ -114,6 +112,16 @@ def groups_of(rules: Sequence[FurnitureRule]) -> list[list[FurnitureRule]]:
         groups[-1].append(rule)
         placed.update((rule.category, rule.corner, *rule.row, *rule.extra))
     return groups
+
+
+def _needed_first(
+    groups: Sequence[list[FurnitureRule]], rng: Rng
+) -> list[list[FurnitureRule]]:
+    """The groups that a room is not without, in a drawn order: a wardrobe stands where a bed went
+    in vain, before the bed; then the others."""
+    needed = [group for group in groups if group[0].needed and not group[0].of]
+    order = [needed[k] for k in rng.permutation(len(needed)).tolist()]
+    return [*order, *(group for group in groups if group not in needed)]
 
 
 def _count(rule: FurnitureRule, rng: Rng) -> int:

@@ -114,9 +114,7 @@ def groups_of(rules: Sequence[FurnitureRule]) -> list[list[FurnitureRule]]:
     return groups
 
 
-def _needed_first(
-    groups: Sequence[list[FurnitureRule]], rng: Rng
-) -> list[list[FurnitureRule]]:
+def _needed_first(groups: Sequence[list[FurnitureRule]], rng: Rng) -> list[list[FurnitureRule]]:
     """The groups that a room is not without, in a drawn order: a wardrobe stands where a bed went
     in vain, before the bed; then the others."""
     needed = [group for group in groups if group[0].needed and not group[0].of]

@@ -77,8 +77,8 @@ class RoomTry:
 
     @property
     def modest(self) -> bool:
-        """True when the room did not come out as one would wish: what it needs comes first then, the
-        smallest there is, at the ends of walls."""
+        """True when the room did not come out as one would wish: what it needs comes first then,
+        the smallest there is, at the ends of walls."""
         return self.number >= MODEST_FROM
 
     @cached_property

@@ -18,6 +18,8 @@ OPENINGS: tuple[OpeningKind, ...] = get_args(OpeningKind)
 #: The openings one walks through, between rooms and in all.
 INNER_DOORS: tuple[InnerOpening, ...] = get_args(InnerOpening)
 DOORS: tuple[OpeningKind, ...] = (*INNER_DOORS, "front_door")
+#: How many leaves hang in an opening that has any, side by side.
+LEAVES: Mapping[OpeningKind, int] = MappingProxyType({"door": 1, "front_door": 1, "double_door": 2})
 
 #: Regions with a meaning.
 ZoneKind = Literal["doorway", "walkway", "swing", "heat", "water", "child_reach"]

@@ -31,6 +31,7 @@ from sdgen.vocabulary import (
     DOORS,
     FLAT_M,
     HALF_WALL_M,
+    LEAVES,
     OPENINGS,
     OVERHEAD_M,
     ZoneKind,
@@ -80,7 +81,9 @@ def swing_sectors(bodies: Iterable[Body]) -> list[BaseGeometry]:
             continue
         for joint in info.joints:
             hinge_y = joint.origin_m[1]
-            leaf_m = abs(hinge_y) + info.extents_m[1] / 2 - FRAME_M
+            # To the frame across from its hinge; the leaves of a double door meet in the middle.
+            across_m = 0.0 if len(info.joints) > 1 else info.extents_m[1] / 2 - FRAME_M
+            leaf_m = abs(hinge_y) + across_m
             shut = math.copysign(math.pi / 2, -hinge_y)
             turn = math.copysign(math.pi / 2, joint.axis[2])
             angles = shut + turn * np.linspace(0.0, 1.0, 13)
@@ -158,8 +161,12 @@ def derive_zones(
             zones += _zones(
                 "doorway", polygons(shape), room, 0.0, FLOOR_ZONE_TOP_M, opening.object_id
             )
+        leaves = LEAVES.get(opening.kind, 0)
+        if leaves == 0:
+            continue
         first = rooms[opening.room_ids[0]]
-        swing = opening_rectangle(opening, HALF_WALL_M + opening.width_m).intersection(
+        leaf_m = opening.width_m / leaves
+        swing = opening_rectangle(opening, HALF_WALL_M + leaf_m).intersection(
             Polygon(first.polygon_m)
         )
         zones += _zones("swing", polygons(swing), first, 0.0, SWING_TOP_M, opening.object_id)

@@ -24,11 +24,11 @@ from sdgen.home.layout import IN_WALL_M, Intent, Layout, corners_of
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import FLAT_M, OVERHEAD_M
+from sdgen.vocabulary import FLAT_M, LEAVES, OVERHEAD_M
 
 #: Floor kept clear before a doorway: a person with something in their arms gets through.
 DOOR_CLEAR_M = 0.85
-#: A leaf sweeps its width, and its handle so much more.
+#: A leaf sweeps its width, and its handle so much more; each of two leaves, half the doorway.
 HANDLE_M = 0.08
 #: A twentieth of the floor before a piece may lie beyond the room's outline (a corner cut off), and
 #: shapes that share less than 10 cm² only touch.
@@ -134,9 +134,11 @@ def empty_room(
         if opening.kind == "window":
             continue
         deep = DOOR_CLEAR_M
-        if opening.room_ids[0] == room.id:
-            deep = max(deep, opening.width_m + HANDLE_M)
-            swings.append(opening_rectangle(opening, opening.width_m + HANDLE_M))
+        leaves = LEAVES.get(opening.kind, 0)
+        if leaves and opening.room_ids[0] == room.id:
+            swept_m = opening.width_m / leaves + HANDLE_M
+            deep = max(deep, swept_m)
+            swings.append(opening_rectangle(opening, swept_m))
         doors.append(opening_rectangle(opening, deep))
     outline = Polygon(room.polygon_m)
     inside = outline.buffer(IN_WALL_M, join_style="mitre")

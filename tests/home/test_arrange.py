@@ -123,7 +123,8 @@ def test_needed_pieces_are_there_and_chairs_face_their_table(stages):
             for chair, _ in pieces(made):
                 x, y, _ = chair.pose.position_m
                 apart = math.hypot(tx - x, ty - y)
-                if chair.category == "chair" and apart < 0.9:
+                same = chair.room_id == table.room_id
+                if chair.category == "chair" and same and apart < 0.9:
                     yaw = yaw_of(chair.pose.quat_xyzw)
                     ahead = math.cos(yaw) * (tx - x) + math.sin(yaw) * (ty - y)
                     assert ahead > 0, "a chair turns its back on its table"

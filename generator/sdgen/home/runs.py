@@ -42,6 +42,8 @@ GALLEY_M = (2.1, 2.85)
 U_LEAST_M = 2.15
 #: How often each shape is tried first, where the room has corners and a corner unit: by eye.
 SHAPES = {"corner": 0.5, "wall": 0.2, "galley": 0.15, "u": 0.15}
+#: Where none of these finds a place.
+APART = ("apart", "apart_corner")
 #: How often each extra unit of a rule is asked for.
 EXTRA_CHANCE = 0.7
 #: A sink this near the middle of a window, along the wall, is at it; a stove nearer than this is
@@ -117,7 +119,7 @@ def with_run(rule: FurnitureRule, tried: RoomTry) -> RoomTry | None:
     names = list(SHAPES)
     weights = np.array([SHAPES[name] for name in names])
     order = tried.rng.choice(len(names), len(names), replace=False, p=weights / weights.sum())
-    return _best(rule, [names[k] for k in order.tolist()], tried)
+    return _best(rule, [*(names[k] for k in order.tolist()), *APART], tried)
 
 
 def _best(rule: FurnitureRule, shapes: Sequence[str], tried: RoomTry) -> RoomTry | None:
@@ -244,10 +246,34 @@ def _round_two(units: Sequence[Asset], corner: Asset, walls: _Walls) -> Run | No
     return None
 
 
+def _apart(units: Sequence[Asset], walls: _Walls) -> Run | None:
+    """A run along one wall, what is tall of it at others: where no wall takes all."""
+    low = [unit for unit in units if unit.extents_m[2] <= TALL_M]
+    run = _along_wall(low, walls)
+    return None if run is None else _with_tall(run, units, walls)
+
+
+def _apart_round_corner(units: Sequence[Asset], corner: Asset, walls: _Walls) -> Run | None:
+    """A run round a corner, what is tall of it elsewhere."""
+    low = [unit for unit in units if unit.extents_m[2] <= TALL_M]
+    run = _round_corner(low, corner, walls)
+    return None if run is None else _with_tall(run, units, walls)
+
+
+def _with_tall(run: Run, units: Sequence[Asset], walls: _Walls) -> Run | None:
+    legs = run.legs
+    for unit in units:
+        alone = _along_wall([unit], walls) if unit.extents_m[2] > TALL_M else Run(())
+        if alone is None:
+            return None
+        legs = (*legs, *alone.legs)
+    return run._replace(legs=legs)
+
+
 Shaped = Callable[[Sequence[Asset], _Walls], Run | None]
 Turned = Callable[[Sequence[Asset], Asset, _Walls], Run | None]
-STRAIGHT: Mapping[str, Shaped] = {"wall": _along_wall, "galley": _galley}
-TURNING: Mapping[str, Turned] = {"corner": _round_corner, "u": _round_two}
+STRAIGHT: Mapping[str, Shaped] = {"wall": _along_wall, "galley": _galley, "apart": _apart}
+TURNING: Mapping[str, Turned] = {"corner": _round_corner, "u": _round_two, "apart_corner": _apart_round_corner}
 
 
 def _corner_at(first: Side, corner: Asset) -> anchors.PlacedAt:
@@ -322,8 +348,8 @@ def _cost(run: Run, walls: _Walls) -> float:
     for number, leg in enumerate(run.legs):
         windows = walls.windows[tried.sides.index(leg.side)]
         # Beside each unit: another, or the corner unit that the leg joins.
-        before = bool(run.corners) and number > 0
-        after = bool(run.corners) and number < len(run.legs) - 1
+        before = 0 < number <= len(run.corners)
+        after = number < len(run.corners)
         topped = [before, *(unit.extents_m[2] <= TALL_M for unit in leg.units), after]
         traits = [tried.catalog.category(unit.category).properties for unit in leg.units]
         wet = any("WATER_SOURCE" in its for its in traits)

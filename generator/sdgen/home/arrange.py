@@ -57,8 +57,14 @@ ABOVE_WIDER_M = 0.03
 def furnish_by_rules(
     home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng
 ) -> Layout | Rejection:
-    """The layout with the furniture of every room by its type's rules."""
-    for room in home.rooms:
+    """The layout with the furniture of every room by its type's rules; first of rooms that need
+    what a home has only so many of."""
+
+    def spares(room: Room) -> bool:
+        needed = [r.category for r in rules_of(room, catalog) if r.needed and r.category]
+        return all(catalog.category(name).at_most.home is None for name in needed)
+
+    for room in sorted(home.rooms, key=spares):
         arranged = _arrange_room(home, room, layout, catalog, models, rng)
         if isinstance(arranged, Rejection):
             return arranged
@@ -81,8 +87,7 @@ def _arrange_room(
 
 def _try_room(furnished: RoomTry) -> Layout | Rejection:
     room_type, rng = furnished.room.type, furnished.rng
-    rules = next(t.furniture for t in furnished.catalog.room_types if t.name == room_type)
-    groups = groups_of(rules)
+    groups = groups_of(rules_of(furnished.room, furnished.catalog))
     for group in _needed_first(groups, rng) if furnished.modest else groups:
         asked = [Asked(rule, _count(rule, rng)) for rule in group]
         more = _with_group(asked, furnished)
@@ -92,6 +97,11 @@ def _try_room(furnished: RoomTry) -> Layout | Rejection:
     if not _passable(furnished):
         return reject("home", "no_way_through", category=room_type)
     return furnished.layout
+
+
+def rules_of(room: Room, catalog: Catalog) -> tuple[FurnitureRule, ...]:
+    """The rules by which a room is furnished, in order."""
+    return next(t.furniture for t in catalog.room_types if t.name == room.type)
 
 
 class Asked(NamedTuple):

@@ -167,7 +167,7 @@ def _along_wall(units: Sequence[Asset], walls: _Walls) -> Run | None:
     length = _length(units, walls.tried)
     left, right = _ends(units, walls.tried)
     fitting = [
-        (k, low + left, high - right - length)
+        (k, low + left, max(low + left, high - right - length))
         for k, free in enumerate(walls.free)
         for low, high in free
         if high - low >= left + length + right

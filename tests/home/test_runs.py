@@ -82,7 +82,8 @@ def test_units_of_a_leg_touch_their_neighbours(kitchens):
                 math.dist(unit.pose.position_m, corner.pose.position_m) < 1.2
                 for corner in pieces.get("corner_counter", ())
             )
-            assert beside_corner or min(gaps) <= 0.013
+            # One that is left alone on its wall touches nothing.
+            assert beside_corner or not gaps or min(gaps) <= 0.013
 
 
 def test_some_kitchens_turn_a_corner_and_both_legs_join_its_unit(kitchens):

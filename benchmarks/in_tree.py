@@ -50,7 +50,9 @@ def faces_drawn(library: Any, scene: Any) -> int:
     from sdgen.render.shell import structure_faces
 
     shell = sum(
-        len(face.vertices_m) // 2 for s in scene.home.structures for face in structure_faces(s, 1.0)
+        len(face.vertices_m) // 2
+        for s in scene.home.structures
+        for face in structure_faces(s, lambda _: 1.0)
     )
     shown = 0
     for item in scene.objects:

@@ -158,6 +158,21 @@ def carpet(rng: np.random.Generator, base: str, size: int = 256) -> Array:
     return image
 
 
+def skirting(
+    rng: np.random.Generator, base: str, wood: bool = False, step: float = 0.0, size: int = 128
+) -> Array:
+    """A board along the foot of a wall, the top of the picture its upper edge: a rounded edge with
+    the shadow of what stands out below it, and, ``step`` of its height down, a moulding."""
+    up = 1 - (np.arange(size) + 0.5) / size
+    shade = 1 - 0.25 * np.exp(-((up / 0.06) ** 2))
+    shade += 0.06 * np.exp(-(((up - 0.8) / 0.06) ** 2)) - 0.45 * np.exp(-(((up - 1) / 0.09) ** 2))
+    if step:
+        shade -= 0.3 * np.exp(-(((up - step) / 0.03) ** 2))
+    grain = tile_noise(rng, size, 9, (12.0, 0.4), 0.7) if wood else tile_noise(rng, size, 40)
+    image = colour(base) * (shade[:, None] * (1 + (0.035 if wood else 0.004) * grain))[..., None]
+    return image
+
+
 def herringbone(
     rng: np.random.Generator, light: str, dark: str, long: int = 4, size: int = 512
 ) -> Array:
@@ -399,6 +414,54 @@ SURFACES: dict[str, tuple[str, float, list[str], Painter]] = {
         0.9,
         WET,
         lambda rng: tiles(rng, "#b8cbd6", "#dde2e4", 6, joint_px=2.5, spread=0.012, cloud=0.006),
+    ),
+    "skirting_white": ("skirting", 0.08, DRY, lambda rng: skirting(rng, "#fdfcf8")),
+    "skirting_tall": ("skirting", 0.13, DRY, lambda rng: skirting(rng, "#fbf9f3", step=0.7)),
+    "skirting_oak": ("skirting", 0.07, DRY, lambda rng: skirting(rng, "#b98b58", wood=True)),
+    "skirting_walnut": ("skirting", 0.08, DRY, lambda rng: skirting(rng, "#6d4a30", wood=True)),
+    "skirting_pale": ("skirting", 0.07, DRY, lambda rng: skirting(rng, "#d9c3a0", wood=True)),
+    "skirting_grey": ("skirting", 0.08, DRY, lambda rng: skirting(rng, "#8d8f90")),
+    "splash_metro": (
+        "splashback",
+        0.8,
+        ["kitchen"],
+        lambda rng: tiles(
+            rng, "#f3f3f0", "#bfc1c0", 8, columns=4, offset=True, joint_px=3.0, spread=0.008
+        ),
+    ),
+    "splash_square": (
+        "splashback",
+        0.75,
+        ["kitchen"],
+        lambda rng: tiles(rng, "#ece4d2", "#cfc6b4", 5, joint_px=3.0, spread=0.012),
+    ),
+    "splash_grey": (
+        "splashback",
+        0.8,
+        ["kitchen"],
+        lambda rng: tiles(
+            rng, "#9aa2a6", "#c9cccc", 8, columns=4, offset=True, joint_px=3.0, spread=0.02
+        ),
+    ),
+    "splash_sage": (
+        "splashback",
+        0.75,
+        ["kitchen"],
+        lambda rng: tiles(rng, "#a9bba4", "#dfe2da", 7, joint_px=3.0, spread=0.025),
+    ),
+    "splash_blue": (
+        "splashback",
+        0.75,
+        ["kitchen"],
+        lambda rng: tiles(rng, "#7f9db3", "#e4e6e4", 7, joint_px=3.0, spread=0.03),
+    ),
+    "splash_slate": (
+        "splashback",
+        1.2,
+        ["kitchen"],
+        lambda rng: tiles(
+            rng, "#4b4f53", "#3b3e41", 4, columns=2, offset=True, joint_px=2.0, spread=0.03
+        ),
     ),
     "ceiling_white": (
         "ceiling",

@@ -70,14 +70,26 @@ class Room(Record):
     height_m: Coordinate
 
 
+class Band(Record):
+    """A part of a wall that wears a surface of its own: of the faces that look ``facing``, from
+    ``low_m`` to ``high_m`` (along the wall, and up), metres in the world."""
+
+    surface: str
+    facing: Literal["+x", "-x", "+y", "-y"]
+    low_m: Vec2
+    high_m: Vec2
+
+
 class Structure(Record):
-    """A floor, a wall or a ceiling of one room, as boxes with openings already cut out."""
+    """A floor, a wall or a ceiling of one room, as boxes with openings already cut out, and of a
+    wall the bands that wear another surface than the rest."""
 
     id: int
     category: StructureKind
     room_id: int
     surface: str
     pieces: tuple[Box, ...]
+    bands: tuple[Band, ...] = ()
 
 
 class Opening(Record):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from sdgen.render.shell import ShellFolder, ceiling_level_m, structure_faces
-from sdgen.scene import Box, Structure
+from sdgen.scene import Band, Box, Structure
 
 
 def wall() -> Structure:
@@ -24,7 +24,7 @@ def triangles(vertices: np.ndarray) -> np.ndarray:
 
 def test_faces_look_outwards_and_cover_the_boxes() -> None:
     area = 0.0
-    for face in structure_faces(wall(), 1.0):
+    for face in structure_faces(wall(), lambda _: 1.0):
         corners = triangles(face.vertices_m)
         cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         area += np.linalg.norm(cross, axis=1).sum() / 2
@@ -36,7 +36,7 @@ def test_faces_look_outwards_and_cover_the_boxes() -> None:
 
 
 def test_texture_coordinates_are_metres_and_run_on_across_pieces() -> None:
-    for face in structure_faces(wall(), 0.5):
+    for face in structure_faces(wall(), lambda _: 0.5):
         flat = np.ptp(face.vertices_m, axis=0).argmin() if len(face.vertices_m) else 0
         across = [axis for axis in range(3) if axis != flat]
         if np.ptp(face.vertices_m, axis=0)[flat] > 1e-9:
@@ -48,7 +48,7 @@ def test_floors_show_their_top_and_ceilings_their_underside() -> None:
     box = Box(center_m=(0, 0, 0), size_m=(4, 3, 0.1))
     floor = Structure(id=1, category="floor", room_id=1, surface="f", pieces=(box,))
     ceiling = Structure(id=2, category="ceiling", room_id=1, surface="w", pieces=(box,))
-    (top,), (under,) = structure_faces(floor, 1.0), structure_faces(ceiling, 1.0)
+    (top,), (under,) = (structure_faces(s, lambda _: 1.0) for s in (floor, ceiling))
     assert (top.vertices_m[:, 2] == 0.05).all()
     assert (top.normals == [0, 0, 1]).all()
     assert (under.vertices_m[:, 2] == -0.05).all()
@@ -70,7 +70,7 @@ def test_a_wall_up_to_the_ceiling_needs_no_top_and_a_sill_does() -> None:
     sill = wall().model_copy(update={"pieces": (*wall().pieces, below)})
 
     def numbers(structure: Structure, ceiling_m: float) -> list[int]:
-        return [face.number for face in structure_faces(structure, 1.0, ceiling_m)]
+        return [face.number for face in structure_faces(structure, lambda _: 1.0, ceiling_m)]
 
     assert numbers(wall(), level) == [0, 1, 2, 3, 5]
     assert numbers(sill, level) == numbers(wall(), level + 0.1) == [0, 1, 2, 3, 4, 5]
@@ -83,7 +83,7 @@ def test_files_are_named_by_content_and_share_textures(tmp_path: Path) -> None:
     folder = tmp_path / "out"
     folder.mkdir()
     shell = ShellFolder(folder)
-    faces = structure_faces(wall(), 1.0)
+    faces = structure_faces(wall(), lambda _: 1.0)
     paths = [shell.write(face, texture) for face in faces]
     assert len(set(paths)) == len(faces)
     assert [shell.write(face, texture) for face in faces] == paths
@@ -91,3 +91,27 @@ def test_files_are_named_by_content_and_share_textures(tmp_path: Path) -> None:
     text = paths[0].read_text(encoding="utf-8")
     assert text.startswith("mtllib stone.mtl\n")
     assert "map_Kd stone.png" in (folder / "stone.mtl").read_text(encoding="utf-8")
+
+
+def test_bands_wear_their_own_surface_on_one_side_of_a_wall() -> None:
+    foot = Band(surface="oak", facing="-x", low_m=(0.0, 0.0), high_m=(3.0, 0.08))
+    tiled = Band(surface="tile", facing="-x", low_m=(0.2, 0.9), high_m=(0.7, 1.4))
+    banded = wall().model_copy(update={"bands": (foot, tiled)})
+    plain = {face.number: face for face in structure_faces(wall(), lambda _: 1.0)}
+    areas: dict[tuple[str, int], float] = {}
+    for face in structure_faces(banded, lambda name: 0.08 if name == "oak" else 1.0):
+        corners = triangles(face.vertices_m)
+        cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        areas[face.surface, face.number % 6] = float(np.linalg.norm(cross, axis=1).sum() / 2)
+        if face.surface == "oak":
+            # One tile high: its picture stands upright on the floor.
+            assert face.uvs[:, 1].min() == pytest.approx(0.0)
+            assert face.uvs[:, 1].max() == pytest.approx(1.0)
+    # Posts of 1 m beside a doorway: no band across it.
+    assert areas["oak", 1] == pytest.approx(2 * 0.08)
+    assert areas["tile", 1] == pytest.approx(0.5 * 0.5)
+    assert {key for key in areas if key[0] != "w"} == {("oak", 1), ("tile", 1)}
+    corners = triangles(plain[1].vertices_m)
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    whole = float(np.linalg.norm(cross, axis=1).sum() / 2)
+    assert sum(areas[name, 1] for name in ("w", "oak", "tile")) == pytest.approx(whole)

@@ -427,6 +427,8 @@ class Style(Record):
     floors: tuple[SurfaceChoice, ...] = ()
     walls: tuple[SurfaceChoice, ...] = ()
     ceilings: tuple[SurfaceChoice, ...] = ()
+    skirtings: tuple[SurfaceChoice, ...] = ()
+    splashbacks: tuple[SurfaceChoice, ...] = ()
     # Pairs, for their order decides which is drawn first.
     suites: tuple[tuple[str, tuple[str, ...]], ...] = ()
     tags: tuple[str, ...] = ()

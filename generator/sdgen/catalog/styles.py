@@ -26,7 +26,13 @@ def check_styles(
 
 
 def _surfaces(style: Style, surfaces: Mapping[str, str]) -> Iterator[str]:
-    named = {"floor": style.floors, "wall": style.walls, "ceiling": style.ceilings}
+    named = {
+        "floor": style.floors,
+        "wall": style.walls,
+        "ceiling": style.ceilings,
+        "skirting": style.skirtings,
+        "splashback": style.splashbacks,
+    }
     for kind, choices in named.items():
         known = sorted(name for name, found in surfaces.items() if found == kind)
         for index, choice in enumerate(choices):

@@ -283,6 +283,8 @@ class StyleYaml(Record):
     floors: tuple[SurfaceChoice, ...] = ()
     walls: tuple[SurfaceChoice, ...] = ()
     ceilings: tuple[SurfaceChoice, ...] = ()
+    skirtings: tuple[SurfaceChoice, ...] = ()
+    splashbacks: tuple[SurfaceChoice, ...] = ()
     suites: dict[Word, Annotated[tuple[str, ...], names_of("suite")]] = Field(default_factory=dict)
     tags: Annotated[tuple[str, ...], names_of("tag", least=0)] = ()
     replaces: bool = False

@@ -12,7 +12,7 @@ from PIL import Image
 from sdgen.geometry import Array
 from sdgen.library import Library, MeshData
 from sdgen.library.states import object_from_part
-from sdgen.render.shell import structure_faces
+from sdgen.render.shell import Face, structure_faces
 from sdgen.scene import ObjectInstance, Scene, Structure
 
 #: (x, y, z)_ours = (x, z, -y)_gltf.
@@ -52,23 +52,24 @@ class _Made:
 
     def structure(self, structure: Structure, room: str) -> None:
         """Add a floor, wall or ceiling, its texture running on across pieces."""
-        surface = self._library.surfaces[structure.surface]
-        faces = structure_faces(structure, surface.size_m)
-        if not faces:
-            return
-        vertices = np.concatenate([face.vertices_m for face in faces])
-        corners = np.arange(0, len(vertices), 4)[:, None] + (0, 1, 2, 0, 2, 3)
-        name = f"{structure.category}_{structure.id}_{room}"
-        self.scene.geometry[name] = self._trimesh.Trimesh(
-            vertices=vertices,
-            faces=corners.reshape(-1, 3),
-            visual=self._visual(
-                np.concatenate([face.uvs for face in faces]),
-                self._library.surface_texture(structure.surface),
-            ),
-            process=False,
-        )
-        self._node(name, self._root, np.eye(4), name)
+        groups: dict[str, list[Face]] = {}
+        for face in structure_faces(structure, self._library.tile_m):
+            groups.setdefault(face.surface, []).append(face)
+        node = f"{structure.category}_{structure.id}_{room}"
+        for surface, faces in groups.items():
+            vertices = np.concatenate([face.vertices_m for face in faces])
+            corners = np.arange(0, len(vertices), 4)[:, None] + (0, 1, 2, 0, 2, 3)
+            name = node if surface == structure.surface else f"{node}/{surface}"
+            self.scene.geometry[name] = self._trimesh.Trimesh(
+                vertices=vertices,
+                faces=corners.reshape(-1, 3),
+                visual=self._visual(
+                    np.concatenate([face.uvs for face in faces]),
+                    self._library.surface_texture(surface),
+                ),
+                process=False,
+            )
+            self._node(name, self._root, np.eye(4), name)
 
     def object(self, item: ObjectInstance) -> None:
         """Add an object as it stands."""

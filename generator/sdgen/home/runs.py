@@ -273,7 +273,11 @@ def _with_tall(run: Run, units: Sequence[Asset], walls: _Walls) -> Run | None:
 Shaped = Callable[[Sequence[Asset], _Walls], Run | None]
 Turned = Callable[[Sequence[Asset], Asset, _Walls], Run | None]
 STRAIGHT: Mapping[str, Shaped] = {"wall": _along_wall, "galley": _galley, "apart": _apart}
-TURNING: Mapping[str, Turned] = {"corner": _round_corner, "u": _round_two, "apart_corner": _apart_round_corner}
+TURNING: Mapping[str, Turned] = {
+    "corner": _round_corner,
+    "u": _round_two,
+    "apart_corner": _apart_round_corner,
+}
 
 
 def _corner_at(first: Side, corner: Asset) -> anchors.PlacedAt:

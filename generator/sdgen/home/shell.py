@@ -13,6 +13,7 @@ from sdgen.catalog.records import HomeSpec, OpeningSpec, RoomSpec
 from sdgen.geometry import Vec2
 from sdgen.home.outdoors import outdoors_random
 from sdgen.home.style import HomeStyle
+from sdgen.home.wall_bands import skirting_of
 from sdgen.library import Library
 from sdgen.scene import Box, Home, Opening, Room, Structure
 from sdgen.seeding import Rng
@@ -95,6 +96,7 @@ def _structures(
 ) -> list[Structure]:
     floor = _pick_surface(style, library, "floor", room.type, rng)
     wall = _pick_surface(style, library, "wall", room.type, rng)
+    skirting = style.surface("skirting", room.type)
     ceiling = _pick_surface(style, library, "ceiling", room.type, rng)
     out = [
         Structure(
@@ -121,9 +123,15 @@ def _structures(
         outward = (_turns_left(ring, k), _turns_left(ring, (k + 1) % len(ring)))
         pieces = _wall_pieces(start, end, outward, room, openings)
         if pieces:
+            foot = () if skirting is None else (skirting_of(start, end, library, skirting),)
             out.append(
                 Structure(
-                    id=next(ids), category="wall", room_id=room.id, surface=wall, pieces=pieces
+                    id=next(ids),
+                    category="wall",
+                    room_id=room.id,
+                    surface=wall,
+                    pieces=pieces,
+                    bands=foot,
                 )
             )
     return out

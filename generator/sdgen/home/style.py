@@ -16,13 +16,13 @@ from sdgen.home.context import Models
 from sdgen.library import Library
 from sdgen.library.records import Asset
 from sdgen.seeding import Rng
-from sdgen.vocabulary import StructureKind
+from sdgen.vocabulary import SurfaceKind
 
 
 class DrawnSurface(NamedTuple):
-    """A surface of all floors, walls or ceilings in rooms of these types; none: in all others."""
+    """A surface of all floors, walls, ... in rooms of these types; of none: in all others."""
 
-    kind: StructureKind
+    kind: SurfaceKind
     rooms: tuple[str, ...]
     surface: str
 
@@ -36,8 +36,8 @@ class HomeStyle:
     suites: frozenset[str] = frozenset()
     tags: frozenset[str] = frozenset()
 
-    def surface(self, kind: StructureKind, room_type: str) -> str | None:
-        """The surface of a room's floor, walls or ceiling; None: any."""
+    def surface(self, kind: SurfaceKind, room_type: str) -> str | None:
+        """A surface of a room; None: the style says nothing of it."""
         for drawn in self.surfaces:
             if drawn.kind == kind and (not drawn.rooms or room_type in drawn.rooms):
                 return drawn.surface
@@ -73,10 +73,12 @@ def style_random(
         return HomeStyle()
     weights = np.array([style.weight for style in styles])
     style = styles[int(rng.choice(len(styles), p=weights / weights.sum()))]
-    choices: tuple[tuple[StructureKind, tuple[SurfaceChoice, ...]], ...] = (
+    choices: tuple[tuple[SurfaceKind, tuple[SurfaceChoice, ...]], ...] = (
         ("floor", style.floors),
         ("wall", style.walls),
         ("ceiling", style.ceilings),
+        ("skirting", style.skirtings),
+        ("splashback", style.splashbacks),
     )
     surfaces = []
     for kind, several in choices:

@@ -227,6 +227,10 @@ class Library:
         if problems:
             raise AssetError(problems)
 
+    def tile_m(self, surface_id: str) -> float:
+        """How much a tile of a room surface covers, metres."""
+        return self.surfaces[surface_id].size_m
+
     def surface_texture(self, surface_id: str) -> Path:
         """Texture file of a room surface, in the cache."""
         if surface_id not in self._textures:

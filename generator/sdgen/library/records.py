@@ -11,7 +11,7 @@ from shapely import Polygon
 
 from sdgen.geometry import Array, Coordinate, Vec2, Vec3
 from sdgen.scene import Record
-from sdgen.vocabulary import StructureKind
+from sdgen.vocabulary import SurfaceKind
 
 Rgba = tuple[float, float, float, float]
 
@@ -172,10 +172,11 @@ class Asset(AssetInfo):
 
 
 class Surface(Record):
-    """A tileable floor, wall or ceiling surface; the tile covers ``size_m`` metres."""
+    """A tileable surface of floors, walls, ceilings or bands of walls; the tile covers ``size_m``
+    metres. A skirting is one tile high."""
 
     id: str
-    kind: StructureKind
+    kind: SurfaceKind
     texture: str
     size_m: float = Field(gt=0)
     rooms: tuple[str, ...] = ()

@@ -131,11 +131,9 @@ class BulletGraphics:
     def _structure_parts(
         self, library: Library, structure: Structure, ceiling_m: float
     ) -> Iterator[Part]:
-        surface = library.surfaces[structure.surface]
-        texture = library.surface_texture(structure.surface)
         alpha = _CEILING_ALPHA if structure.category == "ceiling" else 1.0
-        for face in structure_faces(structure, surface.size_m, ceiling_m):
-            path = self._shell.write(face, texture)
+        for face in structure_faces(structure, library.tile_m, ceiling_m):
+            path = self._shell.write(face, library.surface_texture(face.surface))
             level = face.brightness if self._face_levels else 1.0
             rgba = (level, level, level, alpha)
             shape, middle = self._shape(

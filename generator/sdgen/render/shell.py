@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import math
 import shutil
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -13,10 +13,12 @@ from pathlib import Path
 import numpy as np
 
 from sdgen.geometry import Array
-from sdgen.scene import Structure
+from sdgen.scene import Band, Structure
 
 #: Outward normals of a box's six faces.
 _NORMALS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+#: The directions that walls look in, as bands name them.
+_FACING = ("+x", "-x", "+y", "-y")
 _UP = _NORMALS.index((0, 0, 1))
 
 
@@ -58,23 +60,27 @@ _ROUNDING_M = 1e-4
 
 @dataclass(frozen=True)
 class Face:
-    """All faces of a structure that look one way, four vertices a quad, and the colour factor
-    that brings them to the brightness they should have under the plugin's shader.
+    """All faces of a structure that look one way and wear one surface, four vertices a quad, and
+    the colour factor that brings them to the brightness they should have under the plugin's shader.
 
-    ``number`` is the direction's among those that such a structure can show.
+    ``number`` is the group's among those that such a structure can show.
     """
 
     number: int
+    surface: str
     vertices_m: Array
     normals: Array
     uvs: Array
     brightness: float
 
 
-def structure_faces(structure: Structure, tile_m: float, ceiling_m: float = math.inf) -> list[Face]:
-    """Quads of the structure's boxes, grouped by direction.
+def structure_faces(
+    structure: Structure, tile_m: Callable[[str], float], ceiling_m: float = math.inf
+) -> list[Face]:
+    """Quads of the structure's boxes, grouped by direction and surface.
 
-    Texture coordinates are world metres / ``tile_m``, so the pattern runs on across pieces.
+    Texture coordinates are world metres / ``tile_m`` of the surface, so the pattern runs on across
+    pieces.
     Floors show their top and ceilings their underside only, and no camera comes above
     ``ceiling_m``. Other faces that nothing sees cast shadows: without the feet of walls, light
     comes in under them.
@@ -85,24 +91,54 @@ def structure_faces(structure: Structure, tile_m: float, ceiling_m: float = math
     low = float((centres - halves)[:, 2].min())
     high = float((centres + halves)[:, 2].max())
     slopes = _slopes(low, high)
-    sliced = _cut(centres, halves, slopes[:, 0])
+    sliced = _cut(centres, halves, slopes[:, 0], 2)
     out = []
     for number, index in enumerate(wanted):
         if index == _UP and (centres + halves)[:, 2].min() > ceiling_m - _ROUNDING_M:
             continue
         side = structure.category == "wall" and index < 4
-        middles, reaches = sliced if side else (centres, halves)
-        quads = (middles[:, None] + reaches[:, None] * _CORNERS[index]).reshape(-1, 3)
-        normals = np.repeat([_NORMALS[index]], len(quads), axis=0).astype(np.float64)
         middle = np.array(_NORMALS[index], dtype=float)
-        if side:
-            normals[:, 2] = np.interp(quads[:, 2], slopes[:, 0], slopes[:, 1])
-            normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-            middle[2] = _DIP
-        across, up = ((1, 2), (0, 2), (0, 1))[index // 2]
+        middle[2] += _DIP if side else 0.0
         brightness = _LEVEL[structure.category][index] / _shade(middle)
-        out.append(Face(number, quads, normals, quads[:, [across, up]] / tile_m, brightness))
+        bands = [b for b in structure.bands if b.facing == _FACING[index]] if side else []
+        cut = sliced if side else (centres, halves)
+        groups = _by_surface(structure.surface, cut, bands)
+        for k, (surface, middles, reaches) in enumerate(groups):
+            quads = (middles[:, None] + reaches[:, None] * _CORNERS[index]).reshape(-1, 3)
+            normals = np.repeat([_NORMALS[index]], len(quads), axis=0).astype(np.float64)
+            if side:
+                normals[:, 2] = np.interp(quads[:, 2], slopes[:, 0], slopes[:, 1])
+                normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+            across, up = ((1, 2), (0, 2), (0, 1))[index // 2]
+            uvs = quads[:, [across, up]] / tile_m(surface)
+            number_ = number + k * len(_NORMALS)
+            out.append(Face(number_, surface, quads, normals, uvs, brightness))
     return out
+
+
+def _by_surface(
+    surface: str, boxes: tuple[Array, Array], bands: Sequence[Band]
+) -> list[tuple[str, Array, Array]]:
+    """Boxes cut at the edges of bands, as middles and half sizes, by the surface that they wear:
+    of bands that overlap the first's."""
+    middles, reaches = boxes
+    if not bands:
+        return [(surface, middles, reaches)]
+    along = 1 if bands[0].facing in ("+x", "-x") else 0
+    for axis, k in ((along, 0), (2, 1)):
+        edges = sorted({edge[k] for band in bands for edge in (band.low_m, band.high_m)})
+        middles, reaches = _cut(middles, reaches, np.array(edges), axis)
+    worn = np.full(len(middles), len(bands))
+    for number, band in reversed(list(enumerate(bands))):
+        at = middles[:, [along, 2]]
+        worn[((at > band.low_m) & (at < band.high_m)).all(axis=1)] = number
+    names = [*(band.surface for band in bands), surface]
+    every = np.array(names)[worn]
+    return [
+        (name, middles[every == name], reaches[every == name])
+        for name in dict.fromkeys((surface, *names))
+        if (every == name).any()
+    ]
 
 
 def _slopes(low_m: float, high_m: float) -> Array:
@@ -112,14 +148,17 @@ def _slopes(low_m: float, high_m: float) -> Array:
     return np.array(sorted(rows))
 
 
-def _cut(centres: Array, halves: Array, heights_m: Array) -> tuple[Array, Array]:
-    """Boxes, as middles and half sizes (N, 3), sliced at those of the heights that they span."""
+def _cut(centres: Array, halves: Array, at_m: Array, axis: int) -> tuple[Array, Array]:
+    """Boxes, as middles and half sizes (N, 3), sliced across an axis at those of the places, in
+    rising order, that they span."""
     out = []
-    for (x, y, z), (dx, dy, dz) in zip(centres.tolist(), halves.tolist(), strict=True):
-        low, high = z - dz, z + dz
-        inner = [h for h in heights_m.tolist() if low + 1e-6 < h < high - 1e-6]
+    for middle, half in zip(centres.tolist(), halves.tolist(), strict=True):
+        low, high = middle[axis] - half[axis], middle[axis] + half[axis]
+        inner = [h for h in at_m.tolist() if low + 1e-6 < h < high - 1e-6]
         for a, b in pairwise([low, *inner, high]):
-            out.append(((x, y, (a + b) / 2), (dx, dy, (b - a) / 2)))
+            one, reach = [*middle], [*half]
+            one[axis], reach[axis] = (a + b) / 2, (b - a) / 2
+            out.append((one, reach))
     boxes = np.array(out)
     return boxes[:, 0], boxes[:, 1]
 

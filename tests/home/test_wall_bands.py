@@ -1,0 +1,90 @@
+"""Skirtings run along the walls of the rooms that a style gives them; tiles are behind worktops."""
+
+from __future__ import annotations
+
+import pytest
+from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import HomeSpec
+from sdgen.geometry import yaw_of
+from sdgen.hazards.splits import SplitModels
+from sdgen.home.layout import corners_of
+from sdgen.options import BuildOptions
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
+from sdgen.seeding import lane
+from shapely.geometry import LineString, Polygon
+
+from tests.shipped import shipped_library
+
+CATALOG = load_catalog()
+LIBRARY = shipped_library()
+
+
+@pytest.fixture(scope="module")
+def homes() -> list[FurnishedHome]:
+    options = BuildOptions(n=20, seed=5, homes="procedural")
+    made = []
+    for index in range(8):
+        spec = pick_home(CATALOG, options, index).spec(CATALOG, lane(5, index, "plan"))
+        assert isinstance(spec, HomeSpec)
+        ids = iter((lane(5, index, "ids").permutation(65535) + 1).tolist())
+        models = SplitModels(LIBRARY, "train")
+        home = furnished_home(spec, CATALOG, LIBRARY, models, ids, lane(5, index, "furnish"))
+        made += [home] if isinstance(home, FurnishedHome) else []
+    assert len(made) >= 5
+    return made
+
+
+def line_of(wall, band) -> LineString:
+    """Where a band is on the floor plan, on the face of its wall."""
+    sign, axis = (1 if band.facing[0] == "+" else -1), "xy".index(band.facing[1])
+    (piece, *_) = wall.pieces
+    at = piece.center_m[axis] + sign * piece.size_m[axis] / 2
+    ends = [(at, t) if axis == 0 else (t, at) for t in (band.low_m[0], band.high_m[0])]
+    return LineString(ends)
+
+
+def test_skirtings_run_along_the_outline_of_their_room(homes):
+    for made in homes:
+        home = made.context.home
+        style = next(s for s in CATALOG.styles if s.name == home.style)
+        dry = {room for choice in style.skirtings for room in choice.rooms}
+        rooms = {room.id: room for room in home.rooms}
+        for wall in home.structures:
+            feet = [b for b in wall.bands if LIBRARY.surfaces[b.surface].kind == "skirting"]
+            room = rooms[wall.room_id]
+            assert len(feet) == (wall.category == "wall" and room.type in dry)
+            for band in feet:
+                assert (band.low_m[1], band.high_m[1]) == (0.0, LIBRARY.tile_m(band.surface))
+                outline = Polygon(room.polygon_m).exterior
+                assert line_of(wall, band).distance(outline) < 1e-3
+                # It looks into the room.
+                sign, axis = (1 if band.facing[0] == "+" else -1), "xy".index(band.facing[1])
+                x, y = line_of(wall, band).interpolate(0.5, normalized=True).coords[0]
+                into = (x + 0.05 * sign, y) if axis == 0 else (x, y + 0.05 * sign)
+                assert Polygon(room.polygon_m).contains(LineString([into, into]).centroid)
+
+
+def test_tiles_are_behind_worktops_and_nowhere_else(homes):
+    tiled = 0
+    for made in homes:
+        for wall in made.context.home.structures:
+            for band in wall.bands:
+                if LIBRARY.surfaces[band.surface].kind != "splashback":
+                    continue
+                line = line_of(wall, band)
+                behind = 0.0
+                for item in made.layout.items.values():
+                    if item.room_id == wall.room_id and item.category in UNITS:
+                        x, y, _ = item.pose.position_m
+                        info = made.layout.info(item.id)
+                        ring = corners_of(info, x, y, yaw_of(item.pose.quat_xyzw))
+                        behind += Polygon(ring).buffer(0.03).intersection(line).length
+                # Between two units that stand a little apart, too.
+                assert behind > 0.3 * line.length
+                assert line.length - behind < 1.4
+                assert 0.75 < band.low_m[1] < 1.1 < band.high_m[1] < 1.7
+                tiled += 1
+    assert tiled >= len(homes)
+
+
+UNITS = ("kitchen_counter", "sink_cabinet", "stove", "dishwasher", "corner_counter")

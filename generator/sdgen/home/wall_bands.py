@@ -27,7 +27,7 @@ WORKTOP_M = (0.7, 1.35)
 #: Tiles end so far above a worktop: where wall units begin.
 SPLASH_M = 0.55
 #: A unit's back is so near the wall that it stands at, and gaps up to so wide are tiled too.
-BACK_M = 0.08
+BACK_M = 0.05
 JOIN_M = 0.65
 
 

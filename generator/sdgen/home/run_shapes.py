@@ -57,11 +57,11 @@ class Run(NamedTuple):
 @dataclass(frozen=True)
 class Walls:
     """A room as a run sees it. By side: the stretches (first, last) that are free at a worktop's
-    height, and where along it the middles of its windows are."""
+    height, and how far along it the middles of its windows are, and half their widths."""
 
     tried: RoomTry
     free: list[list[Vec2]] = field(default_factory=list)
-    windows: list[list[float]] = field(default_factory=list)
+    windows: list[list[Vec2]] = field(default_factory=list)
 
     @classmethod
     def of(cls, tried: RoomTry) -> Walls:
@@ -72,8 +72,13 @@ class Walls:
             parts = free_parts(side, taken, DEPTH_M)
             starts = [(side.measure(part.start)[0], part.length_m) for part in parts]
             walls.free.append([(low, low + length) for low, length in starts])
-            at = [side.measure(o.center_m[:2]) for o in tried.openings if o.kind == "window"]
-            walls.windows.append([t for t, away in at if abs(away) < BACK_GAP_M + 0.1])
+            at = [
+                (side.measure(o.center_m[:2]), o.width_m / 2)
+                for o in tried.openings
+                if o.kind == "window"
+            ]
+            here = [(t, half) for (t, away), half in at if abs(away) < BACK_GAP_M + 0.1]
+            walls.windows.append(here)
         return walls
 
     def takes(self, k: int, low_m: float, high_m: float) -> bool:
@@ -102,7 +107,12 @@ def along_wall(units: Sequence[Asset], walls: Walls) -> Run | None:
     if not fitting:
         return None
     k, first, last = fitting[int(rng.integers(len(fitting)))]
-    start = (first, last, float(rng.uniform(first, last)))[int(rng.integers(3))]
+    starts = [first, last, float(rng.uniform(first, last))]
+    for sink in range(len(units)):
+        if "WATER_SOURCE" in walls.tried.catalog.category(units[sink].category).properties:
+            middle = _length(units[: sink + 1], walls.tried) - units[sink].extents_m[1] / 2
+            starts += [min(max(t - middle, first), last) for t, _ in walls.windows[k]]
+    start = starts[int(rng.integers(len(starts)))]
     return Run((Leg(k, walls.tried.sides[k], start, tuple(units)),))
 
 
@@ -122,7 +132,7 @@ def galley(units: Sequence[Asset], walls: Walls) -> Run | None:
     legs: list[Leg] = []
     for k, some in zip(pair, (units[:split], units[split:]), strict=True):
         # Of all walls this one alone.
-        run = along_wall(some, Walls(tried, [*([[]] * k), walls.free[k]]))
+        run = along_wall(some, Walls(tried, [*([[]] * k), walls.free[k]], walls.windows))
         if run is None:
             return None
         legs += run.legs

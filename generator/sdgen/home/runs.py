@@ -5,7 +5,7 @@ kitchens, and the best that finds a place is taken.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -16,30 +16,32 @@ from sdgen.home.run_shapes import DEPTH_M, STRAIGHT, TALL_M, TURNING, Run, Walls
 
 #: Bound the search: runs drawn of a shape, some of them as short as may be, for small kitchens; and
 #: of these, the best first, tried in the room.
-DRAWN, SHORT, TRIED = 30, 8, 8
+DRAWN, SHORT, TRIED = 20, 6, 16
 #: As narrow as the narrowest are models this little wider.
 NARROW_M = 0.05
 #: How often each shape is tried first, where the room has corners and a corner unit: by eye.
-SHAPES = {"corner": 0.5, "wall": 0.2, "galley": 0.15, "u": 0.15}
+SHAPES = {"corner": 0.4, "wall": 0.15, "galley": 0.1, "u": 0.35}
 #: Where none of these finds a place.
 APART = ("apart", "apart_corner")
 #: How often each extra unit of a rule is asked for.
 EXTRA_CHANCE = 0.7
-#: A sink this near the middle of a window, along the wall, is at it; a stove nearer than this is
-#: before it.
-AT_WINDOW_M, BEFORE_WINDOW_M = 0.5, 0.9
+#: A sink this near the middle of a window, along the wall, is at it; a stove whose middle is nearer
+#: than this to one has no room for its hood.
+AT_WINDOW_M, BESIDE_WINDOW_M = 0.5, 0.35
 #: What a metre more of worktop is worth, up to so many; what else is, or costs, in metres.
 WORKTOP_WORTH, WORKTOP_MOST_M = 0.35, 4.5
-SINK_AT_WINDOW, STOVE_AT_WINDOW, NO_TOP_BESIDE_STOVE = -1.2, 1.0, 0.8
+SINK_AT_WINDOW, STOVE_AT_WINDOW, NO_TOP_BESIDE_STOVE = -1.2, 2.0, 0.8
 #: A dishwasher stands in the leg of the sink.
 DISHWASHER, SPLIT_FROM_SINK = -0.3, 0.8
+#: Each shape less wished for than the one before it.
+LESS_WISHED = 0.4
 #: What chance makes of these (one sigma): not every kitchen is planned alike.
 CHANCE = 0.3
 
 
 def with_row(rule: FurnitureRule, tried: RoomTry) -> RoomTry | None:
     """The room with units side by side against one wall, either way round."""
-    return _best(rule, ("wall",), tried)
+    return _best(rule, {"wall": 0.0}, tried)
 
 
 def with_run(rule: FurnitureRule, tried: RoomTry) -> RoomTry | None:
@@ -47,22 +49,26 @@ def with_run(rule: FurnitureRule, tried: RoomTry) -> RoomTry | None:
     names = list(SHAPES)
     weights = np.array([SHAPES[name] for name in names])
     order = tried.rng.choice(len(names), len(names), replace=False, p=weights / weights.sum())
-    return _best(rule, [*(names[k] for k in order.tolist()), *APART], tried)
+    wished = {names[k]: LESS_WISHED * number for number, k in enumerate(order.tolist())}
+    return _best(rule, wished, tried) or _best(rule, dict.fromkeys(APART, 0.0), tried)
 
 
-def _best(rule: FurnitureRule, shapes: Sequence[str], tried: RoomTry) -> RoomTry | None:
+def _best(rule: FurnitureRule, shapes: Mapping[str, float], tried: RoomTry) -> RoomTry | None:
+    """The room with the best of some runs of these shapes that finds a place; what speaks against
+    each shape."""
     walls = Walls.of(tried)
-    for shape in shapes:
-        runs = []
+    runs = []
+    for shape, against in shapes.items():
         for number in range(DRAWN):
             run = _drawn(rule, shape, walls, number < SHORT)
             if run is not None:
-                runs.append((_cost(run, walls) + float(tried.rng.normal(0.0, CHANCE)), run))
-        runs.sort(key=lambda pair: pair[0])
-        for _, run in runs[:TRIED]:
-            made = _with(rule, run, tried)
-            if made is not None:
-                return made
+                chance = float(tried.rng.normal(0.0, CHANCE))
+                runs.append((against + _cost(run, walls) + chance, run))
+    runs.sort(key=lambda pair: pair[0])
+    for _, run in runs[:TRIED]:
+        made = _with(rule, run, tried)
+        if made is not None:
+            return made
     return None
 
 
@@ -104,9 +110,10 @@ def _cost(run: Run, walls: Walls) -> float:
         traits = [tried.catalog.category(unit.category).properties for unit in leg.units]
         wet = any("WATER_SOURCE" in its for its in traits)
         for i, (unit, middle) in enumerate(spots(leg, tried)):
-            off = min((abs(t - middle) for t in windows), default=math.inf)
+            off = min((abs(t - middle) for t, _ in windows), default=math.inf)
+            beside = min((abs(t - middle) - half for t, half in windows), default=math.inf)
             if "HEAT_SOURCE" in traits[i]:
-                total += STOVE_AT_WINDOW if off < BEFORE_WINDOW_M else 0.0
+                total += STOVE_AT_WINDOW if beside < BESIDE_WINDOW_M else 0.0
                 total += NO_TOP_BESIDE_STOVE * (2 - topped[i] - topped[i + 2])
             elif topped[i + 1]:
                 worktop += unit.extents_m[1]

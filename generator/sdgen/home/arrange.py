@@ -6,11 +6,11 @@ that a robot cannot cross is arranged anew, a bounded number of times.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from shapely.geometry import Point
+from shapely.geometry import Point, Polygon
 
 from sdgen.catalog.records import Catalog, FurnitureRule
 from sdgen.facts import bodies_of
@@ -46,6 +46,8 @@ MANY_AT_ONCE: Mapping[str, Callable[[FurnitureRule, RoomTry], RoomTry | None]] =
 MODELS_TRIED = 4
 #: Where one model found no place, none does that is as large in each direction but for so much.
 SAME_M = 0.02
+#: People walk past each other's furniture where it leaves them so much.
+WALK_M = 0.8
 #: What a person in a room must be able to get to: this far from every doorway's middle.
 NEAR_DOOR_M = 0.2
 #: Floor that a robot's middle has in a room: a small bathroom has little more than a spot to turn.
@@ -93,10 +95,20 @@ def _try_room(furnished: RoomTry) -> Layout | Rejection:
         more = _with_group(asked, furnished)
         if more is None and group[0].needed:
             return reject("home", "no_place", category=group[0].category or group[0].row[0])
+        if more is not None and not (group[0].needed or _leaves_way(furnished, more)):
+            continue
         furnished = more or furnished
-    if not _passable(furnished):
+    if not _passable(furnished) or not (furnished.modest or _walkable(furnished)):
         return reject("home", "no_way_through", category=room_type)
     return furnished.layout
+
+
+def _leaves_way(before: RoomTry, after: RoomTry) -> bool:
+    """Whether people walk through a room as well with some pieces more; looked at only where they
+    did not with all, before."""
+    if before.number == 0 or len(after.prints) == len(before.prints):
+        return True
+    return _walkable(after) or not _walkable(before)
 
 
 def rules_of(room: Room, catalog: Catalog) -> tuple[FurnitureRule, ...]:
@@ -293,21 +305,30 @@ def _poses(
     return anchors.opposite(target, tried.sides, size, rng, reach)
 
 
+def _walkable(tried: RoomTry) -> bool:
+    """True when people can walk from each doorway of the room to every other."""
+    return any(_joined(tried, WALK_M / 2))
+
+
 def _passable(tried: RoomTry) -> bool:
     """True when a robot can get from each doorway of the room to every other and to its middle."""
+    least = LEAST_FREE_M2 if tried.outline.area >= SMALL_ROOM_M2 else LEAST_FREE_SMALL_M2
+    return any(part.area >= least for part in _joined(tried, ROBOT_RADIUS_M))
+
+
+def _joined(tried: RoomTry, radius_m: float) -> Iterator[Polygon]:
+    """The parts of the floor with all doorways of the room by them, where the middle of what is so
+    wide may be."""
     ids = [k for found in tried.placed.values() for k in found]
     layout = tried.layout
     obstacles = floor_obstacles(bodies_of([layout.items[k] for k in ids], layout.library.infos))
-    grown = union([o.buffer(ROBOT_RADIUS_M, quad_segs=2) for o in obstacles])
-    free = tried.outline.buffer(-ROBOT_RADIUS_M, join_style="mitre").difference(grown)
-    parts = polygons(free)
+    grown = union([o.buffer(radius_m, quad_segs=2) for o in obstacles])
+    free = tried.outline.buffer(-radius_m, join_style="mitre").difference(grown)
     ends = [
         Point(doorway_point(opening, tried.room))
         for opening in tried.openings
         if opening.kind != "window"
     ]
-    least = LEAST_FREE_M2 if tried.outline.area >= SMALL_ROOM_M2 else LEAST_FREE_SMALL_M2
-    return any(
-        part.area >= least and all(part.distance(end) <= NEAR_DOOR_M for end in ends)
-        for part in parts
-    )
+    for part in polygons(free):
+        if all(part.distance(end) <= NEAR_DOOR_M for end in ends):
+            yield part

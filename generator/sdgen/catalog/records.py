@@ -242,12 +242,13 @@ class FurnitureRule(Record):
     ``where`` says how it is placed: against a ``wall`` (at ``z_m``, if it hangs), in a ``corner``,
     in the ``middle``; ``row``: the pieces of ``row`` side by side against one wall; ``run``: so
     along one wall, two that face or, with a ``corner`` unit, round one corner or two, with as many
-    of ``extra`` at its last unit as chance and the walls allow; and, relative to a piece of ``of``
-    placed before: ``on`` it, ``beside`` it, ``before`` its front (``gap_m`` away, facing it),
-    ``under`` it, ``around`` it (facing it), ``above`` it on the wall, ``over`` it in a row of wall
-    units, or ``opposite``, against the wall it faces, with nothing in between. ``count`` is per
-    room, or per piece of ``of`` for ``on``, ``beside``, ``around`` and ``above``. ``front_m`` of
-    floor before it is kept free, and against a ``wall`` ``gap_m`` beside it.
+    of ``extra`` at its last unit as chance and the walls allow; ``island``: so in the middle of
+    the room, ``gap_m`` from all else, with seats of ``extra`` at the back; and, relative to a piece
+    of ``of`` placed before: ``on`` it, ``beside`` it, ``before`` its front (``gap_m`` away, facing
+    it), ``under`` it, ``around`` it (facing it), ``above`` it on the wall, ``over`` it in a row of
+    wall units, or ``opposite``, against the wall it faces, with nothing in between. ``count`` is
+    per room, or per piece of ``of`` for ``on``, ``beside``, ``around`` and ``above``. ``front_m``
+    of floor before it is kept free, and against a ``wall`` ``gap_m`` beside it.
 
     A rule begins a group, with those after it that are about a piece of the group; a group that
     misses something is placed anew a few times. Without a ``needed`` piece of it, it does not stand
@@ -264,6 +265,7 @@ class FurnitureRule(Record):
         "middle",
         "row",
         "run",
+        "island",
         "on",
         "beside",
         "before",
@@ -290,19 +292,20 @@ class FurnitureRule(Record):
 
     @model_validator(mode="after")
     def _of_its_kind(self) -> FurnitureRule:
-        wanted = {"row" if self.where in ("row", "run") else "category"}
-        if self.where not in ("wall", "corner", "middle", "row", "run"):
+        rows = ("row", "run", "island")
+        wanted = {"row" if self.where in rows else "category"}
+        if self.where not in ("wall", "corner", "middle", *rows):
             wanted.add("of")
         given = {key for key in ("category", "row", "of") if getattr(self, key)}
         found = [
             problem((), f"missing key {key!r}: 'where: {self.where}' needs it")
             for key in sorted(wanted - given)
         ]
-        of_runs = {key for key in ("corner", "extra") if getattr(self, key)}
+        besides = {"run": set[str](), "island": {"corner"}}.get(self.where, {"corner", "extra"})
         wishes = {key for key in ("near", "facing", "aligned", "centred") if getattr(self, key)}
         misplaced = given - wanted
-        misplaced |= of_runs if self.where != "run" else set()
-        misplaced |= wishes if self.where in ("row", "run") else set()
+        misplaced |= {key for key in besides if getattr(self, key)}
+        misplaced |= wishes if self.where in rows else set()
         found += [
             problem((key,), f"does not go with 'where: {self.where}'") for key in sorted(misplaced)
         ]

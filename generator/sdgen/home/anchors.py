@@ -48,10 +48,10 @@ BEFORE_BESIDE_M = 0.1
 #: stand, in shares of that half.
 TWO_SEATS_M, SEAT_AT = 0.55, 0.5
 #: Opposite: within 26 degrees of right across (a cosine); between a walk past and the end of a
-#: living room, metres; and by eye so far beside right across.
+#: living room, metres; and by eye so far beside right across, nearest first.
 OPPOSITE_COS = 0.9
 OPPOSITE_M = (1.6, 6.0)
-OPPOSITE_BESIDE_M = 0.6
+OPPOSITE_BESIDE_M = (0.0, 0.15, -0.15, 0.3, -0.3, 0.45, -0.45, 0.6, -0.6)
 #: On top: what is shallower than this share of the piece stands at its back, so far from its edges;
 #: and by eye four spots within this share of the rest of its width.
 SHALLOW_SHARE = 0.7
@@ -237,6 +237,7 @@ def opposite(
     yaw = yaw_of(target.pose.quat_xyzw)
     x, y, _ = target.pose.position_m
     depth, width = size
+    first = 1 if rng.random() < 0.5 else -1
     out: list[PlacedAt] = []
     for side in sides:
         facing = math.cos(yaw) * side.inward[0] + math.sin(yaw) * side.inward[1]
@@ -245,9 +246,9 @@ def opposite(
             continue
         left, right = end_gaps(reach)
         low, high = width / 2 + left, side.length_m - width / 2 - right
-        for shift in (0.0, *rng.uniform(-OPPOSITE_BESIDE_M, OPPOSITE_BESIDE_M, 4).tolist()):
+        for shift in OPPOSITE_BESIDE_M:
             if low <= high:
-                spot = min(max(t + shift, low), high)
+                spot = min(max(t + first * shift, low), high)
                 out.append((*side.at(spot, depth / 2 + back_gap(reach)), 0.0, side.yaw))
     return out
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 from sdgen.geometry import Vec2
@@ -62,6 +62,7 @@ class Walls:
     tried: RoomTry
     free: list[list[Vec2]] = field(default_factory=list)
     windows: list[list[Vec2]] = field(default_factory=list)
+    drawn: dict[str, tuple[Asset, ...]] = field(default_factory=dict)
 
     @classmethod
     def of(cls, tried: RoomTry) -> Walls:
@@ -84,6 +85,15 @@ class Walls:
     def takes(self, k: int, low_m: float, high_m: float) -> bool:
         """Whether nothing is in the way from here to there along a side."""
         return any(low - 1e-6 <= low_m and high_m <= high + 1e-6 for low, high in self.free[k])
+
+    def of_each_width(self, category: str) -> tuple[Asset, ...]:
+        """A model of each width there is of a category, drawn once."""
+        if category not in self.drawn:
+            found, rng = self.tried.models(category), self.tried.rng
+            shuffled = (found[k] for k in rng.permutation(len(found)).tolist())
+            by_width = {round(model.extents_m[1], 2): model for model in shuffled}
+            self.drawn[category] = tuple(by_width.values())
+        return self.drawn[category]
 
     def corners(self) -> Iterator[tuple[int, int]]:
         """Sides that meet in a corner of the room that a unit can stand in."""
@@ -167,24 +177,37 @@ def round_two(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | None
         return None
     for low in range(1, len(units) - 1):
         for high in range(low + 1, len(units)):
-            first, middle, last = units[:low], units[low:high], units[high:]
-            if not all(_joins(unit, corner) for unit in (first[-1], *middle, last[0])):
+            first = _up_to(a, sides[a], units[:low], corner, walls)
+            last = first and _on_from(c, sides[c], units[high:], corner, walls)
+            if first is None or last is None:
                 continue
-            between = length - 2 * BACK_GAP_M - deep - wide
-            free_m = between - sum(u.extents_m[1] for u in middle)
-            behind = max(0.0, free_m / (len(middle) + 1) - WEDGED_GAP_M[1]) * (len(middle) + 1) / 2
-            gap = (free_m - 2 * behind) / (len(middle) + 1)
-            if gap < WEDGED_GAP_M[0] or behind > BEHIND_M:
+            filling = _filling(units[low:high], length - 2 * BACK_GAP_M - deep - wide, walls)
+            if filling is None:
+                continue
+            middle, gap, behind = filling
+            if not all(_joins(unit, corner) for unit in (first.units[-1], *middle, last.units[0])):
                 continue
             # As if the walls at its ends were so much nearer.
             one, other = (replace(sides[k], start=sides[k].at(0.0, behind)) for k in (a, c))
             back = replace(sides[b], start=sides[b].at(behind, 0.0), length_m=length - 2 * behind)
-            ends = _up_to(a, one, first, corner, walls), _on_from(c, other, last, corner, walls)
-            if ends[0] is None or ends[1] is None:
-                continue
-            wedged = Leg(b, back, BACK_GAP_M + deep + gap, tuple(middle), gap)
+            wedged = Leg(b, back, BACK_GAP_M + deep + gap, middle, gap)
             at = tuple((corner, _corner_at(side, corner)) for side in (one, back))
-            return Run((ends[0], wedged, ends[1]), at)
+            return Run((first._replace(side=one), wedged, last._replace(side=other)), at)
+    return None
+
+
+def _filling(
+    units: Sequence[Asset], between_m: float, walls: Walls
+) -> tuple[tuple[Asset, ...], float, float] | None:
+    """Units like these that fill a wall between two corner units, of models drawn at random, how
+    far they stand apart, and how far worktops reach behind the units at both ends."""
+    drawn = [walls.of_each_width(unit.category) for unit in units]
+    for middle in product(*drawn):
+        free_m = between_m - sum(unit.extents_m[1] for unit in middle)
+        least, most = (gap * (len(middle) + 1) for gap in WEDGED_GAP_M)
+        if least <= free_m <= most + 2 * BEHIND_M:
+            behind = max(0.0, free_m - most) / 2
+            return middle, (free_m - 2 * behind) / (len(middle) + 1), behind
     return None
 
 

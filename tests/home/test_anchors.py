@@ -187,7 +187,7 @@ def test_opposite_is_against_the_wall_a_piece_faces(y, size, seed):
     """A sofa with its back to x = 0 looks at the wall at x = 4."""
     sofa, _ = stands((0.5, y, 0.0, 0.0), (0.9, 1.6))
     poses = anchors.opposite(sofa, sides_of(BOX), size, rng(seed))
-    assert len(poses) == 5
+    assert len(poses) == len(anchors.OPPOSITE_BESIDE_M)
     low = size[1] / 2 + SIDE_GAP_M
     assert poses[0][1] == pytest.approx(min(max(y, low), 3.5 - low))
     for pose in poses:
@@ -204,12 +204,28 @@ def test_nothing_is_opposite_when_the_wall_is_too_near():
 @given(SIZES, st.tuples(st.floats(0.01, 0.4), st.floats(0.2, 1.0)), SEEDS, st.floats(1.2, 1.8))
 def test_above_hangs_on_the_wall_that_the_piece_below_stands_against(target_size, size, seed, z):
     for at in anchors.against_walls(sides_of(BOX), target_size, 0.0, rng(seed)):
-        (pose,) = anchors.above(*stands(at, target_size), size, z)
+        (pose,) = anchors.above(*stands(at, target_size), size, z, sides_of(BOX))
         assert gap_behind(pose, size, BOX) == pytest.approx(HUNG_GAP_M, abs=1e-6)
         assert pose[2] == z
         assert pose[3] == pytest.approx(at[3])
         middle = point(at, -target_size[0] / 2), point(pose, -size[0] / 2)
         assert math.dist(*middle) == pytest.approx(BACK_GAP_M - HUNG_GAP_M, abs=1e-6)
+
+
+def test_what_hangs_above_a_piece_off_the_wall_hangs_on_the_wall_itself():
+    """As over the legs of a U, behind which worktops reach."""
+    at, size = (0.39, 1.5, 0.0, 0.0), (0.6, 0.8)
+    target = stands(at, size)
+    assert anchors.gap_behind(*target, sides_of(BOX)) == pytest.approx(0.09)
+    (pose,) = anchors.above(*target, (0.35, 0.8), 1.45, sides_of(BOX))
+    assert pose[0] == pytest.approx(HUNG_GAP_M + 0.35 / 2)
+
+
+def test_the_gap_at_the_right_of_a_corner_unit_is_to_the_wall_there():
+    # Its back to x = 0, its right, where y falls, to y = 0.
+    target = stands((0.49, 0.52, 0.0, 0.0), (0.9, 0.9))
+    assert anchors.gap_behind(*target, sides_of(BOX)) == pytest.approx(0.04)
+    assert anchors.gap_behind(*target, sides_of(BOX), right=True) == pytest.approx(0.07)
 
 
 @given(SIZES, SIZES, YAWS, st.floats(-0.3, 0.6))

@@ -253,10 +253,28 @@ def opposite(
     return out
 
 
-def above(target: ObjectInstance, info: AssetInfo, size: Vec2, z: float) -> list[PlacedAt]:
+def above(
+    target: ObjectInstance, info: AssetInfo, size: Vec2, z: float, sides: Sequence[Side]
+) -> list[PlacedAt]:
     """The pose on the wall above a piece that stands against it."""
-    x = -info.extents_m[0] / 2 - BACK_GAP_M + HUNG_GAP_M + size[0] / 2
+    gap = gap_behind(target, info, sides)
+    x = -info.extents_m[0] / 2 - gap + HUNG_GAP_M + size[0] / 2
     return [(*placed_from(target, x, 0.0)[:2], z, yaw_of(target.pose.quat_xyzw))]
+
+
+def gap_behind(
+    target: ObjectInstance, info: AssetInfo, sides: Sequence[Side], right: bool = False
+) -> float:
+    """Between the back of a piece, or its right, and the wall that it stands against, metres."""
+    x, y, _ = target.pose.position_m
+    half = info.extents_m[1 if right else 0] / 2
+    yaw = yaw_of(target.pose.quat_xyzw) + (math.pi / 2 if right else 0.0)
+    gaps = []
+    for side in sides:
+        along, away = side.measure((x, y))
+        if math.cos(yaw - side.yaw) > 0.99 and 0 <= along <= side.length_m and away > half - 0.05:
+            gaps.append(away - half)
+    return min(gaps, default=BACK_GAP_M)
 
 
 def on_top(

@@ -301,7 +301,7 @@ def _poses(
         seated = [layout.items[k].pose.position_m[:2] for k in tried.all([rule.category])]
         return anchors.around(target, info, size, seated, rng)
     if rule.where == "above":
-        return anchors.above(target, info, size, rule.z_m)
+        return anchors.above(target, info, size, rule.z_m, tried.sides)
     if rule.where == "under":
         return anchors.under(target)
     return anchors.opposite(target, tried.sides, size, rng, reach)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from sdgen.catalog.records import FurnitureRule
 from sdgen.geometry import yaw_of
-from sdgen.home.anchors import BACK_GAP_M, HUNG_GAP_M, PlacedAt, placed_from
+from sdgen.home.anchors import HUNG_GAP_M, PlacedAt, Side, gap_behind, placed_from
 from sdgen.home.room_try import RoomTry, with_placed
 from sdgen.home.ways import way_of
 from sdgen.library.records import Asset, AssetInfo
@@ -31,7 +31,7 @@ def with_wall_units(rule: FurnitureRule, tried: RoomTry) -> RoomTry | None:
     furnished: RoomTry | None = None
     for target_id in tried.all(rule.of):
         target, info = tried.layout.items[target_id], tried.layout.info(target_id)
-        for unit, pose in _over(target, info, by_width, rule.z_m):
+        for unit, pose in _over(target, info, by_width, rule.z_m, tried.sides):
             if (furnished or tried).full(rule.category):
                 return furnished
             more = with_placed(rule, unit, pose, target_id, furnished or tried)
@@ -51,26 +51,32 @@ def _leaves_meet(tried: RoomTry, target_id: int) -> bool:
 
 
 def _over(
-    target: ObjectInstance, info: AssetInfo, by_width: Mapping[int, Asset], z_m: float
+    target: ObjectInstance,
+    info: AssetInfo,
+    by_width: Mapping[int, Asset],
+    z_m: float,
+    sides: Sequence[Side],
 ) -> list[tuple[Asset, PlacedAt]]:
     """The units that hang over a base unit, with their poses."""
     deep, wide, _ = info.extents_m
     yaw = yaw_of(target.pose.quat_xyzw)
+    gap = gap_behind(target, info, sides)
     out: list[tuple[Asset, PlacedAt]] = []
     if min(deep, wide) >= CORNER_M:
         arm = by_width.get(round(ARM_M * STEPS_A_METRE))
         if arm is not None:
             # Its walls are behind it and at its right; the run goes on at its left and before it.
-            width, off = arm.extents_m[1], arm.extents_m[0] / 2 + HUNG_GAP_M - BACK_GAP_M
-            behind = placed_from(target, off - deep / 2, (wide - width) / 2)
-            right = placed_from(target, (deep - width) / 2, off - wide / 2)
+            width, off = arm.extents_m[1], arm.extents_m[0] / 2 + HUNG_GAP_M
+            beside = gap_behind(target, info, sides, right=True)
+            behind = placed_from(target, off - gap - deep / 2, (wide - width) / 2)
+            right = placed_from(target, (deep - width) / 2, off - beside - wide / 2)
             out = [(arm, (*behind[:2], z_m, yaw)), (arm, (*right[:2], z_m, yaw + math.pi / 2))]
         return out
     units = fewest(round(wide * STEPS_A_METRE), tuple(sorted(by_width, reverse=True)))
     y = -sum(by_width[w].extents_m[1] for w in units) / 2 - UNIT_GAP_M * (len(units) - 1) / 2
     for w in units:
         unit = by_width[w]
-        off = unit.extents_m[0] / 2 + HUNG_GAP_M - BACK_GAP_M
+        off = unit.extents_m[0] / 2 + HUNG_GAP_M - gap
         at = placed_from(target, off - deep / 2, y + unit.extents_m[1] / 2)
         out.append((unit, (*at[:2], z_m, yaw)))
         y += unit.extents_m[1] + UNIT_GAP_M

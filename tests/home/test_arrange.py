@@ -17,6 +17,7 @@ from sdgen.home.anchors import sides_of
 from sdgen.home.arrange import groups_of
 from sdgen.home.layout import corners_of
 from sdgen.home.room_try import free_parts
+from sdgen.home.run_shapes import BEHIND_M
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations
 from sdgen.physics.world import standing
@@ -233,7 +234,9 @@ def test_cupboards_have_their_backs_to_a_wall(stages):
                 turn = yaw_of(item.pose.quat_xyzw) - side.yaw
                 if abs(math.sin(turn)) < 1e-3 and math.cos(turn) > 0 and 0 < t < side.length_m:
                     gaps.append(away - info.extents_m[0] / 2)
-            assert min(gaps) == pytest.approx(0.03, abs=2e-3), item.category
+            # The units at both ends of a U stand a little off, where they do not fill its wall.
+            off = BEHIND_M if item.category in ("fridge", "stove") else 0.0
+            assert 0.028 < min(gaps) < 0.032 + off, item.category
 
 
 def test_homes_differ_and_have_three_to_ten_rooms(stages):

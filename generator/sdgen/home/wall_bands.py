@@ -26,8 +26,9 @@ Facing = Literal["+x", "-x", "+y", "-y"]
 WORKTOP_M = (0.7, 1.35)
 #: Tiles end so far above a worktop: where wall units begin.
 SPLASH_M = 0.55
-#: A unit's back is so near the wall that it stands at, and gaps up to so wide are tiled too.
-BACK_M = 0.05
+#: A unit's back is so near the wall that it stands at (the ends of a U stand a little off it), and
+#: gaps up to so wide are tiled too.
+BACK_M = 0.1
 JOIN_M = 0.65
 
 
@@ -54,7 +55,9 @@ def with_splashbacks(
         spec = types.get(room.type)
         if surface is None or spec is None:
             continue
-        units = {name for rule in spec.furniture for name in (*rule.row, *rule.extra, rule.corner)}
+        # Not those of an island: at its back, in the middle of the room, stand seats.
+        runs = [rule for rule in spec.furniture if rule.where in ("row", "run")]
+        units = {name for rule in runs for name in (*rule.row, *rule.extra, rule.corner)}
         for structure in home.structures:
             if structure.room_id == room.id and structure.category == "wall":
                 bands = tuple(_splashes(structure, room, layout, units, surface))

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from sdgen.catalog.row import Row
 from sdgen.catalog.terms import Predicate
 from sdgen.catalog.words import (
     PAIR,
@@ -188,7 +189,7 @@ class Category(Record):
     ``reserved``: hollows that only take what lives in a hollow of that name. ``belongs_to``: the
     pets, conditions and age groups with which it comes, ``always`` or as often as anything;
     ``sleeps``: how many a bed is for. ``holds``: what lives on or in such a small thing is there
-    so often.
+    so often. ``rows``: what stands in rows on its shelves; the first that a shelf draws fills it.
     """
 
     name: str
@@ -210,6 +211,7 @@ class Category(Record):
     always: bool = False
     sleeps: int = 0
     holds: Holds | None = None
+    rows: tuple[Row, ...] = ()
 
 
 class Fitting(Record):

@@ -26,6 +26,7 @@ from sdgen.catalog.records import (
     SurfaceChoice,
     WindowKind,
 )
+from sdgen.catalog.row import Row
 from sdgen.catalog.words import (
     PAIR,
     Belongs,
@@ -138,6 +139,7 @@ class CategoryYaml(Record):
     # A family's bed for more is none that anybody sells.
     sleeps: Annotated[int, between(0, 4)] = 0
     holds: Annotated[Holds | None, Expect("{chance: 0 to 1, count: [least, most]}")] = None
+    rows: Annotated[tuple[Row, ...], Expect("a list of {of: categories}")] = ()
     replaces: bool = False
 
     @model_validator(mode="after")
@@ -154,6 +156,8 @@ class CategoryYaml(Record):
         if self.holds is not None and self.kind != "small":
             text = "only small things hold others by it; for furniture see 'clutter' of rooms.yaml"
             refuse(problem(("holds",), text))
+        if self.rows and self.kind != "furniture":
+            refuse(problem(("rows",), "only furniture has shelves that rows stand on"))
         if self.always and not (self.belongs_to and self.lives):
             refuse(problem(("always",), "always needs 'belongs_to' and 'lives': whose, and where?"))
         return self

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Collection
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
-from sdgen.catalog.records import Abode, Category
-from sdgen.geometry import Array
+from sdgen.catalog.records import Category
 from sdgen.home.context import KEEP_CLEAR, SPOTS_TRIED, Everything, HomeContext
 from sdgen.home.layout import Bulk, Intent, Layout
+from sdgen.home.rows import fill_rows
 from sdgen.home.small_on_small import spot_on_small
-from sdgen.library.records import Asset, AssetInfo
-from sdgen.library.states import rest_states
+from sdgen.home.stock import Abodes, Choices, Stock, living_so
+from sdgen.library.records import AssetInfo
 from sdgen.scene import ObjectInstance, Room
 from sdgen.seeding import Rng
 
@@ -23,9 +22,6 @@ from sdgen.seeding import Rng
 LEAST_THINGS = 66
 #: Bounds the search for room for them, in rounds of one thing more on every receptacle.
 EXTRA_ROUNDS = 4
-#: Draws for one thing where the home has enough of what was drawn: of twenty that fail, one does
-#: so four times.
-PICKS = 4
 #: Searches of the whole home for room for what a household always has: where spots drawn in every
 #: room failed once (of a hundred homes with pets in two), others are found; with 8 of them one
 #: cat in 300 homes had no bowl.
@@ -42,16 +38,18 @@ def add_clutter(
     hold; nothing is put on or into the small things of ``keep_off``.
 
     A thing that finds no room is left out: clutter is never worth a retry. A small home whose
-    priors give fewer than LEAST_THINGS gets one more on every receptacle, and again.
+    priors give fewer than LEAST_THINGS, rows aside, gets one more on every receptacle, and again.
     """
     types = {t.name: t for t in context.catalog.room_types}
-    abodes = _Abodes(context)
-    stock = _Stock(layout)
+    abodes = Abodes(context)
+    stock = Stock(layout)
     for category in context.catalog.categories:
         for _ in range(ALWAYS_ROUNDS if category.always else 0):
             if not stock.count(category.name):
                 _place_somewhere(layout, category, stock, context, rng)
-    receptacles: list[tuple[ObjectInstance, Room, _Choices]] = []
+    rows = {c.name: c.rows for c in context.catalog.categories}
+    rowed = 0
+    receptacles: list[tuple[ObjectInstance, Room, Choices]] = []
     for room in context.home.rooms:
         room_type = types.get(room.type)
         if room_type is None:
@@ -61,6 +59,8 @@ def add_clutter(
             prior = priors.get(item.category)
             if not item.fixed or item.room_id != room.id or prior is None:
                 continue
+            filled_by = rows.get(item.category, ())
+            rowed += fill_rows(layout, item, room, filled_by, abodes, stock, context, rng)
             wanted = int(rng.integers(prior.count_min, prior.count_max + 1))
             choices = abodes.choices(item.category, room)
             if choices is None:
@@ -76,7 +76,7 @@ def add_clutter(
     _fill_small_things(layout, abodes, stock, context, keep_off, rng)
     for _ in range(EXTRA_ROUNDS):
         for receptacle, room, choices in receptacles:
-            if _things(layout) >= LEAST_THINGS:
+            if _things(layout) - rowed >= LEAST_THINGS:
                 return
             _place(layout, receptacle, room, choices, stock, context, rng)
 
@@ -85,105 +85,10 @@ def _things(layout: Layout) -> int:
     return sum(not item.fixed for item in layout.items.values())
 
 
-class _Stock:
-    """What a home has so far, counted as the catalogue bounds it."""
-
-    def __init__(self, layout: Layout) -> None:
-        self._home: Counter[str] = Counter()
-        self._rooms: Counter[tuple[int, str]] = Counter()
-        self._models: set[tuple[int, str]] = set()
-        for item in layout.items.values():
-            intent = layout.intents.get(item.id)
-            self.add(item, None if intent is None else intent.target_id)
-
-    def add(self, item: ObjectInstance, target_id: int | None) -> None:
-        """Count a thing that was put on or in a target."""
-        self._home[item.category] += 1
-        self._rooms[item.room_id, item.category] += 1
-        if target_id is not None:
-            self._models.add((target_id, item.asset))
-
-    def count(self, category: str) -> int:
-        """How many of a category there are in all."""
-        return self._home[category]
-
-    def full(self, category: Category, room_id: int) -> bool:
-        """True when the room, or the home, has as many of a category as it may."""
-        name = category.name
-        return category.at_most.reached(self._rooms[room_id, name], self._home[name])
-
-    def stands_on(self, target_id: int, asset_id: str) -> bool:
-        """True when one of this model is on or in the target."""
-        return (target_id, asset_id) in self._models
-
-
-@dataclass(frozen=True)
-class _Choices:
-    """What lives in one place: categories with how they lie there, and the sums of their weights
-    up to each, as shares."""
-
-    among: tuple[tuple[Category, Abode, Sequence[Asset]], ...]
-    sums: Array
-
-    def pick(
-        self, room_id: int, target_id: int, stock: _Stock, rng: Rng
-    ) -> tuple[Asset, Abode] | None:
-        """A model by the abodes' weights, any of its category's; None when all that were drawn
-        are there as often as they may be."""
-        for _ in range(PICKS):
-            # What rng.choice with weights does, without summing them again for every thing.
-            k = int(self.sums.searchsorted(rng.random(), side="right"))
-            category, abode, models = self.among[k]
-            asset = models[int(rng.integers(len(models)))]
-            if stock.full(category, room_id):
-                continue
-            if category.alike or not stock.stands_on(target_id, asset.id):
-                return asset, abode
-        return None
-
-
-def living_so(category: Category, abode: Abode, models: Sequence[Asset]) -> Sequence[Asset]:
-    """The models of a category that live as one of its abodes says.
-
-    What comes in a state that some abode names (a cut apple) lives where such abodes say alone.
-    """
-    named = {other.state for other in category.lives} - {None}
-    if not named:
-        return models
-    if abode.state is not None:
-        return [model for model in models if abode.state in rest_states(model)]
-    return [model for model in models if named.isdisjoint(rest_states(model))]
-
-
-class _Abodes:
-    """What lives where in a home, by the catalogue and the models at hand."""
-
-    def __init__(self, context: HomeContext) -> None:
-        self._by_target: dict[str, list[tuple[Category, Abode, Sequence[Asset]]]] = {}
-        for category in context.catalog.categories:
-            for abode in category.lives if category.kind == "small" else ():
-                models = living_so(category, abode, context.models(category.name))
-                for target in dict.fromkeys(abode.targets) if models else ():
-                    self._by_target.setdefault(target, []).append((category, abode, models))
-
-    def choices(self, target: str, room: Room) -> _Choices | None:
-        """What lives on or in a target in a room; None when nothing does."""
-        among = tuple(
-            one
-            for one in self._by_target.get(target, ())
-            if not one[1].rooms or room.type in one[1].rooms
-        )
-        weights = np.array([abode.weight for _, abode, _ in among])
-        if weights.sum() <= 0:
-            return None
-        sums = (weights / weights.sum()).cumsum()
-        return _Choices(among, sums / sums[-1])
-
-
 def _fill_small_things(
     layout: Layout,
-    abodes: _Abodes,
-    stock: _Stock,
+    abodes: Abodes,
+    stock: Stock,
     context: HomeContext,
     keep_off: Collection[int],
     rng: Rng,
@@ -218,15 +123,15 @@ def _place(
     layout: Layout,
     receptacle: ObjectInstance,
     room: Room,
-    choices: _Choices,
-    stock: _Stock,
+    choices: Choices,
+    stock: Stock,
     context: HomeContext,
     rng: Rng,
 ) -> ObjectInstance | None:
     picked = choices.pick(room.id, receptacle.id, stock, rng)
     if picked is None:
         return None
-    asset, abode = picked
+    _, abode, asset = picked
     may_hold = partial(context.may_hold, asset.category, receptacle.category)
     if context.reach.needed_m(asset) is not None:
         may_hold = partial(_behind_a_leaf, layout.info(receptacle.id), may_hold)
@@ -265,7 +170,7 @@ def _behind_a_leaf(info: AssetInfo, may_hold: Callable[[str], bool], hollow: str
 
 
 def _place_somewhere(
-    layout: Layout, category: Category, stock: _Stock, context: HomeContext, rng: Rng
+    layout: Layout, category: Category, stock: Stock, context: HomeContext, rng: Rng
 ) -> None:
     """Put one of a category where it lives: the first of its abodes that has room for it, out of
     sight if it must be."""
@@ -274,7 +179,7 @@ def _place_somewhere(
             models = living_so(category, abode, context.models(category.name))
             if not models:
                 continue
-            only = _Choices(((category, abode, models),), np.ones(1))
+            only = Choices(((category, abode, models),), np.ones(1))
             rooms = [r for r in context.home.rooms if not abode.rooms or r.type in abode.rooms]
             for room in [rooms[k] for k in rng.permutation(len(rooms)).tolist()]:
                 if "floor" in abode.targets:
@@ -287,13 +192,13 @@ def _place_somewhere(
 
 
 def _place_on_floor(
-    layout: Layout, room: Room, choices: _Choices, stock: _Stock, context: HomeContext, rng: Rng
+    layout: Layout, room: Room, choices: Choices, stock: Stock, context: HomeContext, rng: Rng
 ) -> None:
     floor_id = context.floor_id(room.id)
     picked = choices.pick(room.id, floor_id, stock, rng)
     if picked is None:
         return
-    asset, _ = picked
+    asset = picked.asset
     ground = context.ground(room.id, KEEP_CLEAR)
     must_show = context.keeps_to_views(asset.category, rng)
     if must_show and not context.shows.anything_on(room.id):

@@ -46,9 +46,21 @@ def spot_on_small(
     layout: Layout, asset: AssetInfo, target_id: int, relation: str, rng: Rng
 ) -> Vec3Yaw | None:
     """A spot on or in a small thing for a new one of this asset, at rest; None when none fits."""
-    target = layout.items[target_id]
     if relation == "INSIDE":
-        return _in_hollow(layout, asset, target, rng)
+        return _in_hollow(layout, asset, layout.items[target_id], rng)
+    return _spot_atop(layout, asset, target_id, ANYWHERE, rng)
+
+
+def spot_square_on(layout: Layout, asset: AssetInfo, target_id: int, rng: Rng) -> Vec3Yaw | None:
+    """A spot on the middle of a small thing for a new one of this asset, as in a pile."""
+    return _spot_atop(layout, asset, target_id, 0, rng)
+
+
+def _spot_atop(
+    layout: Layout, asset: AssetInfo, target_id: int, anywhere: int, rng: Rng
+) -> Vec3Yaw | None:
+    """A spot on a small thing: the first ``anywhere`` tries all over it, then on its middle."""
+    target = layout.items[target_id]
     open_ones = [s for s in layout.surfaces_of(target_id) if s.support.container is None]
     if not open_ones or _stacked(layout, target_id) > STACKED_MOST:
         return None
@@ -56,9 +68,9 @@ def spot_on_small(
     edge = surface.edge
     shape = _Shape.of(asset)
     front, middle = yaw_of(target.pose.quat_xyzw), surface.shape.centroid
-    for trial in range(ANYWHERE + SQUARE):
+    for trial in range(anywhere + SQUARE):
         point: Vec2 | None
-        if trial < ANYWHERE:
+        if trial < anywhere:
             yaw, point = random_yaw(rng, front), surface.random_point(rng)
         else:
             yaw = front + float(rng.normal(0.0, STACKED_RAD))

@@ -1,0 +1,25 @@
+"""How people fill a shelf: one entry of ``rows`` of a piece of furniture."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from sdgen.catalog.words import PAIR, Categories, RoomNames, between, span
+from sdgen.scene import Record
+
+
+class Row(Record):
+    """Things ``of`` these categories side by side, as far as they live there, over this share of a
+    shelf's length; so done on this ``chance`` of the shelves in rooms of these types (none: all).
+
+    ``same``: all are of one model, as glasses of a set are. ``pile``: so many of one model lie on
+    each other.
+    """
+
+    of: Categories
+    rooms: RoomNames = ()
+    chance: Annotated[float, between(0.0, 1.0)] = 1.0
+    filled: Annotated[tuple[float, float], span(0.0, 1.0), PAIR] = (0.6, 0.9)
+    same: bool = False
+    # Higher ones creep in the simulation.
+    pile: Annotated[tuple[int, int], span(1, 3, whole=True), PAIR] = (1, 1)

@@ -1,0 +1,258 @@
+"""Rows: what people line up on shelves and racks, front to the front, side by side or in piles.
+
+Every pose is computed: things start a millimetre above what carries them and touch nothing else,
+so that settling moves none.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator, Sequence
+
+import numpy as np
+
+from sdgen.catalog.records import Category
+from sdgen.catalog.row import Row
+from sdgen.geometry import Vec2, yaw_of
+from sdgen.home.context import HomeContext
+from sdgen.home.layout import DROP_M, HEADROOM_LEFT_M, Bulk, Intent, Layout, Vec3Yaw, space_at
+from sdgen.home.small_on_small import spot_square_on
+from sdgen.home.stock import Abodes, Choices, Pick, Stock
+from sdgen.home.surfaces import PlacingSurface
+from sdgen.library.records import Asset
+from sdgen.scene import ObjectInstance, Room
+from sdgen.seeding import Rng
+
+#: Between neighbours of a row, metres: they settle straight down and never touch.
+ROW_GAP_M = 0.003
+#: How far the row's front is behind the edge of the shelf, metres (by eye).
+SET_BACK_M = (0.0, 0.03)
+#: Kept free to both sides of what stood on the shelf before, and all before it, metres: a row
+#: beside or in front of an anomaly would hide it from the views that were chosen to show it.
+SIGHT_M = 0.05
+#: Draws of a model for one place of a row: most that fail are too high or too deep for the shelf.
+TRIES = 6
+#: Where none of them goes, the row goes on this much further, metres.
+STEP_M = 0.06
+#: Between piles, which are not as straight.
+PILE_GAP_M = 0.02
+#: Surfaces with less of their bounding rectangle than this are no shelves to fill.
+SQUARE_SHARE = 0.9
+
+
+def fill_rows(
+    layout: Layout,
+    receptacle: ObjectInstance,
+    room: Room,
+    rows: Sequence[Row],
+    abodes: Abodes,
+    stock: Stock,
+    context: HomeContext,
+    rng: Rng,
+) -> int:
+    """Fill the shelves of a placed piece of furniture, each by the first of ``rows`` that is done
+    there and finds room, over a share of its length drawn from the row's ``filled``. Returns how
+    many things were put there."""
+    placed = 0
+    # By height: the next compartment of a board shows its models too near for twins.
+    taken: dict[float, set[str]] = {}
+    for surface in _shelves(layout, receptacle):
+        shelf = _Shelf(layout, receptacle, surface, room, stock, context)
+        there = taken.setdefault(round(surface.z_m, 1), set())
+        for row in rows:
+            if (row.rooms and room.type not in row.rooms) or rng.random() >= row.chance:
+                continue
+            choices = abodes.choices(receptacle.category, room, row.of, shelf.relation)
+            if choices is not None:
+                choices = choices.no_larger(
+                    shelf.front - shelf.back, shelf.air_m(shelf.surface.z_m)
+                )
+            done = _fill(shelf, row, choices, there, rng) if choices is not None else 0
+            placed += done
+            if done:
+                break
+    return placed
+
+
+def _shelves(layout: Layout, receptacle: ObjectInstance) -> Iterator[PlacingSurface]:
+    """The surfaces that rows stand on: the top of what has shelves below is left for other
+    things."""
+    surfaces = layout.surfaces_of(receptacle.id)
+    yield from [s for s in surfaces if s.support.headroom_m is not None] or surfaces
+
+
+class _Shelf:
+    """A surface as a row sees it: ``along`` runs left to right, ``out`` to its front edge, from
+    the origin of the piece of furniture."""
+
+    def __init__(
+        self,
+        layout: Layout,
+        receptacle: ObjectInstance,
+        surface: PlacingSurface,
+        room: Room,
+        stock: Stock,
+        context: HomeContext,
+    ) -> None:
+        self.layout, self.receptacle, self.surface = layout, receptacle, surface
+        self.room, self.stock, self.context = room, stock, context
+        self.yaw = yaw_of(receptacle.pose.quat_xyzw)
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        self._out, self._along = (cos, sin), (-sin, cos)
+        x, y, _ = receptacle.pose.position_m
+        self._origin = x, y
+        corners = np.array(surface.shape.exterior.coords)[:-1] - (x, y)
+        out, along = corners @ self._out, corners @ self._along
+        self.back, self.front = float(out.min()), float(out.max())
+        self.left, self.right = float(along.min()), float(along.max())
+        hollow = surface.support.container
+        self.relation = "ON" if hollow is None else "INSIDE"
+        info = layout.info(receptacle.id)
+        self._leaf = any(c.name == hollow and c.closed_by for c in info.containers)
+        # A fridge is as full when its door stands open as when no view looks in.
+        shuts = not {"OPEN", "CLOSED"}.isdisjoint(receptacle.states)
+        self._shut_in = hollow is not None and shuts
+        # Drawn once a shelf, by category: whether its things are to lie where views show them.
+        self._shown: dict[str, bool] = {}
+
+    def spans(self) -> list[tuple[float, float]]:
+        """Where along the shelf nothing stands yet, nor is seen past the row's end."""
+        deep, wide = self.front - self.back, self.right - self.left
+        if self.surface.support.area_m2 < SQUARE_SHARE * deep * wide:
+            return []
+        high = self.surface.support.headroom_m or SIGHT_M
+        middle = self._at((self.front + self.back) / 2, (self.left + self.right) / 2)
+        base = (*middle, self.surface.z_m)
+        whole = space_at((deep, wide, high - DROP_M), base, self.yaw, 0.0, DROP_M)
+        ends = [self.left]
+        for key in sorted(set(self.layout.entered([whole])) - {self.receptacle.id}):
+            for block in self.layout.space_of(key):
+                along = (block.outline - self._origin) @ np.array(self._along)
+                ends += [float(along.min()) - SIGHT_M, float(along.max()) + SIGHT_M]
+        return _between(ends, self.right)
+
+    def spot(self, asset: Asset, span: tuple[float, float], set_back: float) -> Vec3Yaw | None:
+        """Where a thing stands at the left end of a span; None where it does not go."""
+        deep, wide, _ = asset.extents_m
+        left, right = span
+        if left + wide > right:
+            return None
+        room_behind = self.front - self.back - deep
+        point = self._at(self.front - min(set_back, room_behind) - deep / 2, left + wide / 2)
+        if not self.surface.carries(asset.extents_m, point, self.yaw):
+            return None
+        base = (*point, self.surface.z_m)
+        block = space_at(asset.extents_m, base, self.yaw, ROW_GAP_M / 3, DROP_M)
+        return (base, self.yaw) if self.layout.fits([block], self.receptacle.id) else None
+
+    def air_m(self, z_m: float) -> float:
+        """How high a thing that stands at ``z_m`` may be, a hand's room left above it."""
+        headroom = self.surface.support.headroom_m
+        return math.inf if headroom is None else self.surface.z_m + headroom - HEADROOM_LEFT_M - z_m
+
+    def full(self, category: Category) -> bool:
+        """Whether the room, or the home, has as many of a category as it may."""
+        return self.stock.full(category, self.room.id)
+
+    def takes(self, asset: Asset, spot: Vec3Yaw, rng: Rng) -> bool:
+        """Whether a thing may be at a spot of the shelf, by what it is and who sees or reaches
+        it."""
+        context, hollow = self.context, self.surface.support.container
+        if hollow is None:
+            fits = context.reach.beyond(asset, spot, self.room.id)
+        else:
+            fits = context.may_hold(asset.category, self.receptacle.category, hollow) and (
+                self._leaf or context.reach.needed_m(asset) is None
+            )
+        if not fits:
+            return False
+        if asset.category in self.layout.fronted and context.faces_wall(self.room.id, spot):
+            return False
+        if asset.category not in self._shown:
+            keeps = not self._shut_in and context.keeps_to_views(asset.category, rng)
+            self._shown[asset.category] = keeps
+        return not self._shown[asset.category] or context.shows_at(Bulk(asset.extents_m), spot)
+
+    def put(self, asset: Asset, spot: Vec3Yaw, intent: Intent) -> ObjectInstance:
+        """A new thing at a spot."""
+        item = self.layout.new_item(asset, spot, self.room.id)
+        self.layout.put(item, intent)
+        self.stock.add(item, self.receptacle.id)
+        return item
+
+    def _at(self, out: float, along: float) -> Vec2:
+        (x, y), (a, b), (c, d) = self._origin, self._out, self._along
+        return x + out * a + along * c, y + out * b + along * d
+
+
+def _between(ends: Sequence[float], last: float) -> list[tuple[float, float]]:
+    """What is left from the first of ``ends`` to ``last`` between the pairs (start, end) after."""
+    at, free = ends[0], []
+    for start, end in sorted(zip(ends[1::2], ends[2::2], strict=True)):
+        if start > at:
+            free.append((at, min(start, last)))
+        at = max(at, end)
+    return [*free, (at, last)] if at < last else free
+
+
+def _fill(shelf: _Shelf, row: Row, choices: Choices, taken: set[str], rng: Rng) -> int:
+    """Put things side by side until the row's share of the shelf's length is taken; how many."""
+    set_back = float(rng.uniform(*SET_BACK_M))
+    gap_m = PILE_GAP_M if row.pile[1] > 1 else ROW_GAP_M
+    # What is left over is at one end, or in one gap between.
+    length = shelf.right - shelf.left
+    spare = (1.0 - float(rng.uniform(*row.filled))) * length
+    gap_at = shelf.left + float(rng.uniform(0.0, 1.0)) * length
+    placed, only = 0, None
+    for at, right in shelf.spans():
+        while at < right:
+            if spare and at >= gap_at:
+                at, spare = at + spare, 0.0
+            stood = _stand(shelf, choices, only, (at, right), set_back, taken, rng)
+            if stood is None:
+                at += STEP_M
+                continue
+            item, picked = stood
+            only = picked if row.same else None
+            taken.add(picked.asset.id)
+            high = int(rng.integers(row.pile[0], row.pile[1] + 1))
+            placed += 1 + _pile(shelf, picked, item, high - 1, rng)
+            at += picked.asset.extents_m[1] + gap_m
+    return placed
+
+
+def _stand(
+    shelf: _Shelf,
+    choices: Choices,
+    only: Pick | None,
+    span: tuple[float, float],
+    set_back: float,
+    taken: Collection[str],
+    rng: Rng,
+) -> tuple[ObjectInstance, Pick] | None:
+    """Stand one thing at the left end of a span of a shelf, ``only`` this model if one is given,
+    none that is ``taken`` unless it comes in several; None where none goes."""
+    for _ in range(TRIES if only is None else 1):
+        picked = only or choices.draw(rng)
+        twin = picked.asset.id in taken and not (only or picked.category.alike)
+        if twin or shelf.full(picked.category):
+            continue
+        spot = shelf.spot(picked.asset, span, set_back)
+        if spot is None or not shelf.takes(picked.asset, spot, rng):
+            continue
+        intent = Intent(picked.abode.relation, shelf.receptacle.id)
+        return shelf.put(picked.asset, spot, intent), picked
+    return None
+
+
+def _pile(shelf: _Shelf, picked: Pick, below: ObjectInstance, more: int, rng: Rng) -> int:
+    """Put more of a model on one that lies; how many find room."""
+    asset = picked.asset
+    for placed in range(more):
+        spot = spot_square_on(shelf.layout, asset, below.id, rng)
+        if spot is None or asset.extents_m[2] > shelf.air_m(spot[0][2]):
+            return placed
+        if shelf.full(picked.category) or not shelf.takes(asset, spot, rng):
+            return placed
+        below = shelf.put(asset, spot, Intent("ON", below.id))
+    return more

@@ -13,7 +13,7 @@ class Row(Record):
     shelf's length; so done on this ``chance`` of the shelves in rooms of these types (none: all).
 
     ``same``: all are of one model, as glasses of a set are. ``pile``: so many of one model lie on
-    each other.
+    each other. ``over_m``: how far they may reach over the shelf's edge, as shoes do.
     """
 
     of: Categories
@@ -23,3 +23,5 @@ class Row(Record):
     same: bool = False
     # Higher ones creep in the simulation.
     pile: Annotated[tuple[int, int], span(1, 3, whole=True), PAIR] = (1, 1)
+    # Past half of a thing it would tip.
+    over_m: Annotated[float, between(0.0, 0.1)] = 0.0

@@ -62,7 +62,7 @@ def fill_rows(
         for row in rows:
             if (row.rooms and room.type not in row.rooms) or rng.random() >= row.chance:
                 continue
-            choices = abodes.choices(receptacle.category, room, row.of, shelf.relation)
+            choices = abodes.choices(receptacle.category, room, row.of, relation=shelf.relation)
             if choices is not None:
                 choices = choices.no_larger(
                     shelf.front - shelf.back, shelf.air_m(shelf.surface.z_m)
@@ -137,9 +137,12 @@ class _Shelf:
         left, right = span
         if left + wide > right:
             return None
-        room_behind = self.front - self.back - deep
-        point = self._at(self.front - min(set_back, room_behind) - deep / 2, left + wide / 2)
-        if not self.surface.carries(asset.extents_m, point, self.yaw):
+        out = max(self.front - set_back - deep / 2, self.back + deep / 2)
+        point = self._at(out, left + wide / 2)
+        # Of what may reach over the edge, the part over the shelf is looked at.
+        over = max(0.0, out + deep / 2 - self.front)
+        inner = self._at(out - over / 2, left + wide / 2)
+        if not self.surface.carries((deep - over, wide, 0.0), inner, self.yaw):
             return None
         base = (*point, self.surface.z_m)
         block = space_at(asset.extents_m, base, self.yaw, ROW_GAP_M / 3, DROP_M)

@@ -36,6 +36,8 @@ TRIES = 6
 STEP_M = 0.06
 #: Between piles, which are not as straight.
 PILE_GAP_M = 0.02
+#: Of what is flatter, metres, nobody can say surely that it is INSIDE.
+FLAT_M = 0.01
 #: Surfaces with less of their bounding rectangle than this are no shelves to fill.
 SQUARE_SHARE = 0.9
 
@@ -164,8 +166,10 @@ class _Shelf:
         if hollow is None:
             fits = context.reach.beyond(asset, spot, self.room.id)
         else:
-            fits = context.may_hold(asset.category, self.receptacle.category, hollow) and (
-                self._leaf or context.reach.needed_m(asset) is None
+            fits = (
+                asset.extents_m[2] >= FLAT_M
+                and context.may_hold(asset.category, self.receptacle.category, hollow)
+                and (self._leaf or context.reach.needed_m(asset) is None)
             )
         if not fits:
             return False

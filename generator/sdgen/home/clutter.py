@@ -56,11 +56,13 @@ def add_clutter(
             continue
         priors = {prior.receptacle: prior for prior in room_type.clutter}
         for item in list(layout.items.values()):
-            prior = priors.get(item.category)
-            if not item.fixed or item.room_id != room.id or prior is None:
+            if not item.fixed or item.room_id != room.id:
                 continue
             filled_by = rows.get(item.category, ())
             rowed += fill_rows(layout, item, room, filled_by, abodes, stock, context, rng)
+            prior = priors.get(item.category)
+            if prior is None:
+                continue
             wanted = int(rng.integers(prior.count_min, prior.count_max + 1))
             choices = abodes.choices(item.category, room)
             if choices is None:

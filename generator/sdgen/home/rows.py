@@ -7,7 +7,7 @@ so that settling moves none.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -58,11 +58,13 @@ def fill_rows(
     placed = 0
     # By height: the next compartment of a board shows its models too near for twins.
     taken: dict[float, set[str]] = {}
-    for surface in _shelves(layout, receptacle):
+    for surface in layout.surfaces_of(receptacle.id) if rows else ():
         shelf = _Shelf(layout, receptacle, surface, room, stock, context)
         there = taken.setdefault(round(surface.z_m, 1), set())
         for row in rows:
-            if (row.rooms and room.type not in row.rooms) or rng.random() >= row.chance:
+            elsewhere = row.rooms and room.type not in row.rooms
+            on_top = surface.support.headroom_m is None and not row.top
+            if elsewhere or on_top or rng.random() >= row.chance:
                 continue
             choices = abodes.choices(receptacle.category, room, row.of, relation=shelf.relation)
             if choices is not None:
@@ -74,13 +76,6 @@ def fill_rows(
             if done:
                 break
     return placed
-
-
-def _shelves(layout: Layout, receptacle: ObjectInstance) -> Iterator[PlacingSurface]:
-    """The surfaces that rows stand on: the top of what has shelves below is left for other
-    things."""
-    surfaces = layout.surfaces_of(receptacle.id)
-    yield from [s for s in surfaces if s.support.headroom_m is not None] or surfaces
 
 
 class _Shelf:

@@ -360,6 +360,26 @@ def test_all_problems_come_at_once_in_order(tmp_path: Path) -> None:
             "  holds: {chance: 2, count: [1, 2]}\n  superclass",
             "holds.chance: 2 is not between 0 and 1",
         ),
+        (
+            "  superclass",
+            "  rows: [{of: mug}]\n  superclass",
+            "rows: only furniture has shelves that rows stand on",
+        ),
+        (
+            "  superclass",
+            "  kind: furniture\n  rows: [{of: mgu}]\n  superclass",
+            "rows[0].of: unknown category 'mgu' (did you mean 'mug'?)",
+        ),
+        (
+            "  superclass",
+            "  kind: furniture\n  rows: [{of: mug, pile: [2, 9]}]\n  superclass",
+            "rows[0].pile[1]: 9 is not between 1 and 3",
+        ),
+        (
+            "  superclass",
+            "  kind: furniture\n  rows: {of: mug}\n  superclass",
+            "rows: expected a list of {of: categories}",
+        ),
     ],
 )
 def test_a_bad_category_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:

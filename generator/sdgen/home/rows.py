@@ -27,6 +27,8 @@ from sdgen.seeding import Rng
 ROW_GAP_M = 0.003
 #: How far the row's front is behind the edge of the shelf, metres (by eye).
 SET_BACK_M = (0.0, 0.03)
+#: Poses are rounded: what ends at the very edge of a shelf may be a hair beyond it.
+ROUND_M = 0.001
 #: Kept free to both sides of what stood on the shelf before, and all before it, metres: a row
 #: beside or in front of an anomaly would hide it from the views that were chosen to show it.
 SIGHT_M = 0.05
@@ -37,7 +39,7 @@ STEP_M = 0.06
 #: Between piles, which are not as straight.
 PILE_GAP_M = 0.02
 #: Of what is flatter, metres, nobody can say surely that it is INSIDE.
-FLAT_M = 0.01
+FLAT_M = 0.012
 #: Surfaces with less of their bounding rectangle than this are no shelves to fill.
 SQUARE_SHARE = 0.9
 
@@ -68,9 +70,8 @@ def fill_rows(
                 continue
             choices = abodes.choices(receptacle.category, room, row.of, relation=shelf.relation)
             if choices is not None:
-                choices = choices.no_larger(
-                    shelf.front - shelf.back, shelf.air_m(shelf.surface.z_m)
-                )
+                deep_m = shelf.front - shelf.back + row.over_m
+                choices = choices.no_larger(deep_m, shelf.air_m(shelf.surface.z_m))
             done = _fill(shelf, row, choices, there, rng) if choices is not None else 0
             placed += done
             if done:
@@ -100,8 +101,8 @@ class _Shelf:
         self._origin = x, y
         corners = np.array(surface.shape.exterior.coords)[:-1] - (x, y)
         out, along = corners @ self._out, corners @ self._along
-        self.back, self.front = float(out.min()), float(out.max())
-        self.left, self.right = float(along.min()), float(along.max())
+        self.back, self.front = float(out.min()) + ROUND_M, float(out.max()) - ROUND_M
+        self.left, self.right = float(along.min()) + ROUND_M, float(along.max()) - ROUND_M
         hollow = surface.support.container
         self.relation = "ON" if hollow is None else "INSIDE"
         info = layout.info(receptacle.id)
@@ -204,10 +205,10 @@ def _fill(shelf: _Shelf, row: Row, choices: Choices, taken: set[str], rng: Rng) 
     # What is left over is at one end, or in one gap between.
     length = shelf.right - shelf.left
     spare = (1.0 - float(rng.uniform(*row.filled))) * length
-    gap_at = shelf.left + float(rng.uniform(0.0, 1.0)) * length
-    placed, only = 0, None
+    gap_at = shelf.left + float(rng.uniform(0.0, length - spare))
+    placed, only, narrowest_m = 0, None, choices.narrowest_m
     for at, right in shelf.spans():
-        while at < right:
+        while at + narrowest_m <= right:
             if spare and at >= gap_at:
                 at, spare = at + spare, 0.0
             stood = _stand(shelf, choices, only, (at, right), set_back, taken, rng)
@@ -251,7 +252,7 @@ def _pile(shelf: _Shelf, picked: Pick, below: ObjectInstance, more: int, rng: Rn
     """Put more of a model on one that lies; how many find room."""
     asset = picked.asset
     for placed in range(more):
-        spot = spot_square_on(shelf.layout, asset, below.id, rng)
+        spot = spot_square_on(shelf.layout, asset, below.id, shelf.receptacle.id, rng)
         if spot is None or asset.extents_m[2] > shelf.air_m(spot[0][2]):
             return placed
         if shelf.full(picked.category) or not shelf.takes(asset, spot, rng):

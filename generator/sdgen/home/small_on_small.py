@@ -48,18 +48,23 @@ def spot_on_small(
     """A spot on or in a small thing for a new one of this asset, at rest; None when none fits."""
     if relation == "INSIDE":
         return _in_hollow(layout, asset, layout.items[target_id], rng)
-    return _spot_atop(layout, asset, target_id, ANYWHERE, rng)
+    return _spot_atop(layout, asset, (target_id,), ANYWHERE, rng)
 
 
-def spot_square_on(layout: Layout, asset: AssetInfo, target_id: int, rng: Rng) -> Vec3Yaw | None:
-    """A spot on the middle of a small thing for a new one of this asset, as in a pile."""
-    return _spot_atop(layout, asset, target_id, 0, rng)
+def spot_square_on(
+    layout: Layout, asset: AssetInfo, target_id: int, within_id: int, rng: Rng
+) -> Vec3Yaw | None:
+    """A spot on the middle of a small thing for a new one of this asset, as in a pile, in the
+    furniture where it is."""
+    return _spot_atop(layout, asset, (target_id, within_id), 0, rng)
 
 
 def _spot_atop(
-    layout: Layout, asset: AssetInfo, target_id: int, anywhere: int, rng: Rng
+    layout: Layout, asset: AssetInfo, among: tuple[int, ...], anywhere: int, rng: Rng
 ) -> Vec3Yaw | None:
-    """A spot on a small thing: the first ``anywhere`` tries all over it, then on its middle."""
+    """A spot on a small thing, the first of those that the new one may come to be ``among``: the
+    first ``anywhere`` tries all over it, then on its middle."""
+    target_id = among[0]
     target = layout.items[target_id]
     open_ones = [s for s in layout.surfaces_of(target_id) if s.support.container is None]
     if not open_ones or _stacked(layout, target_id) > STACKED_MOST:
@@ -79,7 +84,8 @@ def _spot_atop(
         if point is None or not shape.stands(edge, point, yaw):
             continue
         spot = (*point, surface.z_m), yaw
-        if layout.fits([space_at(asset.extents_m, *spot, GAP_M, DROP_M)], ignore=target_id):
+        entered = layout.entered([space_at(asset.extents_m, *spot, GAP_M, DROP_M)])
+        if all(owner in among for owner in entered):
             return spot
     return None
 

@@ -108,6 +108,11 @@ class Choices:
         )
         return choices_of([one for one in smaller if one[2]])
 
+    @property
+    def narrowest_m(self) -> float:
+        """How wide the narrowest of the models is."""
+        return min(model.extents_m[1] for _, _, models in self.among for model in models)
+
     def draw(self, rng: Rng) -> Pick:
         """A model by the abodes' weights, whatever the home has already."""
         # What rng.choice with weights does, without summing them again for every thing.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from sdgen.catalog.activity import Activity
 from sdgen.catalog.cases import cases
 from sdgen.catalog.entry import Entry
 from sdgen.catalog.records import Category, Hazard, HouseholdTemplate
@@ -61,6 +62,25 @@ def check_choices(
             if hazard in loud and "silent" in choices:
                 text = f"nobody is silent about {hazard} (never_silent): choose now or summary"
                 entries[template.name].problem(text, "notifications", hazard)
+
+
+def check_activities(
+    entries: Mapping[str, Entry], activities: Sequence[Activity], hazards: Sequence[Hazard]
+) -> None:
+    """Note members of activities that would be an anomaly wherever they lie as asked for."""
+    for activity in activities:
+        rooms = activity.rooms
+        for index, member in enumerate(activity.members):
+            if member.on or member.inside:
+                continue
+            for target in activity.at or ("floor",):
+                for category in member.thing:
+                    avoids = ("doorway", "walkway") if target == "floor" else ()
+                    case = Case(category, member.state, rooms, "ON", target, (), avoids)
+                    for hazard in hazards:
+                        if not hazard.predicate.possible(case).be_false:
+                            text = f"{_words(case)} satisfies the hazard {hazard.id!r}"
+                            entries[activity.name].problem(text, "members", index)
 
 
 def _twice(key: str, name: str, other: str) -> str:

@@ -12,7 +12,7 @@ from sdgen.yaml_source import Source, read_yaml
 
 #: Folders of a catalogue, a file an entry (of ``categories`` several), and its single files.
 FOLDERS = ("categories", "hazards", "homes")
-FILES = ("rooms", "fittings", "styles", "mixes", "households")
+FILES = ("rooms", "fittings", "styles", "mixes", "activities", "households")
 #: What others refer to comes first.
 _ORDER = (
     "categories",
@@ -23,6 +23,7 @@ _ORDER = (
     "households",
     "homes",
     "mixes",
+    "activities",
 )
 #: What a file was called before, when a plan meant two things.
 _RENAMED = {"plans": "mixes"}

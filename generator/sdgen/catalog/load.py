@@ -1,9 +1,9 @@
 """The hazard catalogue, from YAML folders to one resolved :class:`Catalog`.
 
 A folder holds ``hazards/*.yaml``, ``categories/*.yaml``, ``homes/*.yaml``, ``rooms.yaml``,
-``fittings.yaml``, ``styles.yaml``, ``mixes.yaml`` and ``households.yaml``, each optional except in
-the shipped one. Later folders add to earlier ones; to replace an entry they say
-``replaces: true``. A single file may stand in for a folder.
+``fittings.yaml``, ``styles.yaml``, ``mixes.yaml``, ``activities.yaml`` and ``households.yaml``,
+each optional except in the shipped one. Later folders add to earlier ones; to replace an entry they
+say ``replaces: true``. A single file may stand in for a folder.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from sdgen.catalog.consistency import check_among, check_choices
+from sdgen.catalog.activity import ActivityYaml
+from sdgen.catalog.consistency import check_activities, check_among, check_choices
 from sdgen.catalog.entry import Entry
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.folder import Folder, extension_names, open_extra, open_folder
@@ -44,6 +45,7 @@ _KINDS = {
     "mixes": "mix of rooms",
     "styles": "style",
     "fittings": "fitting",
+    "activities": "activity",
     "hazards": "hazard",
     "homes": "home",
     "households": "household",
@@ -102,6 +104,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         traits=tuple(sorted(set(_traits(found["households"].values())))),
         groups=tuple(sorted(found["groups"])),
         styles=tuple(sorted(found["styles"])),
+        activities=tuple(sorted(found["activities"])),
         like=_kinds_of(found["rooms"]),
     )
 
@@ -123,10 +126,12 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         groups=named("groups", AgeGroupYaml),
         styles=named("styles", StyleYaml),
         fittings=named("fittings", FittingYaml),
+        activities=named("activities", ActivityYaml),
     )
     if not any(source.problems for folder in folders for _, source in folder.all()):
         check_among(found["hazards"], catalog.hazards, catalog.categories)
         check_choices(found["households"], catalog.households, catalog.hazards)
+        check_activities(found["activities"], catalog.activities, catalog.hazards)
     for folder in folders:
         for _, source in folder.all():
             problems.extend(source.problems)

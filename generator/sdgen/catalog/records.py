@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from sdgen.catalog.activity import Activity
 from sdgen.catalog.row import Row
 from sdgen.catalog.terms import Predicate
 from sdgen.catalog.words import (
@@ -373,6 +374,7 @@ class HouseholdTemplate(Record):
     It lives in homes with the room types of ``rooms`` (one that comes twice: with two of them) and
     beds for ``beds``; None: for all members.
     ``pets`` and ``conditions`` are what it may have, each in half of the households.
+    Its homes are as tidy as a draw from ``tidiness`` (0: messy, 1: tidy).
     ``notifications`` gives, by hazard, choices that are equally likely; a hazard that is not
     named gets the default of its urgency.
     """
@@ -384,6 +386,7 @@ class HouseholdTemplate(Record):
     conditions: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     beds: int | None = None
+    tidiness: tuple[float, float] = (0.2, 0.9)
     notifications: dict[str, tuple[Notify, ...]] = Field(default_factory=dict)
 
     @property
@@ -555,6 +558,7 @@ class Catalog(Record):
     groups: tuple[AgeGroup, ...] = ()
     styles: tuple[Style, ...] = ()
     fittings: tuple[Fitting, ...] = ()
+    activities: tuple[Activity, ...] = ()
 
     @cached_property
     def sha256(self) -> str:

@@ -29,6 +29,7 @@ _LOOKED_UP = (
     "room type",
     "hazard",
     "style",
+    "activity",
     "pet or condition",
     "pet, condition or age group",
 )
@@ -45,6 +46,7 @@ class Names:
     traits: tuple[str, ...] = ()
     groups: tuple[str, ...] = ()
     styles: tuple[str, ...] = ()
+    activities: tuple[str, ...] = ()
     like: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def of(self, what: str) -> tuple[str, ...]:
@@ -54,6 +56,7 @@ class Names:
             "room type": self.rooms,
             "hazard": self.hazards,
             "style": self.styles,
+            "activity": self.activities,
             "pet or condition": self.traits,
             "pet, condition or age group": tuple(sorted({*self.traits, *self.groups})),
         }

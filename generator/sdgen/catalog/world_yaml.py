@@ -312,6 +312,7 @@ class HouseholdYaml(Record):
     members: Annotated[tuple[MemberRule, ...], Field(min_length=1), Expect("at least one item")]
     pets: Annotated[tuple[str, ...], names_of("pet", least=0)] = ()
     conditions: Annotated[tuple[str, ...], names_of("condition", least=0)] = ()
+    tidiness: Annotated[tuple[float, float], span(0.0, 1.0), PAIR] = (0.2, 0.9)
     needs: Annotated[NeedsYaml, Expect("{rooms: [room types], beds: number}")] = NeedsYaml()
     notifications: dict[
         HazardName, Annotated[tuple[Notify, ...], names_of("choice", 1, get_args(Notify))]

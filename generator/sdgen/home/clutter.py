@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from sdgen.catalog.records import Category
+from sdgen.home.activities import add_activities
 from sdgen.home.context import KEEP_CLEAR, SPOTS_TRIED, Everything, HomeContext
 from sdgen.home.layout import Bulk, Intent, Layout
 from sdgen.home.rows import fill_rows
@@ -47,6 +48,10 @@ def add_clutter(
         for _ in range(ALWAYS_ROUNDS if category.always else 0):
             if not stock.count(category.name):
                 _place_somewhere(layout, category, stock, context, rng)
+    before = frozenset(layout.items)
+    busy = add_activities(layout, context, stock, rng)
+    # What is laid for somebody stays as it was laid.
+    keep_off = {*keep_off, *(key for key in layout.items if key not in before)}
     rows = {c.name: c.rows for c in context.catalog.categories}
     rowed = 0
     receptacles: list[tuple[ObjectInstance, Room, Choices]] = []
@@ -63,7 +68,8 @@ def add_clutter(
             prior = priors.get(item.category)
             if prior is None:
                 continue
-            wanted = int(rng.integers(prior.count_min, prior.count_max + 1))
+            # What somebody does there has brought some already: little else is strewn about.
+            wanted = int(rng.integers(prior.count_min, prior.count_max + 1)) - busy[item.id]
             choices = abodes.choices(item.category, room)
             if choices is None:
                 continue
@@ -71,6 +77,7 @@ def add_clutter(
             for _ in range(wanted):
                 _place(layout, item, room, choices, stock, context, rng)
         wanted = int(rng.integers(room_type.floor_clutter_min, room_type.floor_clutter_max + 1))
+        wanted = round(wanted * min(1.0, 2.0 * (1.0 - context.tidiness)))
         choices = abodes.choices("floor", room)
         if choices is not None:
             for _ in range(wanted):

@@ -87,7 +87,8 @@ class HomeContext:
 
     ``shows`` tells where things can be seen, ``narrow`` is the floor that people use though no way
     leads there: what must keep off walkways keeps off it. ``standing`` is what the furniture stands
-    on, ``free`` where a robot's middle can be (None: anywhere).
+    on, ``free`` where a robot's middle can be (None: anywhere); ``tidiness`` is that of those who
+    live there.
     """
 
     home: Home
@@ -99,6 +100,7 @@ class HomeContext:
     narrow: BaseGeometry = field(default_factory=Polygon)
     standing: BaseGeometry = field(default_factory=Polygon)
     free: BaseGeometry | None = None
+    tidiness: float = 0.5
 
     def shows_at(self, bulk: Bulk, spot: Vec3Yaw) -> bool:
         """True when what fills this can be seen at a spot."""

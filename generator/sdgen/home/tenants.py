@@ -32,11 +32,13 @@ SLEEPER_M = 0.65
 @dataclass(frozen=True)
 class Tenants:
     """Who a home is furnished for. ``words`` are their pets, conditions and age groups, those of
-    regular visitors too; ``beds`` is how many sleep there; ``asked`` are the drawn hazards."""
+    regular visitors too; ``beds`` is how many sleep there; ``asked`` are the drawn hazards;
+    ``tidiness`` is 0 where things lie about, 1 where nothing does."""
 
     words: frozenset[str]
     beds: int
     asked: tuple[Hazard, ...] = ()
+    tidiness: float = 0.5
 
     def have(self, belongs_to: Collection[str]) -> bool:
         """Whether what belongs to any of these words is theirs; what belongs to none always is."""

@@ -201,6 +201,7 @@ def furnished_home(
         narrow=narrow_floor(home, bodies, properties),
         standing=union(obstacles),
         free=free,
+        tidiness=Tenants.tidiness if tenants is None else tenants.tidiness,
     )
     context = leave_open(layout, context, rng)
     start = random_point(context.free or free, rng)

@@ -69,6 +69,7 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
             words_of(household, catalog.groups, lane(options.seed, index, "visitors")),
             template.sleepers,
             tuple(catalog.hazard(name) for name in hazards),
+            float(lane(options.seed, index, "tidiness").uniform(*template.tidiness)),
         ),
     )
 

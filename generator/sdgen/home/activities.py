@@ -39,8 +39,8 @@ from sdgen.seeding import Rng, weighted_keys
 
 #: Places tried for an activity on one piece where there is no end of them, and spots for a member.
 PLACES_TRIED, SPOTS_TRIED = 4, 3
-#: Models tried for what lies on or in a member: most are too large.
-HELD_TRIES = 6
+#: Models tried for a member, and for what lies on or in one: most are too large for that.
+MODELS_TRIED, HELD_TRIES = 3, 6
 #: Spots of a floor of which the nearest is taken, and how far apart, metres, things may lie there.
 FLOOR_DRAWS, TOGETHER_M = 4, 0.9
 #: Left between things of a group: they stand closer than strangers.
@@ -182,13 +182,19 @@ class _Group:
         target_id: int,
     ) -> ObjectInstance | None:
         """Put a thing of a member where its place is; None where it does not go."""
-        asset = self._model(member)
-        spot = None if asset is None else spot_for(member, asset)
-        if asset is None or spot is None:
-            return None
-        return self._put(member, asset, spot, Intent("ON", target_id))
+        for _ in range(MODELS_TRIED):
+            asset = self._model(member)
+            if asset is None:
+                return None
+            spot = spot_for(member, asset)
+            if spot is not None:
+                return self._put(member, asset, spot, Intent("ON", target_id))
+            if not self.ids:
+                # Nothing of a set stands yet: another may be smaller.
+                self.models.pop(asset.category, None)
+        return None
 
-    def _held(self, member: Member, *_: object) -> ObjectInstance | None:
+    def _held(self, member: Member, *_spot: object) -> ObjectInstance | None:
         """Put a thing of a member on or in another; None where it does not go."""
         # The next of a pile lies on the one before.
         holder = self.placed.get(member.called) if member.pile else None

@@ -41,8 +41,9 @@ from sdgen.seeding import Rng, weighted_keys
 PLACES_TRIED, SPOTS_TRIED = 4, 3
 #: Models tried for a member, and for what lies on or in one: most are too large for that.
 MODELS_TRIED, HELD_TRIES = 3, 6
-#: Spots of a floor of which the nearest is taken, and how far apart, metres, things may lie there.
-FLOOR_DRAWS, TOGETHER_M = 4, 0.9
+#: On a floor the first of a group lies so near the middle of a piece it is by, metres, the others
+#: so near the first.
+NEAR_M, TOGETHER_M = 2.2, 0.8
 #: Left between things of a group: they stand closer than strangers.
 GAP_M = 0.005
 #: How much tidy and (in addition) messy people leave things off line, metres and radians: by eye.
@@ -298,17 +299,11 @@ class _Group:
     def _spot_aside(
         self, ground: Ground, close: Sequence[Vec2], member: Member, asset: Asset
     ) -> Vec3Yaw | None:
-        """A spot at a wall near what is there of the group, the first near these points."""
+        """A spot at a wall by what is there of the group, the first by these points (if any)."""
         there = [self.layout.items[k].pose.position_m[:2] for k in self.ids[:1]]
-        found = []
-        for _ in range(FLOOR_DRAWS):
-            spot = self.layout.spot_on_floor(asset, ground, self.rng)
-            if spot is not None and self._allowed(asset, spot):
-                found.append(spot)
-        best = min(found, key=lambda spot: _nearest(spot, there or close), default=None)
-        if best is None or (there and _nearest(best, there) > TOGETHER_M):
-            return None
-        return best
+        points, reach = (there, TOGETHER_M) if there else (close, NEAR_M)
+        spot = self.layout.spot_on_floor(asset, ground.near(points, reach), self.rng)
+        return spot if spot is not None and self._allowed(asset, spot) else None
 
     def _allowed(self, asset: Asset, spot: Vec3Yaw) -> bool:
         """Whether a thing there is out of reach and in view, if it must be, and faces no wall."""
@@ -329,7 +324,3 @@ class _Group:
         )
         x, y, turn = self.rng.normal(0.0, 0.5, 3).tolist()
         return (x * across, y * across), turn * turned
-
-
-def _nearest(spot: Vec3Yaw, points: Sequence[Vec2]) -> float:
-    return min((math.dist(spot[0][:2], point) for point in points), default=0.0)

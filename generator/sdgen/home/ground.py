@@ -8,12 +8,13 @@ whether or not a way leads there.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 import shapely
-from shapely.geometry import LineString, Point, Polygon
+from shapely.geometry import LineString, MultiLineString, MultiPoint, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 
@@ -76,6 +77,15 @@ class Ground:
         if self.off is not None and self.off.intersects(print_):
             return False
         return _share(self.avoid, print_) <= ZONE_AVOID_SHARE
+
+    def near(self, points: Sequence[Vec2], reach_m: float) -> Ground:
+        """The same floor, its walls no further than this from one of the points (if any)."""
+        if not points or self.walls is None:
+            return self
+        within = self.walls.intersection(MultiPoint(points).buffer(reach_m))
+        parts = shapely.get_parts(within).tolist()
+        lines = [part for part in parts if isinstance(part, LineString) and part.length > 0]
+        return replace(self, walls=MultiLineString(lines))
 
     def __post_init__(self) -> None:
         for shape in (self.outline, self.area, self.avoid, self.off):

@@ -9,6 +9,7 @@ from typing import get_args
 
 import pytest
 from pydantic import BaseModel
+from sdgen.catalog.activity import ActivityYaml
 from sdgen.catalog.hazard_yaml import Action, HazardYaml
 from sdgen.catalog.home_yaml import HomeYaml
 from sdgen.catalog.load import load_catalog
@@ -70,7 +71,16 @@ def test_the_catalog_commands_run(
     assert "Glass on the floor" in capsys.readouterr().out
 
 
-FILES = (HazardYaml, HomeYaml, CategoryYaml, HouseholdYaml, MixYaml, ReachYaml, RoomTypeYaml)
+FILES = (
+    ActivityYaml,
+    HazardYaml,
+    HomeYaml,
+    CategoryYaml,
+    HouseholdYaml,
+    MixYaml,
+    ReachYaml,
+    RoomTypeYaml,
+)
 
 
 def _keys(model: type[BaseModel]) -> set[str]:

@@ -1,4 +1,4 @@
-"""What people leave behind of something they do: one entry of ``activities.yaml``."""
+"""What people leave behind of something they do: one entry of ``activities/``."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class Activity(Record):
 
 
 class ActivityYaml(Record):
-    """One entry of ``activities.yaml``."""
+    """One entry of a file of ``activities/``."""
 
     title: Text = ""
     rooms: RoomNames = ()

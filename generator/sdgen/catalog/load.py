@@ -1,9 +1,9 @@
 """The hazard catalogue, from YAML folders to one resolved :class:`Catalog`.
 
-A folder holds ``hazards/*.yaml``, ``categories/*.yaml``, ``homes/*.yaml``, ``rooms.yaml``,
-``fittings.yaml``, ``styles.yaml``, ``mixes.yaml``, ``activities.yaml`` and ``households.yaml``,
-each optional except in the shipped one. Later folders add to earlier ones; to replace an entry they
-say ``replaces: true``. A single file may stand in for a folder.
+A folder holds ``hazards/*.yaml``, ``categories/*.yaml``, ``activities/*.yaml``, ``homes/*.yaml``,
+``rooms.yaml``, ``fittings.yaml``, ``styles.yaml``, ``mixes.yaml`` and ``households.yaml``, each
+optional except in the shipped one. Later folders add to earlier ones; to replace an entry they say
+``replaces: true``. A single file may stand in for a folder.
 """
 
 from __future__ import annotations

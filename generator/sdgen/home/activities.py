@@ -1,6 +1,6 @@
 """Living traces: what people do, as groups of things that belong together where they do it.
 
-The rules are data (``activities.yaml``). What does not fit is left out, as all clutter is; what
+The rules are data (``activities/*.yaml``). What does not fit is left out, as all clutter is; what
 would be a hazard by reach, or lie in somebody's way, is never put there.
 """
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from itertools import pairwise
 
 import pytest
 from sdgen.catalog.activity import Activity, Member
@@ -96,7 +97,7 @@ def test_a_fork_lies_to_the_left_of_its_plate_as_it_is_seen_from_the_seat() -> N
     for home in HOMES:
         _, layout = _lived_in(home, 1.0, LAID)
         things = _loose(layout)
-        for plate, fork in zip(things, things[1:], strict=False):
+        for plate, fork in pairwise(things):
             if (plate.category, fork.category) != ("plate", "fork"):
                 continue
             # Fronts look at the person: what is on their left is on the plate's right.

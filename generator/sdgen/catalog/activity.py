@@ -41,13 +41,13 @@ class Member(Record):
     """
 
     thing: Categories
-    name: Word = ""
-    at: Annotated[Vec2 | None, numbers(2, -3.0, 3.0), Expect("[ahead, left]")] = None
-    beside: Word = ""
+    name: Word | None = None
+    at: Annotated[Vec2, numbers(2, -3.0, 3.0), Expect("[ahead, left]")] | None = None
+    beside: Word | None = None
     side: Side = "right"
     gap_m: Annotated[float, between(0.005, 1.0)] = 0.015
-    on: Word = ""
-    inside: Word = ""
+    on: Word | None = None
+    inside: Word | None = None
     pile: bool = False
     count: Annotated[tuple[int, int], span(1, 12, whole=True), PAIR] = (1, 1)
     chance: Annotated[float, between(0.0, 1.0)] = 1.0

@@ -10,7 +10,7 @@ from sdgen.errors import InputError, did_you_mean, nearest
 from sdgen.resources import data_path
 from sdgen.yaml_source import Source, read_yaml
 
-#: Folders of a catalogue, a file an entry (of ``categories`` and ``activities`` several), and its single files.
+#: Folders of a catalogue, a file an entry (of the first two several), and its single files.
 FOLDERS = ("categories", "activities", "hazards", "homes")
 FILES = ("rooms", "fittings", "styles", "mixes", "households")
 #: What others refer to comes first.

@@ -195,11 +195,11 @@ class _Group:
                 self.models.pop(asset.category, None)
         return None
 
-    def _held(self, member: Member, *_spot: object) -> ObjectInstance | None:
+    def _held(self, member: Member, _spot_for: object, target_id: int) -> ObjectInstance | None:
         """Put a thing of a member on or in another; None where it does not go."""
         # The next of a pile lies on the one before.
         holder = self.placed.get(member.called) if member.pile else None
-        holder = holder or self.placed.get(member.on or member.inside)
+        holder = holder or self.placed.get(member.on or member.inside or "")
         relation = "ON" if member.on else "INSIDE"
         for _ in range(HELD_TRIES if holder else 0):
             asset = self._model(member)
@@ -207,7 +207,7 @@ class _Group:
                 return None
             info = self.layout.library.info(asset.id)
             if member.pile:
-                spot = spot_square_on(self.layout, info, holder.id, self.rng)
+                spot = spot_square_on(self.layout, info, holder.id, target_id, self.rng)
             else:
                 spot = spot_on_small(self.layout, info, holder.id, relation, self.rng)
             if spot is not None and self._allowed(asset, spot):

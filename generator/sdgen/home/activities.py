@@ -237,12 +237,13 @@ class _Group:
             return known
         # What comes in a state that says where it lives (a cut apple) is not left about.
         kept = {abode.state for abode in category.lives} - {None}
+        there = {self.layout.items[key].asset for key in self.ids}
         among = [
             model
             for model in self.context.models(category.name)
             if kept.isdisjoint(rest_states(model))
             and (member.state is None or member.state in model.state_names)
-            and (category.alike or not self.stock.too_common(model.id))
+            and (category.alike or not (model.id in there or self.stock.too_common(model.id)))
         ]
         if not among:
             return None

@@ -241,7 +241,7 @@ def may_stand(
     :func:`stand_in` and :func:`leave_open`."""
     states = at_rest(item, asset).states
     yield states
-    left_open = category.stands_open or category.name in INNER_DOORS
+    left_open = category.stands_open or (DOOR_OPEN_SHARE and category.name in INNER_DOORS)
     opened = {"CLOSED": "OPEN"} if left_open else {}
     lit = {"OFF": "ON"} if category.switched_on else {}
     for changed in (opened, lit, opened | lit):

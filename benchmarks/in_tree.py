@@ -49,10 +49,12 @@ def faces_drawn(library: Any, scene: Any) -> int:
     """Triangles that Bullet draws in every view of a scene: those of all its bodies."""
     from sdgen.render.shell import structure_faces
 
+    # An earlier tree is given the size itself.
+    tile_m = getattr(library, "tile_m", 1.0)
     shell = sum(
         len(face.vertices_m) // 2
         for s in scene.home.structures
-        for face in structure_faces(s, lambda _: 1.0)
+        for face in structure_faces(s, tile_m)
     )
     shown = 0
     for item in scene.objects:

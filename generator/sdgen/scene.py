@@ -20,6 +20,7 @@ from sdgen.rejection import Cause, Causes
 from sdgen.rejection import Stage as PipelineStage
 from sdgen.vocabulary import (
     EVIDENCE_PIXELS,
+    Facing,
     OpeningKind,
     Season,
     StructureKind,
@@ -75,7 +76,7 @@ class Band(Record):
     ``low_m`` to ``high_m`` (along the wall, and up), metres in the world."""
 
     surface: str
-    facing: Literal["+x", "-x", "+y", "-y"]
+    facing: Facing
     low_m: Vec2
     high_m: Vec2
 

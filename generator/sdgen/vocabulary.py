@@ -34,6 +34,9 @@ WEATHERS: tuple[Weather, ...] = get_args(Weather)
 #: What a home itself is made of, a piece a room: categories of nodes that are no objects, and the
 #: superclasses that VirtualHome gives them and rooms ("Floor" is its commoner spelling).
 StructureKind = Literal["floor", "wall", "ceiling"]
+#: Where a face of a wall looks: walls run along the axes.
+Facing = Literal["+x", "-x", "+y", "-y"]
+FACINGS: tuple[Facing, ...] = get_args(Facing)
 #: Surfaces are of whole structures, or of bands of a wall: at its foot, behind kitchen units.
 SurfaceKind = Literal[StructureKind, "skirting", "splashback"]
 STRUCTURES: tuple[StructureKind, ...] = get_args(StructureKind)

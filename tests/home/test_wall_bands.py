@@ -88,4 +88,28 @@ def test_tiles_are_behind_worktops_and_nowhere_else(homes):
 
 
 #: Some fridges are as low as a worktop.
+def test_every_stove_at_a_wall_has_tiles_behind_it(homes):
+    """At whichever wall it stands: all find the edge of the outline that they are behind."""
+    at_walls = 0
+    for made in homes:
+        rooms = {room.id: Polygon(room.polygon_m) for room in made.context.home.rooms}
+        for item in made.layout.items.values():
+            if item.category != "stove":
+                continue
+            x, y, _ = item.pose.position_m
+            ring = corners_of(made.layout.info(item.id), x, y, yaw_of(item.pose.quat_xyzw))
+            shape = Polygon(ring).buffer(0.1)
+            walls = [w for w in made.context.home.structures if w.room_id == item.room_id]
+            tiled = [
+                line_of(wall, band)
+                for wall in walls
+                for band in wall.bands
+                if LIBRARY.surfaces[band.surface].kind == "splashback"
+            ]
+            if rooms[item.room_id].exterior.intersects(shape):
+                assert any(shape.intersects(line) for line in tiled)
+                at_walls += 1
+    assert at_walls > 4
+
+
 UNITS = ("kitchen_counter", "sink_cabinet", "stove", "dishwasher", "corner_counter", "fridge")

@@ -6,7 +6,6 @@ They are drawn on the wall and as flat as it: nothing stands out that furniture 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Literal
 
 import shapely
 from shapely.geometry import LineString, Polygon
@@ -17,9 +16,7 @@ from sdgen.home.layout import Layout, corners_of
 from sdgen.home.style import HomeStyle
 from sdgen.library import Library
 from sdgen.scene import Band, Home, Room, Structure
-from sdgen.vocabulary import FLAT_M
-
-Facing = Literal["+x", "-x", "+y", "-y"]
+from sdgen.vocabulary import FLAT_M, Facing
 
 #: Units with a worktop are so high, metres, with the tap of a sink: what is higher of a run (a
 #: fridge) needs no tiles behind it.
@@ -30,6 +27,8 @@ SPLASH_M = 0.55
 #: gaps up to so wide are tiled too.
 BACK_M = 0.1
 JOIN_M = 0.65
+#: Walls end at outlines but for rounding.
+RIM_M = 1e-4
 
 
 def skirting_of(start: Vec2, end: Vec2, library: Library, surface: str) -> Band:
@@ -119,12 +118,13 @@ def _edge_of(wall: Structure, room: Room) -> tuple[Vec2, Vec2] | None:
     feet = wall.pieces
     low = [min(p.center_m[k] - p.size_m[k] / 2 for p in feet) for k in (0, 1)]
     high = [max(p.center_m[k] + p.size_m[k] / 2 for p in feet) for k in (0, 1)]
-    body = shapely.box(*low, *high)
+    # A line on the very rim of a box may miss it by the last digit.
+    body = shapely.box(*low, *high).buffer(RIM_M, join_style="mitre")
     ring: Sequence[Vec2] = room.polygon_m
     for k, start in enumerate(ring):
         end = ring[(k + 1) % len(ring)]
         line = LineString([start, end])
-        if body.distance(line) < 1e-6 and body.intersection(line).length > 0.5 * line.length:
+        if body.intersection(line).length > 0.5 * line.length:
             return start, end
     return None
 

@@ -14,11 +14,10 @@ import numpy as np
 
 from sdgen.geometry import Array
 from sdgen.scene import Band, Structure
+from sdgen.vocabulary import FACINGS
 
 #: Outward normals of a box's six faces.
 _NORMALS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
-#: The directions that walls look in, as bands name them.
-_FACING = ("+x", "-x", "+y", "-y")
 _UP = _NORMALS.index((0, 0, 1))
 
 
@@ -100,7 +99,7 @@ def structure_faces(
         middle = np.array(_NORMALS[index], dtype=float)
         middle[2] += _DIP if side else 0.0
         brightness = _LEVEL[structure.category][index] / _shade(middle)
-        bands = [b for b in structure.bands if b.facing == _FACING[index]] if side else []
+        bands = [b for b in structure.bands if b.facing == FACINGS[index]] if side else []
         cut = sliced if side else (centres, halves)
         groups = _by_surface(structure.surface, cut, bands)
         for k, (surface, middles, reaches) in enumerate(groups):

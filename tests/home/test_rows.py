@@ -79,10 +79,8 @@ def _ends(item: ObjectInstance, shelf: ObjectInstance) -> tuple[float, float]:
 
 
 def _boards(shelf: ObjectInstance, things: list[ObjectInstance]) -> list[list[ObjectInstance]]:
-    by_height: dict[float, list[ObjectInstance]] = {}
-    for item in things:
-        by_height.setdefault(round(item.pose.position_m[2], 2), []).append(item)
-    return [sorted(row, key=lambda item: _ends(item, shelf)) for row in by_height.values()]
+    levels = _level(things).values()
+    return [sorted(row, key=lambda item: _ends(item, shelf)) for row in levels]
 
 
 def test_books_fill_most_of_each_shelf_and_neither_overlap_nor_stick_out() -> None:
@@ -101,6 +99,23 @@ def test_books_fill_most_of_each_shelf_and_neither_overlap_nor_stick_out() -> No
             shares.append(sum(end - start for start, end in ends) / 0.88)
     assert 0.6 < sum(shares) / len(shares) < 0.9
     assert sum(0.5 < share < 0.95 for share in shares) > 0.8 * len(shares)
+
+
+def test_a_row_has_no_twin_of_what_stood_there() -> None:
+    """Lookalikes are there before the rows are."""
+    for seed in range(12):
+        _, _, things = _shelved("bookshelf_03", BOOKS, seed)
+        # What the lowest board would have.
+        (first, *_) = min(_level(things).items())[1]
+        _, _, again = _shelved("bookshelf_03", BOOKS, seed, before=first.asset)
+        assert first.asset not in {item.asset for item in min(_level(again).items())[1]}
+
+
+def _level(things: list[ObjectInstance]) -> dict[float, list[ObjectInstance]]:
+    by_height: dict[float, list[ObjectInstance]] = {}
+    for item in things:
+        by_height.setdefault(round(item.pose.position_m[2], 2), []).append(item)
+    return by_height
 
 
 def test_a_row_keeps_off_what_stood_there_and_the_sight_of_it() -> None:

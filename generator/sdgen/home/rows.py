@@ -36,6 +36,8 @@ SIGHT_M = 0.05
 TRIES = 6
 #: Where none of them goes, the row goes on this much further, metres.
 STEP_M = 0.06
+#: Boards whose heights differ by less are one level.
+LEVEL_M = 0.05
 #: Between piles, which are not as straight.
 PILE_GAP_M = 0.02
 #: Of what is flatter, metres, nobody can say surely that it is INSIDE.
@@ -58,11 +60,9 @@ def fill_rows(
     there and finds room, over a share of its length drawn from the row's ``filled``. Returns how
     many things were put there."""
     placed = 0
-    # By height: the next compartment of a board shows its models too near for twins.
-    taken: dict[float, set[str]] = {}
     for surface in layout.surfaces_of(receptacle.id) if rows else ():
         shelf = _Shelf(layout, receptacle, surface, room, stock, context)
-        there = taken.setdefault(round(surface.z_m, 1), set())
+        there = _models_beside(layout, receptacle.id, surface.z_m)
         for row in rows:
             elsewhere = row.rooms and room.type not in row.rooms
             on_top = surface.support.headroom_m is None and not row.top
@@ -77,6 +77,17 @@ def fill_rows(
             if done:
                 break
     return placed
+
+
+def _models_beside(layout: Layout, receptacle_id: int, z_m: float) -> set[str]:
+    """The models that stand at a height of a piece of furniture: the next compartment of a board
+    shows its own too near for twins."""
+    return {
+        layout.items[key].asset
+        for key, intent in layout.intents.items()
+        if intent.target_id == receptacle_id
+        and abs(layout.items[key].pose.position_m[2] - z_m) < LEVEL_M
+    }
 
 
 class _Shelf:

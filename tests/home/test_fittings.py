@@ -6,13 +6,15 @@ import math
 from itertools import count
 
 import pytest
+import shapely
 from sdgen.catalog.load import load_catalog
 from sdgen.errors import InputError
-from sdgen.facts import in_the_air
+from sdgen.facts import bodies_of, in_the_air
 from sdgen.hazards.splits import SplitModels
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
+from sdgen.zones import swing_blocked, swing_sectors
 from shapely.geometry import Point, Polygon
 
 from tests.shipped import shipped_library
@@ -79,6 +81,46 @@ def test_switches_are_at_hand_beside_doors(homes):
             assert 0.9 < z < 1.2
 
 
+def test_switches_are_on_the_side_of_the_latch(homes):
+    """Nobody reaches behind an open leaf for the light."""
+    seen = 0
+    for home in homes:
+        for opening in home.context.home.openings:
+            door = home.layout.items[opening.object_id]
+            joints = LIBRARY.info(door.asset).joints
+            if opening.kind not in ("door", "front_door"):
+                continue
+            axis = "xy".index(opening.along)
+            hinge = door.pose.matrix() @ (*joints[0].origin_m, 1.0)
+            to_hinge = hinge[axis] - opening.center_m[axis]
+            sweep = shapely.union_all(swing_sectors(bodies_of([door], LIBRARY.infos)))
+            rooms = {r.id: Polygon(r.polygon_m) for r in home.context.home.rooms}
+            for switch in things(home, "light_switch"):
+                x, y, _ = switch.pose.position_m
+                if math.dist((x, y), opening.center_m[:2]) > opening.width_m / 2 + 0.25:
+                    continue
+                if rooms[switch.room_id].intersection(sweep).area > 0.1:
+                    seen += 1
+                    assert to_hinge * (switch.pose.position_m[axis] - opening.center_m[axis]) < 0
+    assert seen > len(homes)
+
+
+def test_nothing_hangs_where_a_door_swings(homes):
+    for home in homes:
+        hung = bodies_of(home.layout.items.values(), LIBRARY.infos)
+        assert not swing_blocked(hung)
+
+
+def test_sockets_are_beside_beds_and_desks(homes):
+    near = 0
+    for home in homes:
+        for piece in (*things(home, "nightstand"), *things(home, "desk")):
+            for socket in things(home, "power_socket"):
+                apart = math.dist(piece.pose.position_m[:2], socket.pose.position_m[:2])
+                near += apart < LIBRARY.info(piece.asset).extents_m[1] / 2 + 0.5
+    assert near >= len(homes)
+
+
 def test_nothing_hangs_in_the_air_of_a_doorway(homes):
     for home in homes:
         assert not list(in_the_air(home.facts))
@@ -90,6 +132,9 @@ def test_nothing_hangs_in_the_air_of_a_doorway(homes):
         ("mine: {category: curtian, where: window}", "did you mean 'curtain'"),
         ("mine: {category: curtain, where: roof}", "fittings.yaml:1: mine.where"),
         ("mine: {category: curtain, where: window, rooms: [den]}", "den"),
+        ("mine: {category: curtain, where: beside}", "missing key 'of'"),
+        ("mine: {category: curtain, where: window, of: desk}", "mine.of"),
+        ("mine: {category: curtain, where: beside, of: dsek}", "did you mean 'desk'"),
         ("curtains: {category: curtain, where: window}", "is already defined"),
     ],
 )

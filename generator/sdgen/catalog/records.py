@@ -218,13 +218,15 @@ class Category(Record):
 class Fitting(Record):
     """What belongs to the building and hangs on its walls, in rooms of these types (none: in all).
 
-    At each ``window``, its upper end above it, ``under_window``, ``beside_door`` (inner ones and
-    the front door) or, ``count`` a room, anywhere along a ``wall``; ``z_m`` high, but at a window.
+    At each ``window`` that has nothing yet, its upper end above it, ``under_window``,
+    ``beside_door`` (inner ones and the front door), ``beside`` each piece ``of`` these categories
+    or, ``count`` a room, anywhere along a ``wall``; ``z_m`` high, but at a window.
     """
 
     name: str
     category: str
-    where: Literal["window", "under_window", "beside_door", "wall"]
+    where: Literal["window", "under_window", "beside_door", "beside", "wall"]
+    of: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     chance: float = 1.0
     count: tuple[int, int] = (1, 1)

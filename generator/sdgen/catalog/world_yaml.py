@@ -34,6 +34,7 @@ from sdgen.catalog.words import (
     CategoryName,
     Counts,
     HazardName,
+    OptionalCategories,
     RoomName,
     RoomNames,
     Size,
@@ -267,12 +268,21 @@ class FittingYaml(Record):
     """One entry of ``fittings.yaml``."""
 
     category: CategoryName
-    where: Literal["window", "under_window", "beside_door", "wall"]
+    where: Literal["window", "under_window", "beside_door", "beside", "wall"]
+    of: OptionalCategories = ()
     rooms: RoomNames = ()
     chance: Annotated[float, between(0.0, 1.0)] = 1.0
     count: Annotated[tuple[int, int], span(0, 20, whole=True), PAIR] = (1, 1)
     z_m: Annotated[float, between(0.0, 5.0)] = 0.0
     replaces: bool = False
+
+    @model_validator(mode="after")
+    def _beside_something(self) -> FittingYaml:
+        if self.where == "beside" and not self.of:
+            refuse(problem((), "missing key 'of': 'where: beside' needs it"))
+        if self.where != "beside" and self.of:
+            refuse(problem(("of",), f"does not go with 'where: {self.where}'"))
+        return self
 
     def record(self, name: str) -> Fitting:
         """The record of it."""

@@ -1,22 +1,36 @@
-"""What belongs to the building: curtains at windows, radiators below, switches by doors, sockets.
+"""What belongs to the building: curtains and blinds at windows, radiators below, switches by doors,
+sockets.
 
 Hung when the furniture stands, where it leaves room: a window behind a bookcase has no curtain.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
 
+import shapely
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import at_rest
 from sdgen.catalog.records import Catalog, Fitting
 from sdgen.facts import bodies_of
-from sdgen.freespace import ROBOT_RADIUS_M, free_shape, union, unreachable_rooms
-from sdgen.geometry import quat_from_yaw, round_position, round_quat
+from sdgen.freespace import (
+    LEAST_REACHED_M2,
+    ROBOT_RADIUS_M,
+    free_shape,
+    opening_rectangle,
+    polygons,
+    union,
+    unreachable_rooms,
+)
+from sdgen.geometry import apply, quat_from_yaw, round_position, round_quat, yaw_of
 from sdgen.home.anchors import HUNG_GAP_M, PlacedAt, Side, against_walls, sides_of
-from sdgen.home.clearances import sight_of
+from sdgen.home.clearances import Sight, sight_of
 from sdgen.home.context import Models
 from sdgen.home.furnish import put_piece
 from sdgen.home.layout import IN_WALL_M, Layout, corners_of
@@ -24,83 +38,154 @@ from sdgen.library.records import Asset
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
 from sdgen.vocabulary import DOORS, HALF_WALL_M
-from sdgen.zones import floor_obstacles
+from sdgen.zones import DOORWAY_DEPTH_M, TOUCH_M2, floor_obstacles, swing_sectors
 
 #: A rod hangs so far above the window, what is under it ends so far below the sill.
 ABOVE_WINDOW_M = 0.07
 BELOW_SILL_M = 0.04
-#: Between the hole of a door and what hangs beside it: the frame, and a hand's breadth.
-BESIDE_DOOR_M = 0.14
+#: What hangs at a window is no narrower than its hole but by this (a blind between its frames), and
+#: wider by this at most: a rod, and drapes drawn aside.
+NARROWER_M, WIDER_M = 0.05, 0.7
+#: Between the hole of a door and what hangs beside it: the frame, and a hand's breadth; where that
+#: is taken, a step further.
+BESIDE_DOOR_M = (0.12, 0.35)
+#: Between a piece of furniture and what hangs on the wall beside it, and from the back of such a
+#: piece to its wall.
+BESIDE_PIECE_M, AT_WALL_M = 0.06, 0.1
 #: A wall is an opening's when its middle is in it.
 SAME_WALL_M = HALF_WALL_M + 0.02
 
+#: Models with the poses they may have, first the best.
+Candidates = Iterable[tuple[Asset, PlacedAt]]
+
 
 def add_fittings(home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng) -> Layout:
-    """The layout with what belongs to the building, of one model of each category a home; nothing
-    that cuts a room off."""
+    """The layout with what belongs to the building, of one model of each category a home, or of one
+    suite in all of its sizes; nothing that cuts a room off or stands where a door swings."""
     free = _Free(home, layout)
+    dressed: set[int] = set()
+    drawn: dict[str, list[Asset]] = {}
     for fitting in catalog.fittings:
         found = models(fitting.category)
-        if not found:
-            continue
-        model = found[int(rng.integers(len(found)))]
+        if found and fitting.category not in drawn:
+            drawn[fitting.category] = _sizes_of(found[int(rng.integers(len(found)))], found)
+        sizes = drawn.get(fitting.category, [])
         for room in home.rooms:
-            if not fitting.rooms or room.type in fitting.rooms:
-                layout = _in_room(fitting, model, room, home, layout, free, catalog, rng)
+            if sizes and (not fitting.rooms or room.type in fitting.rooms):
+                hanging = _Hanging(fitting, sizes, room, home, layout, free, catalog)
+                for candidates, window in hanging.wanted(dressed, rng):
+                    if hanging.hang_first(candidates) and window is not None:
+                        dressed.add(window)
     return layout
 
 
+def _sizes_of(model: Asset, found: Sequence[Asset]) -> list[Asset]:
+    """The models of its suite, the widest first."""
+    suite = [m for m in found if m is model or (m.suite is not None and m.suite == model.suite)]
+    return sorted(suite, key=lambda m: (-m.extents_m[1], -m.extents_m[2], m.id))
+
+
+class _Left(NamedTuple):
+    """Floor where a robot's middle can be, and in how many parts."""
+
+    shape: BaseGeometry
+    parts: int
+
+
 class _Free:
-    """The floor where a robot's middle can be, less what is hung there."""
+    """The floor where a robot's middle can be, less what is hung there, and where doors swing."""
 
     def __init__(self, home: Home, layout: Layout) -> None:
         self._home = home
         bodies = bodies_of(list(layout.items.values()), layout.library.infos)
-        self._shape = free_shape(home, floor_obstacles(bodies))
+        shape = free_shape(home, floor_obstacles(bodies))
+        self._left = _Left(shape, len(polygons(shape)))
         # A home that is cut off as it stands is rejected for that, not for a switch.
-        self._cut = {room.id for room in unreachable_rooms(home, self._shape)}
+        self._cut = {room.id for room in unreachable_rooms(home, shape)}
+        depth = HALF_WALL_M + DOORWAY_DEPTH_M
+        ways = [opening_rectangle(o, depth) for o in home.openings if o.kind in DOORS]
+        self._doors = union([*swing_sectors(bodies), *ways])
+        shapely.prepare(self._doors)
 
-    def take(self, shape: BaseGeometry) -> None:
+    def take(self, left: _Left) -> None:
         """Note what is left when a piece hangs."""
-        self._shape = shape
+        self._left = left
 
-    def left_by(self, item: ObjectInstance, layout: Layout) -> BaseGeometry | None:
-        """What one piece more leaves; None where some room could not be got to any more."""
-        grown = [
-            shape.buffer(ROBOT_RADIUS_M, quad_segs=2)
-            for shape in floor_obstacles(bodies_of([item], layout.library.infos))
-        ]
-        taken = union(grown)
-        if not taken.intersects(self._shape):
-            return self._shape
-        after = self._shape.difference(taken)
+    def left_by(self, item: ObjectInstance, layout: Layout) -> _Left | None:
+        """What one piece more leaves; None where a door would swing against it or some room could
+        not be got to any more."""
+        standing = floor_obstacles(bodies_of([item], layout.library.infos))
+        if any(self._doors.intersection(shape).area > TOUCH_M2 for shape in standing):
+            return None
+        taken = union([shape.buffer(ROBOT_RADIUS_M, quad_segs=2) for shape in standing])
+        shape, parts = self._left
+        if not taken.intersects(shape):
+            return self._left
+        after = shape.difference(taken)
+        left = _Left(after, len(polygons(after)))
+        # A bite out of the edge, smaller than what a room needs, cuts nothing off.
+        if left.parts == parts and shape.area - after.area < LEAST_REACHED_M2 / 4:
+            return left
         cut = {room.id for room in unreachable_rooms(self._home, after)}
-        return after if cut <= self._cut else None
+        return left if cut <= self._cut else None
 
 
-def _in_room(
-    fitting: Fitting,
-    model: Asset,
-    room: Room,
-    home: Home,
-    layout: Layout,
-    free: _Free,
-    catalog: Catalog,
-    rng: Rng,
-) -> Layout:
-    inside = Polygon(room.polygon_m).buffer(IN_WALL_M, join_style="mitre")
-    sights = [sight_of(o) for o in home.openings if room.id in o.room_ids]
-    for poses in _places(fitting, model, room, home, rng):
-        if rng.random() >= fitting.chance:
-            continue
-        for pose in poses:
-            x, y, z, yaw = pose
+@dataclass(frozen=True)
+class _Hanging:
+    """A fitting, in the ``sizes`` that it has (the widest first), in a room."""
+
+    fitting: Fitting
+    sizes: Sequence[Asset]
+    room: Room
+    home: Home
+    layout: Layout
+    free: _Free
+    catalog: Catalog
+
+    def wanted(self, dressed: set[int], rng: Rng) -> Iterator[tuple[Candidates, int | None]]:
+        """For each piece that is asked for where it may be, and the window that it is for.
+        ``dressed``: windows that have something at them, by the object that fills them."""
+        fitting, sides = self.fitting, sides_of(self.room.polygon_m)
+        if fitting.where == "wall":
+            model = self.sizes[0]
+            deep, wide, _ = model.extents_m
+            for _ in range(int(rng.integers(fitting.count[0], fitting.count[1] + 1))):
+                spots = against_walls(sides, (deep, wide), fitting.z_m, rng, snap=0.0)
+                if rng.random() < fitting.chance:
+                    yield [(model, spot) for spot in spots], None
+        elif fitting.where == "beside":
+            for item in list(self.layout.items.values()):
+                beside = item.room_id == self.room.id and item.category in fitting.of
+                if beside and rng.random() < fitting.chance:
+                    yield self._beside(item, sides), None
+        else:
+            for opening in self.home.openings:
+                found = _side_of(opening, sides) if self.room.id in opening.room_ids else None
+                if found is None or (opening.kind in DOORS) != (fitting.where == "beside_door"):
+                    continue
+                window = opening.object_id if fitting.where == "window" else None
+                if window not in dressed and rng.random() < fitting.chance:
+                    yield self._at_opening(opening, *found), window
+
+    @cached_property
+    def _inside(self) -> Polygon:
+        return Polygon(self.room.polygon_m).buffer(IN_WALL_M, join_style="mitre")
+
+    @cached_property
+    def _sights(self) -> list[Sight]:
+        return [sight_of(o) for o in self.home.openings if self.room.id in o.room_ids]
+
+    def hang_first(self, candidates: Candidates) -> bool:
+        """Hang what first has room; False where nothing has."""
+        room, layout = self.room, self.layout
+        for model, (x, y, z, yaw) in candidates:
             shape = Polygon(corners_of(model, x, y, yaw))
-            if not inside.covers(shape):
+            if not self._inside.covers(shape):
                 continue
-            # A curtain alone hangs before an opening.
+            # What is for a window alone hangs before an opening.
             top = z + model.extents_m[2]
-            if fitting.where != "window" and any(s.hidden_by(shape, z, top) for s in sights):
+            covers = any(s.hidden_by(shape, z, top) for s in self._sights)
+            if covers and self.fitting.where != "window":
                 continue
             item = ObjectInstance(
                 id=next(layout.ids),
@@ -113,43 +198,62 @@ def _in_room(
                 fixed=True,
             )
             item = at_rest(item, model)
-            left = free.left_by(item, layout)
-            if left is not None and put_piece(item, model, layout, None, room, catalog):
-                free.take(left)
-                break
-    return layout
+            left = self.free.left_by(item, layout)
+            if left is not None and put_piece(item, model, layout, None, room, self.catalog):
+                self.free.take(left)
+                return True
+        return False
 
-
-def _places(
-    fitting: Fitting, model: Asset, room: Room, home: Home, rng: Rng
-) -> Iterator[list[PlacedAt]]:
-    """For each piece that is asked for the poses it may have, first the best."""
-    deep, wide, tall = model.extents_m
-    sides = sides_of(room.polygon_m)
-    off = deep / 2 + HUNG_GAP_M
-    if fitting.where == "wall":
-        for _ in range(int(rng.integers(fitting.count[0], fitting.count[1] + 1))):
-            yield against_walls(sides, (deep, wide), fitting.z_m, rng, snap=0.0)
-        return
-    for opening in home.openings:
-        if room.id not in opening.room_ids:
-            continue
-        found = _side_of(opening, sides)
-        if found is None or (opening.kind in DOORS) != (fitting.where == "beside_door"):
-            continue
-        side, along = found
+    def _at_opening(self, opening: Opening, side: Side, along: float) -> Candidates:
+        fitting = self.fitting
         low, high = opening.center_m[2], opening.center_m[2] + opening.height_m
-        if fitting.where == "window":
-            yield [(*side.at(along, off), high + ABOVE_WINDOW_M - tall, side.yaw)]
-        elif fitting.where == "under_window":
-            if fitting.z_m + tall <= low - BELOW_SILL_M:
-                yield [(*side.at(along, off), fitting.z_m, side.yaw)]
-        else:
-            reach = opening.width_m / 2 + BESIDE_DOOR_M + wide / 2
-            spots = [along - reach, along + reach]
-            if rng.random() < 0.5:
-                spots.reverse()
-            yield [(*side.at(t, off), fitting.z_m, side.yaw) for t in spots]
+        if fitting.where == "beside_door":
+            model = self.sizes[0]
+            for t in self._beside_door(opening, side, along, model.extents_m[1] / 2):
+                yield model, _hung(model, side, t, fitting.z_m)
+            return
+        for model in self.sizes:
+            _, wide, tall = model.extents_m
+            if fitting.where == "window":
+                if -NARROWER_M <= wide - opening.width_m <= WIDER_M:
+                    yield model, _hung(model, side, along, high + ABOVE_WINDOW_M - tall)
+            elif fitting.z_m + tall <= low - BELOW_SILL_M:
+                yield model, _hung(model, side, along, fitting.z_m)
+
+    def _beside_door(
+        self, opening: Opening, side: Side, along: float, half_m: float
+    ) -> Iterator[float]:
+        """Where along the wall: at the latch; at the hinges only where no latch is, or where the
+        leaf opens into the other room."""
+        item = self.layout.items[opening.object_id]
+        joints = self.layout.info(item.id).joints
+        ends = [(along, sign) for sign in (-1.0, 1.0)]
+        if len(joints) == 1:
+            hinge = apply(item.pose.matrix(), [joints[0].origin_m])[0]
+            latch = math.copysign(1.0, along - side.measure((hinge[0], hinge[1]))[0])
+            (swept,) = swing_sectors(bodies_of([item], self.layout.library.infos))
+            into = side.measure(swept.centroid.coords[0])[1] > 0
+            ends = [(along, latch)] if into else [(along, latch), (along, -latch)]
+        for middle, sign in ends:
+            for off in BESIDE_DOOR_M:
+                yield middle + sign * (opening.width_m / 2 + off + half_m)
+
+    def _beside(self, item: ObjectInstance, sides: Sequence[Side]) -> Candidates:
+        """On the wall at the back of a piece, to its left and right."""
+        deep, wide, _ = self.layout.info(item.id).extents_m
+        yaw = yaw_of(item.pose.quat_xyzw)
+        model = self.sizes[0]
+        reach = wide / 2 + BESIDE_PIECE_M + model.extents_m[1] / 2
+        for side in sides:
+            along, away = side.measure(item.pose.position_m[:2])
+            backed = math.cos(yaw - side.yaw) > 0.99 and away - deep / 2 < AT_WALL_M
+            if backed and 0 < along < side.length_m:
+                for t in (along - reach, along + reach):
+                    yield model, _hung(model, side, t, self.fitting.z_m)
+
+
+def _hung(model: Asset, side: Side, along: float, z: float) -> PlacedAt:
+    return (*side.at(along, model.extents_m[0] / 2 + HUNG_GAP_M), z, side.yaw)
 
 
 def _side_of(opening: Opening, sides: tuple[Side, ...]) -> tuple[Side, float] | None:

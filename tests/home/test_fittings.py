@@ -21,7 +21,8 @@ from tests.shipped import shipped_library
 
 CATALOG = load_catalog()
 LIBRARY = shipped_library()
-HUNG = ("curtain", "radiator", "light_switch", "power_socket")
+SUITES = {m.id: m.suite for name in LIBRARY.categories for m in LIBRARY.by_category(name)}
+HUNG = ("curtain", "blind", "radiator", "light_switch", "power_socket")
 
 
 @pytest.fixture(scope="module")
@@ -39,11 +40,11 @@ def things(home, category):
     return [item for item in home.layout.items.values() if item.category == category]
 
 
-def test_every_home_has_each_of_one_model(homes):
+def test_every_home_has_each_of_one_model_or_one_suite(homes):
     for category in HUNG:
         assert sum(len(things(home, category)) for home in homes) >= len(homes)
         for home in homes:
-            assert len({item.asset for item in things(home, category)}) <= 1
+            assert len({SUITES[item.asset] or item.asset for item in things(home, category)}) <= 1
 
 
 def test_they_hang_at_a_wall_of_their_room(homes):
@@ -56,6 +57,41 @@ def test_they_hang_at_a_wall_of_their_room(homes):
                 assert outline.exterior.distance(Point(x, y)) < 0.1
                 assert z > 0.1
                 assert item.parts
+
+
+def test_windows_have_one_thing_that_fits_them(homes):
+    dressed = windows = 0
+    for home in homes:
+        hung = [*things(home, "curtain"), *things(home, "blind")]
+        for window in home.context.home.openings:
+            if window.kind != "window":
+                continue
+            at = [i for i in hung if math.dist(i.pose.position_m[:2], window.center_m[:2]) < 0.2]
+            assert len(at) <= 1
+            windows, dressed = windows + 1, dressed + len(at)
+            for item in at:
+                _, wide, tall = LIBRARY.info(item.asset).extents_m
+                assert window.width_m - 0.05 <= wide <= window.width_m + 0.6
+                above = item.pose.position_m[2] + tall - window.center_m[2] - window.height_m
+                assert 0 < above < 0.1
+                room = next(r for r in home.context.home.rooms if r.id == item.room_id)
+                assert item.pose.position_m[2] + tall < room.height_m
+    assert dressed > 0.7 * windows
+
+
+def test_lamps_hug_the_ceilings(homes):
+    lit = rooms = 0
+    for home in homes:
+        for room in home.context.home.rooms:
+            found = [i for i in things(home, "ceiling_lamp") if i.room_id == room.id]
+            assert len(found) <= 1
+            rooms, lit = rooms + 1, lit + len(found)
+            for lamp in found:
+                x, y, z = lamp.pose.position_m
+                top = z + LIBRARY.info(lamp.asset).extents_m[2]
+                assert room.height_m - 0.01 < top < room.height_m
+                assert Polygon(room.polygon_m).exterior.distance(Point(x, y)) > 0.4
+    assert lit > 0.8 * rooms
 
 
 def test_curtains_and_radiators_are_at_windows(homes):

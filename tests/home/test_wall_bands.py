@@ -69,7 +69,7 @@ def test_tiles_are_behind_worktops_and_nowhere_else(homes):
     for made in homes:
         for wall in made.context.home.structures:
             for band in wall.bands:
-                if LIBRARY.surfaces[band.surface].kind != "splashback":
+                if LIBRARY.surfaces[band.surface].kind == "skirting" or not band.low_m[1]:
                     continue
                 line = line_of(wall, band)
                 behind = 0.0
@@ -85,6 +85,28 @@ def test_tiles_are_behind_worktops_and_nowhere_else(homes):
                 assert 0.75 < band.low_m[1] < 1.1 < band.high_m[1] < 1.7
                 tiled += 1
     assert tiled >= len(homes)
+
+
+def test_walls_are_tiled_where_tubs_and_basins_stand(homes):
+    heights = {c.name: c.tiled_m for c in CATALOG.categories if c.tiled_m}
+    behind = 0
+    for made in homes:
+        wet = {r.id for r in made.context.home.rooms if r.type in ("bathroom", "toilet")}
+        stands = [i for i in made.layout.items.values() if i.category in heights]
+        for wall in made.context.home.structures:
+            tiles = [b for b in wall.bands if b.low_m[1] == 0 and b.high_m[1] > 1]
+            assert not tiles or wall.room_id in wet
+            for band in tiles:
+                near = [i for i in stands if distance(made, i, line_of(wall, band)) < 0.2]
+                assert band.high_m[1] in {heights[item.category] for item in near}
+                behind += len(near)
+    assert behind >= len(homes)
+
+
+def distance(made, item, line) -> float:
+    x, y, _ = item.pose.position_m
+    ring = corners_of(made.layout.info(item.id), x, y, yaw_of(item.pose.quat_xyzw))
+    return Polygon(ring).distance(line)
 
 
 #: Some fridges are as low as a worktop.

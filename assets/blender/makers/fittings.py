@@ -1,4 +1,5 @@
-"""What belongs to the building and hangs on its walls: curtains, radiators, switches, sockets.
+"""What belongs to the building and hangs on its walls: curtains, blinds, radiators, switches and
+sockets.
 
 All have their back at -X and hang with their lowest edge at z = 0.
 """
@@ -36,11 +37,14 @@ def _drape(y0: float, y1: float, height: float, folds: int, mat: object) -> Mesh
     return extrude([*back[::-1], *front], height, mat=mat)
 
 
-def curtain(cloth: str, rod: str = "steel", spread: float = 0.3, height: float = 1.45) -> Model:
-    """A pair of drapes drawn back beside a window of 1.2 m, on a rod above it."""
+def curtain(
+    cloth: str, rod: str = "steel", spread: float = 0.3, height: float = 1.45, outer: float = 0.8
+) -> Model:
+    """A pair of drapes drawn back beside a window of 1.2 m, on a rod above it, whose outer edges
+    are twice ``outer`` apart."""
     fabric = plain(CLOTHS[cloth], 0.08, 220)
     bar = wood("#b48a5a") if rod == "wood" else plain("#8b9096" if rod == "steel" else "#232527")
-    outer, top = 0.8, height + 0.03
+    top = height + 0.03
     meshes = [_drape(-outer, -outer + spread, height, 5, fabric)]
     meshes.append(_drape(outer - spread, outer, height, 5, fabric))
     meshes.append(tube([(0, -outer - 0.08, top), (0, outer + 0.08, top)], 0.011, 8, mat=bar))
@@ -60,6 +64,37 @@ def curtain_random(rng: np.random.Generator) -> dict:
         "cloth": pick(rng, tuple(CLOTHS)),
         "rod": pick(rng, ("steel", "black", "wood")),
         "spread": float(rng.uniform(0.26, 0.32)),
+    }
+
+
+def blind(cloth: str, width: float = 1.26, drop: float = 0.45, slats: bool = False) -> Model:
+    """A roller blind or a Venetian one before a window, let down by ``drop``."""
+    fabric, metal = plain(CLOTHS[cloth], 0.05, 200), plain("#d5d6d4", 0.02)
+    top = drop + 0.06
+    meshes = [box(0.05, width, 0.055, (0.0, 0, drop + 0.005), metal, 0.008)]
+    meshes.append(box(0.022, width - 0.02, 0.016, (0.004, 0, 0), metal, 0.005))
+    if slats:
+        for z in np.arange(0.02, drop, 0.024):
+            meshes.append(box(0.024, width - 0.02, 0.004, (0.004, 0, float(z)), fabric))
+        for y in (-0.35 * width, 0.35 * width):
+            meshes.append(box(0.003, 0.006, drop, (0.004, y, 0.008), metal))
+    else:
+        meshes.append(box(0.004, width - 0.04, drop, (0.004, 0, 0.01), fabric))
+    # Clear of the window's frame, which stands 18 mm out of the wall.
+    for y in (-width / 2 + 0.03, width / 2 - 0.03):
+        meshes.append(box(0.022, 0.02, 0.03, (-0.034, y, drop + 0.02), metal))
+    side = width / 2 - 0.012
+    meshes.append(tube([(0.022, side, drop), (0.022, side, 0.12)], 0.002, 5, mat=metal))
+    piece = box_piece((0.0, 0, top / 2), (0.05, width, top))
+    title = "Venetian blind" if slats else "roller blind"
+    return Model(title, {"body": Part(meshes, collision=[piece])}, mass=round(1.4 * width, 1))
+
+
+def blind_random(rng: np.random.Generator) -> dict:
+    return {
+        "cloth": pick(rng, tuple(CLOTHS)),
+        "drop": float(rng.uniform(0.3, 0.55)),
+        "slats": bool(rng.random() < 0.3),
     }
 
 
@@ -136,33 +171,61 @@ def power_socket_random(rng: np.random.Generator) -> dict:
     return {"frame": pick(rng, ("#f3f2ee", "#d9d9d6", "#2c2e31")), "count": int(rng.integers(1, 4))}
 
 
+DRAPES = (
+    {"cloth": "linen"},
+    {"cloth": "white", "rod": "black"},
+    {"cloth": "grey", "spread": 0.27},
+    {"cloth": "sage", "rod": "wood"},
+    {"cloth": "blue", "rod": "wood"},
+    {"cloth": "ochre", "rod": "black"},
+    {"cloth": "rust", "rod": "wood", "spread": 0.27},
+    {"cloth": "navy"},
+)
+#: The same cloths where furniture stands below the window or beside it.
+SHORT = {"spread": 0.19, "height": 1.2, "outer": 0.67}
+BLINDS = (
+    {"cloth": "white", "drop": 0.4, "slats": False},
+    {"cloth": "linen", "drop": 0.5, "slats": False},
+    {"cloth": "grey", "drop": 0.35, "slats": False},
+    {"cloth": "sage", "drop": 0.45, "slats": False},
+    {"cloth": "blue", "drop": 0.38, "slats": False},
+    {"cloth": "white", "drop": 0.45, "slats": True},
+    {"cloth": "linen", "drop": 0.5, "slats": True},
+)
+#: The same before windows of 0.6 m.
+SMALL = {"width": 0.66, "drop": 0.22}
+
 MODELS = {
     "curtain": Maker(
         curtain,
         curtain_random,
-        8,
-        [
-            {"cloth": "linen"},
-            {"cloth": "white", "rod": "black"},
-            {"cloth": "grey", "spread": 0.27},
-            {"cloth": "sage", "rod": "wood"},
-            {"cloth": "blue", "rod": "wood"},
-            {"cloth": "ochre", "rod": "black"},
-            {"cloth": "rust", "rod": "wood", "spread": 0.27},
-            {"cloth": "navy"},
-        ],
+        2 * len(DRAPES),
+        [*DRAPES, *(drapes | SHORT for drapes in DRAPES)],
+    ),
+    "blind": Maker(
+        blind,
+        blind_random,
+        2 * len(BLINDS),
+        [*BLINDS, *(wide | SMALL for wide in BLINDS)],
     ),
     "radiator": Maker(
         radiator,
         radiator_random,
         4,
         [
-            {"width": 0.8},
-            {"width": 1.0},
-            {"width": 0.6, "height": 0.55},
+            {"width": 0.8, "kind": "panel"},
+            {"width": 1.0, "kind": "panel"},
+            {"width": 0.6, "height": 0.55, "kind": "panel"},
             {"width": 0.8, "height": 0.52, "kind": "columns"},
         ],
     ),
-    "light_switch": Maker(light_switch, light_switch_random, 2, [{}, {"double": True}]),
-    "power_socket": Maker(power_socket, power_socket_random, 2, [{}, {"count": 1}]),
+    "light_switch": Maker(
+        light_switch, light_switch_random, 2, [{"double": False}, {"double": True}]
+    ),
+    "power_socket": Maker(
+        power_socket,
+        power_socket_random,
+        2,
+        [{"count": 2, "frame": "#f3f2ee"}, {"count": 2, "frame": "#d9d9d6"}],
+    ),
 }

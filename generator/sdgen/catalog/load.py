@@ -108,8 +108,9 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         like=_kinds_of(found["rooms"]),
     )
 
-    def named(kind: str, model: type[Any]) -> tuple[Any, ...]:
-        read = ((name, found[kind][name].read(model, names)) for name in sorted(found[kind]))
+    def named(kind: str, model: type[Any], as_written: bool = False) -> tuple[Any, ...]:
+        order = list(found[kind]) if as_written else sorted(found[kind])
+        read = ((name, found[kind][name].read(model, names)) for name in order)
         return tuple(written.record(name) for name, written in read if written is not None)
 
     hazards = (read_hazard(found["hazards"][name], names) for name in sorted(found["hazards"]))
@@ -125,7 +126,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         mixes=named("mixes", MixYaml),
         groups=named("groups", AgeGroupYaml),
         styles=named("styles", StyleYaml),
-        fittings=named("fittings", FittingYaml),
+        fittings=named("fittings", FittingYaml, as_written=True),
         activities=named("activities", ActivityYaml),
     )
     if not any(source.problems for folder in folders for _, source in folder.all()):

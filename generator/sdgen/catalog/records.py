@@ -186,6 +186,8 @@ class Category(Record):
     ``climb_m``: children climb on it and stand about so high above its bottom (a model's own
     surface near that height says how high); None: they do not.
 
+    ``tiled_m``: walls that its furniture stands at are tiled up to so high, in rooms with tiles.
+
     ``alike``: it comes in several, so that one piece of furniture may hold two of one model.
     ``reserved``: hollows that only take what lives in a hollow of that name. ``belongs_to``: the
     pets, conditions and age groups with which it comes, ``always`` or as often as anything;
@@ -205,6 +207,7 @@ class Category(Record):
     switched_on: float = 0.0
     stands_open: float = 0.0
     climb_m: float | None = None
+    tiled_m: float | None = None
     at_most: AtMost = AtMost()
     alike: bool = False
     reserved: tuple[str, ...] = ()
@@ -216,16 +219,18 @@ class Category(Record):
 
 
 class Fitting(Record):
-    """What belongs to the building and hangs on its walls, in rooms of these types (none: in all).
+    """What belongs to the building and hangs on its walls and ceilings, in rooms of these types
+    (none: in all).
 
     At each ``window`` that has nothing yet, its upper end above it, ``under_window``,
     ``beside_door`` (inner ones and the front door), ``beside`` each piece ``of`` these categories
-    or, ``count`` a room, anywhere along a ``wall``; ``z_m`` high, but at a window.
+    or, ``count`` a room, anywhere along a ``wall``, ``z_m`` high but for windows; or in the middle
+    of the ``ceiling``.
     """
 
     name: str
     category: str
-    where: Literal["window", "under_window", "beside_door", "beside", "wall"]
+    where: Literal["window", "under_window", "beside_door", "beside", "wall", "ceiling"]
     of: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     chance: float = 1.0

@@ -34,7 +34,9 @@ def _surfaces(style: Style, surfaces: Mapping[str, str]) -> Iterator[str]:
         "splashback": style.splashbacks,
     }
     for kind, choices in named.items():
-        known = sorted(name for name, found in surfaces.items() if found == kind)
+        # A band of a wall may wear what a whole wall can.
+        kinds = (kind, "wall") if kind == "splashback" else (kind,)
+        known = sorted(name for name, found in surfaces.items() if found in kinds)
         for index, choice in enumerate(choices):
             for name in choice.of:
                 if name not in known:

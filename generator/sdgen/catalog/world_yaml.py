@@ -132,6 +132,7 @@ class CategoryYaml(Record):
     stands_open: Annotated[float, between(0.0, 1.0)] = 0.0
     # Nobody steps up higher than a kitchen counter.
     climb_m: Annotated[float, between(0.05, 1.2)] | None = None
+    tiled_m: Annotated[float, between(0.1, 5.0)] | None = None
     at_most: Annotated[AtMost, Expect("{room: number, home: number}")] = AtMost()
     alike: bool = False
     reserved: Annotated[tuple[str, ...], names_of("hollow", least=0)] = ()
@@ -154,6 +155,8 @@ class CategoryYaml(Record):
         if self.stands_open and not (self.kind == "furniture" and "CAN_OPEN" in self.properties):
             text = "only furniture with the property CAN_OPEN is ever left open by it"
             refuse(problem(("stands_open",), text))
+        if self.tiled_m is not None and self.kind != "furniture":
+            refuse(problem(("tiled_m",), "walls are tiled behind furniture alone"))
         if self.holds is not None and self.kind != "small":
             text = "only small things hold others by it; for furniture see 'clutter' of rooms.yaml"
             refuse(problem(("holds",), text))
@@ -268,7 +271,7 @@ class FittingYaml(Record):
     """One entry of ``fittings.yaml``."""
 
     category: CategoryName
-    where: Literal["window", "under_window", "beside_door", "beside", "wall"]
+    where: Literal["window", "under_window", "beside_door", "beside", "wall", "ceiling"]
     of: OptionalCategories = ()
     rooms: RoomNames = ()
     chance: Annotated[float, between(0.0, 1.0)] = 1.0

@@ -1,5 +1,5 @@
 """What belongs to the building: curtains and blinds at windows, radiators below, switches by doors,
-sockets.
+sockets, lamps at the ceilings.
 
 Hung when the furniture stands, where it leaves room: a window behind a bookcase has no curtain.
 """
@@ -28,7 +28,7 @@ from sdgen.freespace import (
     union,
     unreachable_rooms,
 )
-from sdgen.geometry import apply, quat_from_yaw, round_position, round_quat, yaw_of
+from sdgen.geometry import Vec2, apply, quat_from_yaw, round_position, round_quat, yaw_of
 from sdgen.home.anchors import HUNG_GAP_M, PlacedAt, Side, against_walls, sides_of
 from sdgen.home.clearances import Sight, sight_of
 from sdgen.home.context import Models
@@ -45,13 +45,15 @@ ABOVE_WINDOW_M = 0.07
 BELOW_SILL_M = 0.04
 #: What hangs at a window is no narrower than its hole but by this (a blind between its frames), and
 #: wider by this at most: a rod, and drapes drawn aside.
-NARROWER_M, WIDER_M = 0.05, 0.7
+NARROWER_M, WIDER_M = 0.05, 0.6
 #: Between the hole of a door and what hangs beside it: the frame, and a hand's breadth; where that
 #: is taken, a step further.
 BESIDE_DOOR_M = (0.12, 0.35)
 #: Between a piece of furniture and what hangs on the wall beside it, and from the back of such a
 #: piece to its wall.
 BESIDE_PIECE_M, AT_WALL_M = 0.06, 0.1
+#: The middle of a room is found to so much.
+MIDDLE_M = 0.05
 #: A wall is an opening's when its middle is in it.
 SAME_WALL_M = HALF_WALL_M + 0.02
 
@@ -153,6 +155,11 @@ class _Hanging:
                 spots = against_walls(sides, (deep, wide), fitting.z_m, rng, snap=0.0)
                 if rng.random() < fitting.chance:
                     yield [(model, spot) for spot in spots], None
+        elif fitting.where == "ceiling":
+            if rng.random() < fitting.chance:
+                x, y = _middle_of(self.room)
+                high = self.room.height_m - HUNG_GAP_M
+                yield [(m, (x, y, high - m.extents_m[2], 0.0)) for m in self.sizes], None
         elif fitting.where == "beside":
             for item in list(self.layout.items.values()):
                 beside = item.room_id == self.room.id and item.category in fitting.of
@@ -216,7 +223,8 @@ class _Hanging:
             _, wide, tall = model.extents_m
             if fitting.where == "window":
                 if -NARROWER_M <= wide - opening.width_m <= WIDER_M:
-                    yield model, _hung(model, side, along, high + ABOVE_WINDOW_M - tall)
+                    top = min(high + ABOVE_WINDOW_M, self.room.height_m - HUNG_GAP_M)
+                    yield model, _hung(model, side, along, top - tall)
             elif fitting.z_m + tall <= low - BELOW_SILL_M:
                 yield model, _hung(model, side, along, fitting.z_m)
 
@@ -254,6 +262,15 @@ class _Hanging:
 
 def _hung(model: Asset, side: Side, along: float, z: float) -> PlacedAt:
     return (*side.at(along, model.extents_m[0] / 2 + HUNG_GAP_M), z, side.yaw)
+
+
+def _middle_of(room: Room) -> Vec2:
+    """The middle of a room, or of the widest part of one that is no rectangle."""
+    outline = Polygon(room.polygon_m)
+    if outline.area > 0.99 * outline.envelope.area:
+        return outline.envelope.centroid.x, outline.envelope.centroid.y
+    middle, _ = shapely.maximum_inscribed_circle(outline, MIDDLE_M).coords
+    return float(middle[0]), float(middle[1])
 
 
 def _side_of(opening: Opening, sides: tuple[Side, ...]) -> tuple[Side, float] | None:

@@ -23,7 +23,7 @@ from sdgen.home.reach import Reach
 from sdgen.home.shell import build_shell
 from sdgen.home.style import style_random
 from sdgen.home.tenants import Homes, Tenants, beds_of, wide_beds
-from sdgen.home.wall_bands import with_splashbacks
+from sdgen.home.wall_bands import with_tiles
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.rejection import Rejection, reject
@@ -177,8 +177,7 @@ def furnished_home(
         places = beds_of(layout.items.values(), library.infos, catalog)
         if places < tenants.beds:
             return reject("home", "too_few_beds", measured=places, limit=tenants.beds)
-    types = {room_type.name: room_type for room_type in catalog.room_types}
-    home = _sorted(with_splashbacks(home, layout, types, style))
+    home = _sorted(with_tiles(home, layout, catalog, style))
     # By id, as anyone has it who reads the scene: a union's last digits depend on the order.
     bodies = bodies_of([layout.items[k] for k in sorted(layout.items)], library.infos)
     obstacles = floor_obstacles(bodies)

@@ -237,6 +237,7 @@ library = Library([Path(sys.argv[1])])
 things = [thing(10, "table_01", (0.3, 0, 0)), thing(11, "cube_01", (0.2, 0.1, 0.74)),
           thing(12, "cabinet_01", (-1, 1.2, 0), joints={"door": -0.7}),
           thing(13, "cube_02", (1, 1, 0)), thing(14, "cube_02", (-0.4, 0.2, 0))]
+things += [thing(50 + k, "cube_01", (0.6 * k, 0.4, 2.295), fixed=True) for k in range(2)]
 things += [thing(20 + k, "flush_01", (-1.0 + 0.4 * k, -0.9 + 0.3 * k, 0)) for k in range(5)]
 views = [camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5)), camera((1.6, -1.2, 1.2), (0, 0, 0.5))]
 with open_renderer(sys.argv[2]) as renderer:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -29,9 +29,15 @@ _TILE = (2560, 2048)
 # their floors above that camera: then no floor or table top shines.
 _FLOOR_Z_M = 0.4
 
-# A ceiling would shut out the light. Bodies with alpha < 1 cast no shadow, but the plugin draws
-# them without writing depth: only ceilings, which nothing stands behind, may be like that.
-_CEILING_ALPHA = 0.999
+# A ceiling would shut out the light, and a lamp at it throw a disc of shadow. Bodies with alpha < 1
+# cast none, but the plugin draws them after all others and without writing depth: only ceilings,
+# which nothing stands behind, and what hugs them may be like that.
+_OVERHEAD_ALPHA = 0.999
+
+# The plugin draws see-through parts in the order of how far their origins are along the view. So
+# that lamps come after ceilings from wherever one looks, each is drawn with its origin so far off,
+# metres, in four directions: there is always one further that way than any ceiling.
+_OFF_M = 100.0 * np.array(((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)))
 
 # The plugin holds 3.7 million vertices and draws nothing, silently, of what comes after; a scene
 # has up to 0.4 million. It also looks at every shape it holds, those of homes that are gone
@@ -63,8 +69,8 @@ class BulletGraphics:
         self._held = ExitStack()
         self._shell = ShellFolder(self._held.enter_context(scratch_folder()))
         self.client: int = pb.connect(pb.DIRECT)
-        #: Visual shape of an OBJ file in a colour, and the middle of its mesh.
-        self._shapes: dict[tuple[Path, Rgba], tuple[int, Array]] = {}
+        #: Visual shape of an OBJ file in a colour, its origin moved, and where that is.
+        self._shapes: dict[tuple[Path, Rgba, tuple[float, ...]], tuple[int, Array]] = {}
         self._parts = self._no_parts()
         self._vertices = 0
         self._shift = np.eye(4)
@@ -77,8 +83,9 @@ class BulletGraphics:
             self.client = -1
             self._held.close()
 
-    def load(self, library: Library, scene: Scene) -> None:
-        """Put the scene, moved by :func:`drawing_shift`, into the emptied world."""
+    def load(self, library: Library, scene: Scene, overhead: Collection[int] = ()) -> None:
+        """Put the scene, moved by :func:`drawing_shift`, into the emptied world; what is
+        ``overhead``, by id, so that it throws no shadow."""
         self._clear()
         self._shift = drawing_shift(scene)
         self._boxes = drawn_boxes(library, scene)
@@ -87,7 +94,7 @@ class BulletGraphics:
         for structure in sorted(scene.home.structures, key=lambda s: s.id):
             parts += self._structure_parts(library, structure, ceiling_m)
         for item in sorted(scene.objects, key=lambda o: o.id):
-            parts += self._object_parts(library, item)
+            parts += self._object_parts(library, item, item.id in overhead)
         self._parts.put(parts)
 
     def draw(self, camera: Camera) -> Picture:
@@ -131,17 +138,19 @@ class BulletGraphics:
     def _structure_parts(
         self, library: Library, structure: Structure, ceiling_m: float
     ) -> Iterator[Part]:
-        alpha = _CEILING_ALPHA if structure.category == "ceiling" else 1.0
+        alpha = _OVERHEAD_ALPHA if structure.category == "ceiling" else 1.0
         for face in structure_faces(structure, library.tile_m, ceiling_m):
             path = self._shell.write(face, library.surface_texture(face.surface))
             level = face.brightness if self._face_levels else 1.0
             rgba = (level, level, level, alpha)
             shape, middle = self._shape(
-                path, rgba, face.vertices_m, 3 * len(face.vertices_m) // 2, face.number
+                path, rgba, face.vertices_m, 3 * len(face.vertices_m) // 2, face.number * _APART_M
             )
             yield _placed(structure.id, 0, shape, middle, self._shift)
 
-    def _object_parts(self, library: Library, item: ObjectInstance) -> Iterator[Part]:
+    def _object_parts(
+        self, library: Library, item: ObjectInstance, overhead: bool
+    ) -> Iterator[Part]:
         """The drawn parts, in their order."""
         info = library.info(item.asset)
         objs, meshes = library.objs(item.asset), library.mesh(item.asset)
@@ -149,29 +158,28 @@ class BulletGraphics:
         apart = {part.name: index for index, part in enumerate(info.parts)}
         for number, name in enumerate(info.variants[item.variant], start=1):
             red, green, blue, _ = info.part(name).rgba
-            # Opaque always: the plugin gives see-through bodies no depth.
-            rgba = (red, green, blue, 1.0)
+            # Opaque but there: the plugin gives see-through bodies no depth.
+            rgba = (red, green, blue, _OVERHEAD_ALPHA if overhead else 1.0)
             mesh = meshes[name]
-            shape, middle = self._shape(
-                objs[name], rgba, mesh.vertices, mesh.faces.size, apart[name]
-            )
             placed = pose @ object_from_part(info, name, item.joints)
-            yield _placed(item.id, number, shape, middle, placed)
+            for off in _OFF_M if overhead else (apart[name] * _APART_M,):
+                shape, middle = self._shape(objs[name], rgba, mesh.vertices, mesh.faces.size, off)
+                yield _placed(item.id, number, shape, middle, placed)
 
     def _shape(
-        self, path: Path, rgba: Rgba, vertices_m: Array, corners: int, apart: int
+        self, path: Path, rgba: Rgba, vertices_m: Array, corners: int, apart_m: Array
     ) -> tuple[int, Array]:
         """Visual shape that shows an OBJ file, and where its origin lies in the file's frame.
 
         The plugin makes a vertex of each of the ``corners`` of its triangles.
-        The origin is the middle of the mesh, plus a little for each step ``apart``: the plugin
-        draws parts in the order of their origins' depth, and where faces coincide the first one
-        drawn wins. Parts with one common origin would be drawn in an order that depends on what the
-        process has drawn before.
+        The origin is the middle of the mesh plus ``apart_m``: the plugin draws parts in the order
+        of their origins' depth, and where faces coincide the first one drawn wins. Parts with one
+        common origin would be drawn in an order that depends on what the process has drawn before.
         """
-        if (path, rgba) not in self._shapes:
+        key = path, rgba, tuple(apart_m.tolist())
+        if key not in self._shapes:
             middle = np.round((vertices_m.min(axis=0) + vertices_m.max(axis=0)) / 2, 3)
-            middle += apart * _APART_M
+            middle += apart_m
             self._vertices += corners
             made = pb.createVisualShape(
                 pb.GEOM_MESH,
@@ -180,8 +188,8 @@ class BulletGraphics:
                 visualFramePosition=(-middle).tolist(),
                 physicsClientId=self.client,
             )
-            self._shapes[path, rgba] = (int(made), middle)
-        return self._shapes[path, rgba]
+            self._shapes[key] = (int(made), middle)
+        return self._shapes[key]
 
     def _image(
         self, camera: Camera, k: Array, size: tuple[int, int], near_m: float, mask: bool

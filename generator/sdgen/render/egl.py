@@ -6,18 +6,17 @@ import importlib.util
 import re
 import subprocess
 import sys
-from collections.abc import Sequence
 from typing import ClassVar
 
 import numpy as np
 import numpy.typing as npt
 
 from sdgen.errors import RendererError
-from sdgen.geometry import Array
 from sdgen.library import Library
 from sdgen.physics.bullet import pb, quiet
 from sdgen.render.bullet import BulletGraphics
 from sdgen.render.gl_textures import PluginTextures
+from sdgen.render.overhead import Solid, fill_ceilings, fill_overhead, overhead
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.shell import LIGHT_M
 from sdgen.scene import Camera, Scene, Structure
@@ -52,6 +51,7 @@ class EglRenderer(Renderer):
         )
         self.renderer_string = _load_plugin(self._graphics.client)
         self._ceilings: tuple[Structure, ...] = ()
+        self._overhead: tuple[Solid, ...] = ()
         with quiet():
             _warm_up(self._graphics.client)
         self._textures = PluginTextures()
@@ -79,13 +79,15 @@ class EglRenderer(Renderer):
 
     def load(self, library: Library, scene: Scene) -> None:
         """Put ``scene`` in place of what was loaded before."""
-        self._graphics.load(library, scene)
+        self._overhead = overhead(library, scene)
+        self._graphics.load(library, scene, {solid.node_id for solid in self._overhead})
         self._ceilings = tuple(s for s in scene.home.structures if s.category == "ceiling")
 
     def draw(self, camera: Camera) -> Picture:
         """What ``camera`` sees of the loaded scene."""
         picture = self._graphics.draw(camera)
         fill_ceilings(picture.depth_m, picture.instance, camera, self._ceilings)
+        fill_overhead(picture.depth_m, picture.instance, camera, self._overhead)
         return picture
 
     def draw_colours(self, camera: Camera, factor: int) -> npt.NDArray[np.uint8]:
@@ -102,29 +104,6 @@ def plugin_path() -> str | None:
     """File of the EGL plugin that comes with PyBullet, if it does."""
     found = importlib.util.find_spec("eglRenderer")
     return found.origin if found is not None else None
-
-
-def fill_ceilings(
-    depth_m: Array,
-    instance: npt.NDArray[np.uint16],
-    camera: Camera,
-    ceilings: Sequence[Structure],
-) -> None:
-    """Write the depth of ceiling pixels, which the plugin leaves out, from their planes."""
-    k, pose = np.asarray(camera.K), np.asarray(camera.world_from_camera)
-    for ceiling in ceilings:
-        shown = instance == ceiling.id
-        if not shown.any():  # most ceilings of a home, and much cheaper than to list no pixels
-            continue
-        rows, columns = np.nonzero(shown)
-        underside = min(piece.center_m[2] - piece.size_m[2] / 2 for piece in ceiling.pieces)
-        # World-vertical part of the ray that moves one metre along the camera's axis.
-        rise = (
-            pose[2, 0] * (columns - k[0, 2]) / k[0, 0]
-            + pose[2, 1] * (rows - k[1, 2]) / k[1, 1]
-            + pose[2, 2]
-        )
-        depth_m[rows, columns] = (underside - pose[2, 3]) / np.where(rise > 1e-9, rise, np.inf)
 
 
 def _load_plugin(client: int) -> str:

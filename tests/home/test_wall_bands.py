@@ -103,6 +103,18 @@ def test_walls_are_tiled_where_tubs_and_basins_stand(homes):
     assert behind >= len(homes)
 
 
+def test_every_basin_has_tiles_behind_it(homes):
+    """On whichever wall it hangs: all four find the edge that they stand behind."""
+    for made in homes:
+        rooms = {room.id: room for room in made.context.home.rooms}
+        walls = [s for s in made.context.home.structures if s.category == "wall"]
+        for item in made.layout.items.values():
+            if item.category != "washbasin" or rooms[item.room_id].type != "bathroom":
+                continue
+            lines = [line_of(w, b) for w in walls if w.room_id == item.room_id for b in w.bands]
+            assert min(distance(made, item, line) for line in lines) < 0.1
+
+
 def distance(made, item, line) -> float:
     x, y, _ = item.pose.position_m
     ring = corners_of(made.layout.info(item.id), x, y, yaw_of(item.pose.quat_xyzw))

@@ -11,6 +11,8 @@ from sdgen.catalog.load import load_catalog
 from sdgen.errors import InputError
 from sdgen.facts import bodies_of, in_the_air
 from sdgen.hazards.splits import SplitModels
+from sdgen.home.anchors import sides_of
+from sdgen.home.fittings import _hung
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
@@ -155,6 +157,14 @@ def test_sockets_are_beside_beds_and_desks(homes):
                 apart = math.dist(piece.pose.position_m[:2], socket.pose.position_m[:2])
                 near += apart < LIBRARY.info(piece.asset).extents_m[1] / 2 + 0.5
     assert near >= len(homes)
+
+
+def test_nothing_hangs_beyond_the_end_of_its_wall():
+    side = next(s for s in sides_of([(0, 0), (2, 0), (2, 3), (0, 3)]) if s.length_m == 2)
+    (socket,) = [m for m in LIBRARY.by_category("power_socket") if m.id == "power_socket_01"]
+    wide = socket.extents_m[1]
+    for along, count_ in ((1.0, 1), (wide / 2 - 0.01, 0), (2 - wide / 2 + 0.01, 0), (2.2, 0)):
+        assert len(list(_hung(socket, side, along, 0.3))) == count_
 
 
 def test_nothing_hangs_in_the_air_of_a_doorway(homes):

@@ -217,16 +217,16 @@ class _Hanging:
         if fitting.where == "beside_door":
             model = self.sizes[0]
             for t in self._beside_door(opening, side, along, model.extents_m[1] / 2):
-                yield model, _hung(model, side, t, fitting.z_m)
+                yield from _hung(model, side, t, fitting.z_m)
             return
         for model in self.sizes:
             _, wide, tall = model.extents_m
             if fitting.where == "window":
                 if -NARROWER_M <= wide - opening.width_m <= WIDER_M:
                     top = min(high + ABOVE_WINDOW_M, self.room.height_m - HUNG_GAP_M)
-                    yield model, _hung(model, side, along, top - tall)
+                    yield from _hung(model, side, along, top - tall)
             elif fitting.z_m + tall <= low - BELOW_SILL_M:
-                yield model, _hung(model, side, along, fitting.z_m)
+                yield from _hung(model, side, along, fitting.z_m)
 
     def _beside_door(
         self, opening: Opening, side: Side, along: float, half_m: float
@@ -257,11 +257,14 @@ class _Hanging:
             backed = math.cos(yaw - side.yaw) > 0.99 and away - deep / 2 < AT_WALL_M
             if backed and 0 < along < side.length_m:
                 for t in (along - reach, along + reach):
-                    yield model, _hung(model, side, t, self.fitting.z_m)
+                    yield from _hung(model, side, t, self.fitting.z_m)
 
 
-def _hung(model: Asset, side: Side, along: float, z: float) -> PlacedAt:
-    return (*side.at(along, model.extents_m[0] / 2 + HUNG_GAP_M), z, side.yaw)
+def _hung(model: Asset, side: Side, along: float, z: float) -> Iterator[tuple[Asset, PlacedAt]]:
+    """The model with its middle there, if the wall goes on behind all of it."""
+    deep, wide, _ = model.extents_m
+    if wide / 2 <= along <= side.length_m - wide / 2:
+        yield model, (*side.at(along, deep / 2 + HUNG_GAP_M), z, side.yaw)
 
 
 def _middle_of(room: Room) -> Vec2:

@@ -35,8 +35,6 @@ RIM_M = 1e-4
 #: A tub or a basin is so near a wall that it wets, tiles go on so far beside it, and up to a corner
 #: that is no further away. By eye.
 WET_M, BESIDE_WET_M, TO_CORNER_M = 0.15, 0.1, 0.35
-#: Walls end at outlines but for rounding.
-RIM_M = 1e-4
 
 
 class _Span(NamedTuple):

@@ -10,6 +10,7 @@ in turn with our homes and compared by the time of an object. Prints Markdown.
 from __future__ import annotations
 
 import argparse
+import gc
 import statistics
 import subprocess
 import sys
@@ -24,6 +25,7 @@ from sdgen.home.generate import generate_plan
 from sdgen.home.plan import Plan
 from sdgen.library import Library, load_library
 from sdgen.options import BuildOptions
+from sdgen.physics.client import Client
 from sdgen.pipeline.scene import make_scene
 from sdgen.rejection import Rejection
 from sdgen.seeding import lane
@@ -127,10 +129,15 @@ def homes(catalog: Catalog, library: Library, seeds: int, peer: str | None) -> N
     tries: list[int] = []
     lost: Counter[str] = Counter()
     kinds: Counter[str] = Counter()
+    # As in a worker of a build: one client for all, and what is loaded is not looked through again.
+    client = Client()
+    gc.collect()
+    gc.freeze()
     for seed in range(seeds):
         start = time.process_time()
         try:
-            bundle = make_scene(0, catalog, library, options.model_copy(update={"seed": seed}))
+            asked = options.model_copy(update={"seed": seed})
+            bundle = make_scene(0, catalog, library, asked, client)
         except SceneRejected as error:
             lost[str(error)] += 1
             continue
@@ -146,6 +153,7 @@ def homes(catalog: Catalog, library: Library, seeds: int, peer: str | None) -> N
             others.stdin.flush()
             spent, count = others.stdout.readline().split()
             theirs.append(float(spent) / int(count))
+    client.close()
     if others is not None and others.stdin:
         others.stdin.close()
         others.wait()

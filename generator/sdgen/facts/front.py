@@ -116,9 +116,11 @@ class Facts(Measured):
             out += [
                 Edge(object_id, room, "INSIDE") for room in self.room_ids(object_id)[:1] if room
             ]
+            out += [Edge(object_id, other, "CLOSE") for other in spatial.close_to(self, object_id)]
             for relation in FINDERS:
-                related = self.related(object_id, relation)
-                out += [Edge(object_id, r.target_id, relation) for r in related if r.holds]
+                if relation != "CLOSE":
+                    related = self.related(object_id, relation)
+                    out += [Edge(object_id, r.target_id, relation) for r in related if r.holds]
         return tuple(sorted(set(out)))
 
     def tags(self, object_id: int) -> tuple[str, ...]:

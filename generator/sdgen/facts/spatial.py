@@ -25,6 +25,27 @@ from sdgen.kleene import NO, Kleene, all_of
 
 def close(facts: Measured, object_id: int) -> Iterable[Related]:
     """Things of the same room within reach of a few steps."""
+    for other, gap, holds in _near(facts, object_id):
+        # Most are surely near: what the rooms say then holds as it is.
+        if gap > CLOSE_M.below:
+            holds = all_of((holds, CLOSE_M.less(gap)))
+        if holds != NO:
+            category = facts.bodies[other].item.category
+            yield Related(other, category, *holds, {"gap_m": max(gap, 0.0)})
+
+
+def close_to(facts: Measured, object_id: int) -> list[int]:
+    """Ids of what an object is CLOSE to, as measured: some twenty each, so without the rest of what
+    :func:`close` tells of them."""
+    return [
+        other
+        for other, gap, holds in _near(facts, object_id)
+        if holds.value and (gap <= CLOSE_M.below or CLOSE_M.less(gap).value)
+    ]
+
+
+def _near(facts: Measured, object_id: int) -> Iterable[tuple[int, float, Kleene]]:
+    """Things that may be close: their ids, the gaps, and whether they are in the same room."""
     body = facts.bodies[object_id]
     ids, lows, highs = facts.boxes
     apart = gaps(body.low, body.high, lows, highs)
@@ -39,12 +60,7 @@ def close(facts: Measured, object_id: int) -> Iterable[Related]:
         holds = together.get(rooms)
         if holds is None:
             holds = together[rooms] = same_room(mine, rooms)
-        # Most are surely near: what the rooms say then holds as it is.
-        if gap > CLOSE_M.below:
-            holds = all_of((holds, CLOSE_M.less(gap)))
-        if holds != NO:
-            category = facts.bodies[other].item.category
-            yield Related(other, category, *holds, {"gap_m": max(gap, 0.0)})
+        yield other, gap, holds
 
 
 def bearing(body: Body, other: Body) -> tuple[float, bool]:

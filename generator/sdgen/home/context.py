@@ -157,7 +157,9 @@ class HomeContext:
     def _ground(self, room_id: int, clear_of: Sequence[str], within: Sequence[str]) -> Ground:
         outline, avoid = self._outline(room_id), self.zone_shape(clear_of)
         if "walkway" in clear_of and not within:
-            taken = [avoid, self.narrow, self.standing.buffer(ASIDE_M[1], join_style="mitre")]
+            # Clipped first: what a room's walls are clear of is little of what stands in a home.
+            near = outline.buffer(ASIDE_M[1], join_style="mitre")
+            taken = [shape.intersection(near) for shape in (avoid, self.narrow, self._beside)]
             walls = walls_of(outline).difference(union(taken))
             return Ground(outline, None, walls, avoid=avoid, off=self.narrow)
         area = self.floor(room_id).difference(avoid)
@@ -165,6 +167,11 @@ class HomeContext:
             return Ground(outline, area, avoid=avoid)
         area = area.intersection(self.zone_shape(within, room_id))
         return Ground(outline, area, keep_share=ZONE_KEEP_SHARE)
+
+    @cached_property
+    def _beside(self) -> BaseGeometry:
+        """What stands, and where things beside it would be put aside."""
+        return self.standing.buffer(ASIDE_M[1], join_style="mitre")
 
     def _outline(self, room_id: int) -> Polygon:
         return Polygon(next(room.polygon_m for room in self.home.rooms if room.id == room_id))

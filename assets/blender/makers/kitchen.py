@@ -59,9 +59,11 @@ def base(
 
 
 def bay(
-    asm: Assembly, y0: float, y1: float, z_top: float, case: Material
+    asm: Assembly, y0: float, y1: float, z_top: float, case: Material, bowl_z: float | None = None
 ) -> tuple[list, Container]:
-    """Shelf, supports and container of the space behind a door of a base cabinet."""
+    """Shelf, supports and container of the space behind a door of a base cabinet; `bowl_z` is the
+    underside of what hangs into it from above.
+    """
     floor, middle, t = PLINTH + 0.018, 0.47, 0.018
     asm.board("body", (BACK + 0.008, y0, middle - t), (CASE_FRONT - 0.06, y1, middle), case, 0.001)
     supports = [
@@ -73,7 +75,7 @@ def bay(
             (BACK + 0.01, y0),
             (CASE_FRONT - 0.06, y1),
             middle,
-            z_top - middle,
+            (z_top if bowl_z is None else bowl_z) - middle,
             "inside",
         ),
     ]

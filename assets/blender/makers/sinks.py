@@ -102,7 +102,8 @@ def sink_cabinet(
     tap(asm, TAP_X, cy, WORKTOP, REACH, TAP_HEIGHT, metal)
     stream(asm, TAP_X + REACH, cy, WORKTOP + 0.62 * TAP_HEIGHT, floor - 0.004)
     gap, z = 0.001, (PLINTH + 0.003, low_top - 0.004)
-    supports, container = bay(asm, -half + 0.018, half - 0.018, low_top - 0.03, case)
+    under = None if bowls == "trough" else WORKTOP - depth - 0.012
+    supports, container = bay(asm, -half + 0.018, half - 0.018, low_top - 0.03, case, under)
     leaf(asm, "door", CASE_FRONT, (gap, half - gap), z, look, fronts)
     leaf(asm, "door_left", CASE_FRONT, (-half + gap, -gap), z, look, fronts)
     handle_z = 0.72 if bowls != "trough" else 0.53

@@ -29,6 +29,7 @@ from sdgen.physics.client import Client
 from sdgen.pipeline.scene import make_scene
 from sdgen.rejection import Rejection
 from sdgen.seeding import lane
+from shapely.geometry import Polygon
 
 #: What an area may differ from its type's limits by (issue of the plans).
 AREA_SHARE = 0.15
@@ -126,6 +127,8 @@ def homes(catalog: Catalog, library: Library, seeds: int, peer: str | None) -> N
     nodes: list[int] = []
     categories: list[int] = []
     rooms: list[int] = []
+    areas: list[int] = []
+    used: list[set[str]] = []
     tries: list[int] = []
     lost: Counter[str] = Counter()
     kinds: Counter[str] = Counter()
@@ -145,8 +148,10 @@ def homes(catalog: Catalog, library: Library, seeds: int, peer: str | None) -> N
         scene = bundle.scene
         nodes.append(len(bundle.graph.nodes))
         kinds.update(item.category for item in scene.objects if not item.fixed)
-        categories.append(len({item.category for item in scene.objects}))
+        used.append({item.category for item in scene.objects})
+        categories.append(len(used[-1]))
         rooms.append(len(scene.home.rooms))
+        areas.append(round(sum(Polygon(room.polygon_m).area for room in scene.home.rooms)))
         tries.append(bundle.physics.home_attempts)
         if others is not None and others.stdin and others.stdout:
             others.stdin.write(f"{seed}\n")
@@ -164,7 +169,9 @@ def homes(catalog: Catalog, library: Library, seeds: int, peer: str | None) -> N
     say(f"| came out at the first try | {mean([t == 1 for t in tries]):.1%} |")
     say(f"| nodes of the graph, median (5 %, 95 %) | {spread(nodes)} |")
     say(f"| rooms, median (5 %, 95 %) | {spread(rooms)} |")
+    say(f"| square metres, median (5 %, 95 %) | {spread(areas)} |")
     say(f"| categories a home, median (5 %, 95 %) | {spread(categories)} |")
+    say(f"| categories in the first {len(used[:100])} homes | {len(set().union(*used[:100]))} |")
     share = most / sum(kinds.values())
     say(f"| commonest of {sum(kinds.values())} small things | {name}, {share:.1%} |")
     say(f"| categories of small things | {len(kinds)} |")

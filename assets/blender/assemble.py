@@ -238,23 +238,34 @@ def add_standing_states(entries: dict[str, dict]) -> None:
                     entry["states"] = [rule, *entry["states"]]
 
 
-def add_suites(entries: dict[str, dict]) -> None:
-    """Name the sets of `suites.yaml` in the records of their members, and in no other's."""
-    text = Path(__file__).with_name("suites.yaml").read_text()
-    member: dict[str, str] = {}
-    for suite, categories in yaml.safe_load(text).items():
-        for category, numbers in categories.items():
-            for number in numbers:
-                name = f"{category}_{number:02d}"
-                if member.setdefault(name, suite) != suite:
-                    raise ValueError(f"{name} is in two suites, {member[name]} and {suite}")
-    if unknown := sorted(set(member) - set(entries)):
-        raise ValueError(f"suites.yaml names models that are not there: {', '.join(unknown)}")
+def add_sets(entries: dict[str, dict]) -> None:
+    """Name the suites of `suites.yaml` and the tags of `tags.yaml` in the records of their members,
+    and in no other's."""
+    suites, tags = members_of("suites.yaml", entries), members_of("tags.yaml", entries)
     for name, entry in entries.items():
         entry.pop("suite", None)
-        if name in member:
-            after = {key: entry.pop(key) for key in list(entry)[2:]}  # behind its category
-            entry.update({"suite": member[name], **after})
+        entry.pop("tags", None)
+        after = {key: entry.pop(key) for key in list(entry)[2:]}  # behind its category
+        if len(suites.get(name, ())) > 1:
+            raise ValueError(f"{name} is in several suites: {', '.join(suites[name])}")
+        if name in suites:
+            entry["suite"] = suites[name][0]
+        if name in tags:
+            entry["tags"] = tags[name]
+        entry.update(after)
+
+
+def members_of(listing: str, entries: dict[str, dict]) -> dict[str, list[str]]:
+    """The words under which a listing beside this file names each model."""
+    found: dict[str, list[str]] = {}
+    listed = yaml.safe_load(Path(__file__).with_name(listing).read_text())
+    for word, categories in listed.items():
+        for category, numbers in categories.items():
+            for number in numbers:
+                found.setdefault(f"{category}_{number:02d}", []).append(word)
+    if unknown := sorted(set(found) - set(entries)):
+        raise ValueError(f"{listing} names models that are not there: {', '.join(unknown)}")
+    return found
 
 
 #: Models whose broken variant is not shown: a shard hangs in the air or would tip over what it lies
@@ -379,7 +390,7 @@ def main() -> int:
                 entry["resting"] = resting(entry)
         add_standing_states(entries)
         drop_unstable(entries)
-        add_suites(entries)
+        add_sets(entries)
         lay_on_cushions(entries)
         ordered = [entries[k] for k in sorted(entries)]
         temporary = target.with_suffix(".tmp")

@@ -15,6 +15,7 @@ from tests.library.test_bad_folders import _shipped, problems, write
 from tests.shipped import shipped_library
 
 SUITES = yaml.safe_load((ROOT / "assets" / "blender" / "suites.yaml").read_text(encoding="utf-8"))
+TAGS = yaml.safe_load((ROOT / "assets" / "blender" / "tags.yaml").read_text(encoding="utf-8"))
 KITCHENS = [name for name, members in SUITES.items() if "kitchen_counter" in members]
 BATHROOM = {"toilet", "washbasin", "bathtub", "bathroom_cabinet"}
 BEDROOM = {"bed", "nightstand", "wardrobe", "dresser"}
@@ -44,6 +45,21 @@ def test_the_manifest_says_what_the_list_says(library: Library) -> None:
         for number in numbers
     }
     assert {a.id: a.suite for a in library.assets.values() if a.suite} == said
+
+
+def test_the_manifest_has_the_tags_of_the_list(library: Library) -> None:
+    said = {
+        (f"{category}_{number:02d}", tag)
+        for tag, categories in TAGS.items()
+        for category, numbers in categories.items()
+        for number in numbers
+    }
+    assert {(a.id, tag) for a in library.assets.values() for tag in a.tags} == said
+
+
+def test_every_finish_has_what_a_kitchen_needs() -> None:
+    for members in TAGS.values():
+        assert {"fridge", "stove", "range_hood", "microwave", "kettle", "toaster"} <= set(members)
 
 
 def test_there_are_enough_of_each_kind() -> None:

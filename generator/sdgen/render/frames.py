@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from sdgen.library import Library
 from sdgen.render.alone import AlonePixels
+from sdgen.render.landing import landings
 from sdgen.render.opengl import to_millimetres
 from sdgen.render.outdoors import clear_panes, paint_outdoors
 from sdgen.render.protocol import Renderer
@@ -33,7 +34,7 @@ def render_frames(
         return
     renderer.load(library, scene)
     alone_pixels = AlonePixels(library, scene)
-    panes = clear_panes(library, scene)
+    panes, behind = clear_panes(library, scene), landings(scene.home)
     for camera in cameras:
         picture = renderer.draw(camera)
         rgb, seen = picture.rgb, picture.instance > 0
@@ -41,7 +42,8 @@ def render_frames(
             if supersample > 1:
                 rgb = box_filter(renderer.draw_colours(camera, supersample), supersample)
             world = scene.home.outdoors
-            rgb = paint_outdoors(rgb, picture.instance, picture.part, panes, world, camera)
+            drawn = rgb, picture.instance, picture.part
+            rgb = paint_outdoors(*drawn, panes, world, camera, behind)
         yield Frame(
             camera=camera,
             rgb=rgb,

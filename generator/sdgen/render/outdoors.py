@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.library import Library
+from sdgen.render.landing import Landing, seen_on
 from sdgen.render.panorama import COLUMNS, HIGHEST, LOWEST, ROWS, panorama
 from sdgen.scene import Camera, Outdoors, Scene
 
@@ -41,9 +42,11 @@ def paint_outdoors(
     panes: Sequence[tuple[int, int]],
     outdoors: Outdoors,
     camera: Camera,
+    landings: Sequence[Landing] = (),
 ) -> npt.NDArray[np.uint8]:
     """The picture (H, W, 3) with the world painted where nothing is drawn (``instance`` 0) and, a
-    little paler, on the panes; a copy if there is any such pixel."""
+    little paler, on the panes; a copy if there is any such pixel. Through a doorway with a landing
+    one sees that."""
     glass = np.zeros(instance.shape, dtype=bool)
     for object_id, number in panes:
         glass |= (instance == object_id) & (part == number)
@@ -58,6 +61,9 @@ def paint_outdoors(
     rise = rays[:, 2] / np.linalg.norm(rays, axis=1)
     turn = np.arctan2(rays[:, 1], rays[:, 0]) / (2 * math.pi) % 1.0
     seen = _sampled(panorama(outdoors), turn, rise)
+    for landing in landings:
+        there, colours = seen_on(landing, pose[:3, 3], rays)
+        seen[there] = colours
     share = np.where(glass[rows, columns], GLASS, 0.0)[:, None]
     out: npt.NDArray[np.uint8] = rgb.copy()
     out[rows, columns] = np.rint(seen * (1 - share) + GLASS_COLOUR * share)

@@ -218,6 +218,12 @@ class Category(Record):
     rows: tuple[Row, ...] = ()
 
 
+#: Where what belongs to the building is, and what people hang on walls.
+FittedAt = Literal[
+    "window", "under_window", "beside_door", "beside", "wall", "ceiling", "over", "bare_wall"
+]
+
+
 class Fitting(Record):
     """What belongs to the building and hangs on its walls and ceilings, in rooms of these types
     (none: in all).
@@ -226,16 +232,21 @@ class Fitting(Record):
     ``beside_door`` (inner ones and the front door), ``beside`` each piece ``of`` these categories
     or, ``count`` a room, anywhere along a ``wall``, ``z_m`` high but for windows; or in the middle
     of the ``ceiling``.
+
+    Sets of ``count`` of one size, of any models, their middle ``z_m`` high: ``over`` the middle of
+    each piece ``of`` these categories, higher where it is high; on each stretch of ``bare_wall``
+    longer than ``least_m``.
     """
 
     name: str
     category: str
-    where: Literal["window", "under_window", "beside_door", "beside", "wall", "ceiling"]
+    where: FittedAt
     of: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     chance: float = 1.0
     count: tuple[int, int] = (1, 1)
     z_m: float = 0.0
+    least_m: float = 2.0
 
 
 class ClutterPrior(Record):

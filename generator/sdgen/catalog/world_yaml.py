@@ -14,6 +14,7 @@ from sdgen.catalog.records import (
     Category,
     CategoryKind,
     ClutterPrior,
+    FittedAt,
     Fitting,
     FurnitureRule,
     Holds,
@@ -271,19 +272,21 @@ class FittingYaml(Record):
     """One entry of ``fittings.yaml``."""
 
     category: CategoryName
-    where: Literal["window", "under_window", "beside_door", "beside", "wall", "ceiling"]
+    where: FittedAt
     of: OptionalCategories = ()
     rooms: RoomNames = ()
     chance: Annotated[float, between(0.0, 1.0)] = 1.0
     count: Annotated[tuple[int, int], span(0, 20, whole=True), PAIR] = (1, 1)
     z_m: Annotated[float, between(0.0, 5.0)] = 0.0
+    least_m: Annotated[float, between(0.3, 20.0)] = 2.0
     replaces: bool = False
 
     @model_validator(mode="after")
     def _beside_something(self) -> FittingYaml:
-        if self.where == "beside" and not self.of:
-            refuse(problem((), "missing key 'of': 'where: beside' needs it"))
-        if self.where != "beside" and self.of:
+        about_pieces = self.where in ("beside", "over")
+        if about_pieces and not self.of:
+            refuse(problem((), f"missing key 'of': 'where: {self.where}' needs it"))
+        if not about_pieces and self.of:
             refuse(problem(("of",), f"does not go with 'where: {self.where}'"))
         return self
 

@@ -1,5 +1,5 @@
 """What belongs to the building: curtains and blinds at windows, radiators below, switches by doors,
-sockets, lamps at the ceilings.
+sockets, lamps at the ceilings; then what people hang on the walls.
 
 Hung when the furniture stands, where it leaves room: a window behind a bookcase has no curtain.
 """
@@ -28,12 +28,13 @@ from sdgen.freespace import (
     union,
     unreachable_rooms,
 )
-from sdgen.geometry import Vec2, apply, quat_from_yaw, round_position, round_quat, yaw_of
+from sdgen.geometry import Vec2, apply, quat_from_yaw, round_position, round_quat
 from sdgen.home.anchors import HUNG_GAP_M, PlacedAt, Side, against_walls, sides_of
 from sdgen.home.clearances import Sight, sight_of
 from sdgen.home.context import Models
 from sdgen.home.furnish import put_piece
 from sdgen.home.layout import IN_WALL_M, Layout, corners_of
+from sdgen.home.wall_sets import WallSets, wall_behind
 from sdgen.library.records import Asset
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
@@ -49,13 +50,15 @@ NARROWER_M, WIDER_M = 0.05, 0.6
 #: Between the hole of a door and what hangs beside it: the frame, and a hand's breadth; where that
 #: is taken, a step further.
 BESIDE_DOOR_M = (0.12, 0.35)
-#: Between a piece of furniture and what hangs on the wall beside it, and from the back of such a
-#: piece to its wall.
-BESIDE_PIECE_M, AT_WALL_M = 0.06, 0.1
+#: Between a piece of furniture and what hangs on the wall beside it.
+BESIDE_PIECE_M = 0.06
 #: The middle of a room is found to so much.
 MIDDLE_M = 0.05
 #: A wall is an opening's when its middle is in it.
 SAME_WALL_M = HALF_WALL_M + 0.02
+
+#: Where of any models, in sets, what people hang on walls is.
+ON_BARE_WALLS = ("over", "bare_wall")
 
 #: Models with the poses they may have, first the best.
 Candidates = Iterable[tuple[Asset, PlacedAt]]
@@ -63,13 +66,16 @@ Candidates = Iterable[tuple[Asset, PlacedAt]]
 
 def add_fittings(home: Home, layout: Layout, catalog: Catalog, models: Models, rng: Rng) -> Layout:
     """The layout with what belongs to the building, of one model of each category a home, or of one
-    suite in all of its sizes; nothing that cuts a room off or stands where a door swings."""
+    suite in all of its sizes (pictures on walls are of any models); nothing that cuts a room off or
+    stands where a door swings."""
     free = _Free(home, layout)
     dressed: set[int] = set()
     drawn: dict[str, list[Asset]] = {}
     for fitting in catalog.fittings:
         found = models(fitting.category)
-        if found and fitting.category not in drawn:
+        if fitting.where in ON_BARE_WALLS:
+            drawn[fitting.category] = list(found)
+        elif found and fitting.category not in drawn:
             drawn[fitting.category] = _sizes_of(found[int(rng.integers(len(found)))], found)
         sizes = drawn.get(fitting.category, [])
         for room in home.rooms:
@@ -106,7 +112,8 @@ class _Free:
         self._cut = {room.id for room in unreachable_rooms(home, shape)}
         depth = HALF_WALL_M + DOORWAY_DEPTH_M
         ways = [opening_rectangle(o, depth) for o in home.openings if o.kind in DOORS]
-        self._doors = union([*swing_sectors(bodies), *ways])
+        self.swings = union(swing_sectors(bodies))
+        self._doors = union([self.swings, *ways])
         shapely.prepare(self._doors)
 
     def take(self, left: _Left) -> None:
@@ -160,6 +167,8 @@ class _Hanging:
                 x, y = _middle_of(self.room)
                 high = self.room.height_m - HUNG_GAP_M
                 yield [(m, (x, y, high - m.extents_m[2], 0.0)) for m in self.sizes], None
+        elif fitting.where in ON_BARE_WALLS:
+            yield from self._on_walls(rng)
         elif fitting.where == "beside":
             for item in list(self.layout.items.values()):
                 beside = item.room_id == self.room.id and item.category in fitting.of
@@ -173,6 +182,28 @@ class _Hanging:
                 window = opening.object_id if fitting.where == "window" else None
                 if window not in dressed and rng.random() < fitting.chance:
                     yield self._at_opening(opening, *found), window
+
+    def _on_walls(self, rng: Rng) -> Iterator[tuple[Candidates, None]]:
+        """Each piece of each set that is hung over furniture or on bare walls."""
+        fitting, room = self.fitting, self.room
+        mine = [o for o in self.home.openings if room.id in o.room_ids]
+        openings = list(zip(mine, self._sights, strict=True))
+        sides, swings = sides_of(room.polygon_m), self.free.swings
+        walls = WallSets(fitting, self.sizes, room, self.layout, sides, openings, swings, rng)
+        if fitting.where == "bare_wall":
+            sets = walls.bare()
+        else:
+            items = list(self.layout.items.values())
+            below = [i for i in items if i.room_id == room.id and i.category in fitting.of]
+            sets = (walls.over(item) for item in below if rng.random() < fitting.chance)
+        bound = self.catalog.category(fitting.category).at_most
+        for pieces in sets:
+            for piece in pieces:
+                there = [i for i in self.layout.items.values() if i.category == fitting.category]
+                in_room = sum(i.room_id == room.id for i in there)
+                if bound.reached(in_room, len(there)):
+                    return
+                yield [piece], None
 
     @cached_property
     def _inside(self) -> Polygon:
@@ -248,16 +279,14 @@ class _Hanging:
 
     def _beside(self, item: ObjectInstance, sides: Sequence[Side]) -> Candidates:
         """On the wall at the back of a piece, to its left and right."""
-        deep, wide, _ = self.layout.info(item.id).extents_m
-        yaw = yaw_of(item.pose.quat_xyzw)
+        wide = self.layout.info(item.id).extents_m[1]
         model = self.sizes[0]
         reach = wide / 2 + BESIDE_PIECE_M + model.extents_m[1] / 2
-        for side in sides:
-            along, away = side.measure(item.pose.position_m[:2])
-            backed = math.cos(yaw - side.yaw) > 0.99 and away - deep / 2 < AT_WALL_M
-            if backed and 0 < along < side.length_m:
-                for t in (along - reach, along + reach):
-                    yield from _hung(model, side, t, self.fitting.z_m)
+        behind = wall_behind(item, self.layout, sides)
+        if behind is not None:
+            side, along = behind
+            for t in (along - reach, along + reach):
+                yield from _hung(model, side, t, self.fitting.z_m)
 
 
 def _hung(model: Asset, side: Side, along: float, z: float) -> Iterator[tuple[Asset, PlacedAt]]:

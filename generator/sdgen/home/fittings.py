@@ -196,13 +196,8 @@ class _Hanging:
             items = list(self.layout.items.values())
             below = [i for i in items if i.room_id == room.id and i.category in fitting.of]
             sets = (walls.over(item) for item in below if rng.random() < fitting.chance)
-        bound = self.catalog.category(fitting.category).at_most
         for pieces in sets:
             for piece in pieces:
-                there = [i for i in self.layout.items.values() if i.category == fitting.category]
-                in_room = sum(i.room_id == room.id for i in there)
-                if bound.reached(in_room, len(there)):
-                    return
                 yield [piece], None
 
     @cached_property
@@ -214,8 +209,12 @@ class _Hanging:
         return [sight_of(o) for o in self.home.openings if self.room.id in o.room_ids]
 
     def hang_first(self, candidates: Candidates) -> bool:
-        """Hang what first has room; False where nothing has."""
+        """Hang what first has room; False where nothing has, or where there are enough."""
         room, layout = self.room, self.layout
+        there = [i for i in layout.items.values() if i.category == self.fitting.category]
+        bound = self.catalog.category(self.fitting.category).at_most
+        if bound.reached(sum(i.room_id == room.id for i in there), len(there)):
+            return False
         for model, (x, y, z, yaw) in candidates:
             shape = Polygon(corners_of(model, x, y, yaw))
             if not self._inside.covers(shape):

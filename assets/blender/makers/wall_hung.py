@@ -1,0 +1,239 @@
+"""What hangs on walls without a frame or a glass (back at -X): posters and calendars, rails of hooks
+with coats, holders of toilet rolls."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from PIL import Image, ImageDraw
+from toolkit import labels
+from toolkit.materials import Material, label, plain, shade
+from toolkit.mesh import Mesh, cube_project
+from toolkit.model import Maker, Model, Part, box_piece
+from toolkit.sampling import noise_offset, pick, seed_of
+from toolkit.shapes import box, lathe, rounded_rectangle, tube
+
+from .frames import pane
+from .garments_hung import coat
+from .joinery import Assembly, finish, steel
+from .pictures import painting
+
+Offset = tuple[float, float, float]
+
+
+# ---- posters
+def alphabet(width: int, height: int) -> Image.Image:
+    """A chart of the letters, each on a tile of its colour."""
+    tones = ["#e4664a", "#e0a458", "#7d9a78", "#4f8a9a", "#8a6a9a"]
+    image = Image.new("RGBA", (width, height), "#f6f1e4")
+    draw = ImageDraw.Draw(image)
+    columns, rows = 4, 7
+    w, h = width / columns, height / rows
+    for k, letter in enumerate("ABCDEFGHIJKLMNOPQRSTUVWXYZ"):
+        x, y = k % columns * w, k // columns * h
+        draw.rectangle((x + 5, y + 5, x + w - 5, y + h - 5), fill=tones[(k + k // columns) % 5])
+        labels.text(draw, letter, (x + 8, y + 8, x + w - 8, y + h - 8), "bold", "#ffffff")
+    return image
+
+
+def calendar(seed: int, width: int, height: int) -> Image.Image:
+    """A picture over the days of a month."""
+    image = Image.new("RGBA", (width, height), "#fbfaf6")
+    image.paste(painting("landscape", seed, width, int(height * 0.52)))
+    draw = ImageDraw.Draw(image)
+    top = height * 0.56
+    labels.text(draw, "OCTOBER", (12, top, width - 12, top + 24), "bold", "#b8423a")
+    w, h = (width - 24) / 7, (height * 0.97 - top - 28) / 5
+    for day in range(31):
+        x, y = 12 + (day + 2) % 7 * w, top + 28 + (day + 2) // 7 * h
+        ink = "#b8423a" if (day + 2) % 7 == 6 else "#3a3a3a"
+        labels.text(draw, str(day + 1), (x + 5, y + 4, x + w - 5, y + h - 4), "bold", ink)
+    return image
+
+
+def planets(width: int, height: int) -> Image.Image:
+    """The sun and its planets on a night sky."""
+    rng = np.random.default_rng(4)
+    image = Image.new("RGBA", (width, height), "#1c2740")
+    draw = ImageDraw.Draw(image)
+    for _ in range(90):
+        x, y = rng.uniform(0, width), rng.uniform(0, height)
+        draw.ellipse((x, y, x + 2, y + 2), fill="#e9e6d8")
+    draw.ellipse((-width * 0.4, -width * 0.4, width * 0.4, width * 0.4), fill="#f0b04a")
+    tones = ["#b9a18a", "#e0a458", "#4f8ab0", "#c8553d", "#d9b98a", "#e8dcc6", "#7ab0b8", "#4a63a0"]
+    sizes = [0.03, 0.05, 0.055, 0.04, 0.12, 0.1, 0.07, 0.065]
+    for k, (tone, size) in enumerate(zip(tones, sizes, strict=True)):
+        x, y, r = width * (0.3 + 0.45 * ((k * 5) % 8) / 8), height * (0.3 + 0.085 * k), size * width
+        draw.ellipse((x - r, y - r, x + r, y + r), fill=tone)
+    return image
+
+
+def leaves(seed: int, width: int, height: int) -> Image.Image:
+    """One branch with its leaves, as in a book of plants."""
+    rng = np.random.default_rng(seed)
+    image = Image.new("RGBA", (width, height), ["#f1ebe0", "#e8ece2"][seed % 2])
+    draw = ImageDraw.Draw(image)
+    tone, other = [("#4d7a45", "#6a9a5a"), ("#3f6f62", "#5a8f80"), ("#7d8a45", "#99a660")][seed % 3]
+    x, low, high = width / 2, height * 0.92, height * 0.12
+    draw.line((x, low, x, high), fill=tone, width=5)
+    for k in range(9):
+        y = low - (low - high) * (0.12 + 0.1 * k)
+        long = width * (0.38 - 0.03 * k) * float(rng.uniform(0.9, 1.1))
+        for side in (-1, 1):
+            tip = (x + side * long, y - long * 0.6)
+            middle = (x + side * long * 0.55, y - long * 0.1)
+            upper = (x + side * long * 0.4, y - long * 0.52)
+            draw.polygon([(x, y), middle, tip, upper], fill=tone if k % 2 else other)
+    return image
+
+
+def drawn(kind: str, seed: int, width: float, height: float) -> Image.Image:
+    """A poster's print of the right shape."""
+    wide, tall = 256, int(256 * height / width)
+    if kind == "alphabet":
+        return alphabet(wide, tall)
+    if kind == "calendar":
+        return calendar(seed, wide, tall)
+    if kind == "planets":
+        return planets(wide, tall)
+    if kind == "leaves":
+        return leaves(seed, wide, tall)
+    return painting(kind, seed, wide, tall)
+
+
+def poster(
+    kind: str, seed: int, width: float, height: float, bars: str = "", offset: Offset = (0, 0, 0)
+) -> Model:
+    """A print without a frame; between two ``bars`` of wood, if one is named."""
+    sheet = rounded_rectangle(width, height, 0.002, 2)
+    margin = 0.0 if kind in ("calendar", "planets") else 0.02
+    seen = rounded_rectangle(width - 2 * margin, height - 2 * margin, 0.001, 2)
+    meshes = [pane(sheet, 0.0, 0.006, plain("#f6f4ee", 0.01, 20))]
+    print_ = label(drawn(kind, seed, width - 2 * margin, height - 2 * margin))
+    meshes.append(pane(seen, 0.001, 0.0075, print_, 3.0))
+    if bars:
+        wood = finish(bars, 1, offset)
+        for z in (-height / 2 - 0.012, height / 2 - 0.012):
+            meshes.append(box(0.014, width + 0.03, 0.024, (0.007, 0, z), wood, 0.003))
+    wide, tall = width + (0.03 if bars else 0), height + (0.024 if bars else 0)
+    piece = box_piece((0.006, 0, 0), (0.012, wide, tall))
+    title = "wall calendar" if kind == "calendar" else "poster"
+    return Model(title, {"body": Part(meshes, collision=[piece])}, mass=0.2)
+
+
+def poster_random(rng: np.random.Generator) -> dict:
+    return {
+        "kind": pick(rng, ("landscape", "abstract", "flower")),
+        "seed": seed_of(rng),
+        "width": 0.5,
+        "height": 0.7,
+        "offset": noise_offset(rng),
+    }
+
+
+# ---- hooks with coats
+def coat_hooks(
+    width: float, wood: str, coats: tuple[str, ...], hooks: int, offset: Offset = (0, 0, 0)
+) -> Model:
+    """A board with hooks, coats on the outer ones or on all."""
+    asm, timber, metal = Assembly(), finish(wood, 1, offset), steel(30)
+    z = 0.97
+    asm.board("body", (0, -width / 2, z), (0.022, width / 2, z + 0.1), timber, 0.005)
+    at = [(k - (hooks - 1) / 2) * width / hooks for k in range(hooks)]
+    for y in at:
+        hook = [(0.02, y, z + 0.06), (0.075, y, z + 0.045), (0.09, y, z + 0.08)]
+        asm.add("body", tube(np.array(hook), 0.008, 6, mat=metal))
+    worn = at if len(coats) == hooks else [at[0], at[-1]]
+    for y, colour in zip(worn, coats, strict=True):
+        for mesh in coat(colour, shade(colour, 0.8), offset):
+            asm.add("body", mesh.move(0.09, y, z + 0.02))
+        asm.solid("body", (0.02, y - 0.17, 0.01), (0.16, y + 0.17, z))
+    return Model("coat hooks with coats", asm.parts(), mass=4.5)
+
+
+def coat_hooks_random(rng: np.random.Generator) -> dict:
+    return {"width": 0.9, "wood": "oak", "coats": ("#8a3f35",) * 2, "hooks": 3}
+
+
+# ---- toilet rolls
+def roll(radius: float, offset: Offset) -> list[Mesh]:
+    """A roll on its way down, its axis along Y through 0, and what hangs off its front."""
+    paper, card = Material(), plain("#b08a5e", 0.08, 200)
+    paper.colour(paper.mottle("#f5f3ee", 0.03, 120, offset))
+    core, half = 0.021, 0.05
+    profile = [(core, -half), (radius, -half), (radius, half), (core, half), (core, -half)]
+    body = lathe(profile, 24, mats=[paper, card], mat_of_segment=[0, 0, 0, 1])
+    hanging = box(0.002, 0.098, 0.1, (radius - 0.001, 0, -0.1), paper)
+    return [body.turn(rx=math.pi / 2), hanging]
+
+
+def toilet_roll_holder(kind: str, metal: str, radius: float, offset: Offset) -> Model:
+    """A holder with its roll: on a bent "arm", or under a "lid"."""
+    shine = steel(30) if metal == "steel" else plain(metal, 0.02)
+    x, z = radius + 0.014, 0.13
+    meshes = [m.move(x, 0, z) for m in roll(radius, offset)]
+    if kind == "lid":
+        meshes.append(box(0.006, 0.125, 0.07, (0.003, 0, z), shine, 0.002))
+        lid = box(2 * radius + 0.01, 0.125, 0.004, (radius + 0.008, 0, z + radius + 0.004), shine)
+        meshes.append(lid)
+        bar = [(0.004, -0.058, z), (x, -0.058, z), (x, 0.058, z), (0.004, 0.058, z)]
+        high = z + radius + 0.01
+    else:
+        meshes.append(box(0.008, 0.045, 0.045, (0.004, -0.075, z - 0.022), shine, 0.004))
+        bar = [(0.004, -0.075, z), (x, -0.075, z), (x, 0.062, z)]
+        high = z + radius + 0.004
+    meshes.append(tube(np.array(bar), 0.006, 6, mat=shine))
+    piece = box_piece((x, 0, high / 2 + 0.01), (2 * x, 0.16, high - 0.02))
+    model = {"body": Part([cube_project(m) for m in meshes], collision=[piece])}
+    return Model("toilet roll on its holder", model, mass=0.4, texture_size=128)
+
+
+def toilet_roll_holder_random(rng: np.random.Generator) -> dict:
+    return {"kind": "arm", "metal": "steel", "radius": 0.055, "offset": noise_offset(rng)}
+
+
+_LARGE = {"width": 0.5, "height": 0.7}
+_SMALL = {"width": 0.4, "height": 0.5}
+
+MODELS = {
+    "poster": Maker(
+        poster,
+        poster_random,
+        10,
+        [
+            {"kind": "abstract", "seed": 11, **_LARGE},
+            {"kind": "leaves", "seed": 2, "bars": "oak", **_LARGE},
+            {"kind": "leaves", "seed": 3, "bars": "oak", **_LARGE},
+            {"kind": "landscape", "seed": 14, **_LARGE},
+            {"kind": "abstract", "seed": 17, **_SMALL},
+            {"kind": "flower", "seed": 15, **_SMALL},
+            {"kind": "leaves", "seed": 4, **_SMALL},
+            {"kind": "alphabet", "seed": 0, "bars": "walnut", **_LARGE},
+            {"kind": "planets", "seed": 0, **_LARGE},
+            {"kind": "calendar", "seed": 16, "width": 0.3, "height": 0.44},
+        ],
+    ),
+    "coat_hooks": Maker(
+        coat_hooks,
+        coat_hooks_random,
+        4,
+        [
+            {"width": 0.8, "wood": "oak", "coats": ("#8a3f35", "#3f5568"), "hooks": 3},
+            {"width": 1.1, "wood": "walnut", "coats": ("#3a3f45", "#a08a5a", "#5a6a4a"), "hooks": 3},
+            {"width": 0.8, "wood": "#f0efec", "coats": ("#c0a880", "#2f3a52"), "hooks": 3},
+            {"width": 0.95, "wood": "oak", "coats": ("#5f6f52", "#8a5a6a"), "hooks": 4},
+        ],
+    ),
+    "toilet_roll_holder": Maker(
+        toilet_roll_holder,
+        toilet_roll_holder_random,
+        4,
+        [
+            {},
+            {"kind": "lid"},
+            {"metal": "#2a2a2c", "radius": 0.05},
+            {"kind": "lid", "metal": "#e8e6e0", "radius": 0.045},
+        ],
+    ),
+}

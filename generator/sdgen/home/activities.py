@@ -145,9 +145,14 @@ class _Group:
         return self._fill(partial(self._spot_aside, ground, close), floor_id)
 
     def _seen(self, target_id: int) -> bool:
-        """Draws whether it is to be seen; False where it cannot be then."""
+        """Draws whether what of it may be taken for an anomaly is to be seen; False where it cannot
+        be then, and is not without."""
         self.in_view = self.rng.random() < IN_VIEW_SHARE
-        return not self.in_view or self.context.shows.anything_on(target_id)
+        made = self.context.made_categories
+        needed = (member.thing for member in self.activity.members if member.needed)
+        if not self.in_view or not any(made.issuperset(things) for things in needed):
+            return True
+        return self.context.shows.anything_on(target_id)
 
     def _fill(self, spot_for: Callable[[Member, Asset], Vec3Yaw | None], target_id: int) -> int:
         """Put the members there, in their order; how many stand."""

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from sdgen.catalog.words import PAIR, Categories, RoomNames, between, span
+from sdgen.catalog.words import (
+    PAIR,
+    Categories,
+    OptionalCategories,
+    RoomNames,
+    between,
+    span,
+)
 from sdgen.scene import Record
 
 
@@ -14,7 +21,9 @@ class Row(Record):
     A ``top`` under the open air takes no row unless it is said to.
 
     ``same``: all are of one model, as glasses of a set are. ``pile``: so many of one model lie on
-    each other. ``over_m``: how far they may reach over the shelf's edge, as shoes do.
+    each other. ``over_m``: how far they may reach over the shelf's edge, as shoes do. ``wide``:
+    wide models stand there more often than narrow ones. In what the row leaves over stands one
+    thing of ``beside``, where it is wide enough.
     """
 
     of: Categories
@@ -27,3 +36,5 @@ class Row(Record):
     pile: Annotated[tuple[int, int], span(1, 3, whole=True), PAIR] = (1, 1)
     # Past half of a thing it would tip.
     over_m: Annotated[float, between(0.0, 0.1)] = 0.0
+    wide: bool = False
+    beside: OptionalCategories = ()

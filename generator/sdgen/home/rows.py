@@ -38,6 +38,8 @@ TRIES = 6
 STEP_M = 0.06
 #: Boards whose heights differ by less are one level.
 LEVEL_M = 0.05
+#: Models drawn for one place where the widest stands.
+WIDE_DRAWS = 3
 #: Between piles, which are not as straight.
 PILE_GAP_M = 0.02
 #: Of what is flatter, metres, nobody can say surely that it is INSIDE.
@@ -74,6 +76,11 @@ def fill_rows(
                 choices = choices.no_larger(deep_m, shelf.air_m(shelf.surface.z_m))
             done = _fill(shelf, row, choices, there, rng) if choices is not None else 0
             placed += done
+            if done and row.beside:
+                more = abodes.choices(
+                    receptacle.category, room, row.beside, relation=shelf.relation
+                )
+                placed += _set_beside(shelf, more, there, rng) if more is not None else 0
             if done:
                 break
     return placed
@@ -218,11 +225,13 @@ def _fill(shelf: _Shelf, row: Row, choices: Choices, taken: set[str], rng: Rng) 
     spare = (1.0 - float(rng.uniform(*row.filled))) * length
     gap_at = shelf.left + float(rng.uniform(0.0, length - spare))
     placed, only, narrowest_m = 0, None, choices.narrowest_m
+    draws = WIDE_DRAWS if row.wide else 1
     for at, right in shelf.spans():
         while at + narrowest_m <= right:
             if spare and at >= gap_at:
                 at, spare = at + spare, 0.0
-            stood = _stand(shelf, choices, only, (at, right), set_back, taken, rng)
+            span = (at, right)
+            stood = _stand(shelf, choices, only, span, set_back, taken, rng, draws)
             if stood is None:
                 at += STEP_M
                 continue
@@ -235,6 +244,26 @@ def _fill(shelf: _Shelf, row: Row, choices: Choices, taken: set[str], rng: Rng) 
     return placed
 
 
+def _set_beside(shelf: _Shelf, choices: Choices, taken: Collection[str], rng: Rng) -> int:
+    """Set one thing in the middle of the widest gap that a row leaves; how many were."""
+    deep_m = shelf.front - shelf.back
+    fitting = choices.no_larger(deep_m, shelf.air_m(shelf.surface.z_m))
+    gap = max(shelf.spans(), key=lambda span: span[1] - span[0], default=None)
+    if gap is None or fitting is None:
+        return 0
+    middle, wide = (gap[0] + gap[1]) / 2, gap[1] - gap[0]
+    for _ in range(TRIES):
+        picked = fitting.draw(rng)
+        half = picked.asset.extents_m[1] / 2
+        twin = picked.asset.id in taken and not picked.category.alike
+        if twin or 2 * half > wide:
+            continue
+        span = (middle - half, middle + half + ROUND_M)
+        if _stand(shelf, fitting, picked, span, deep_m / 4, taken, rng) is not None:
+            return 1
+    return 0
+
+
 def _stand(
     shelf: _Shelf,
     choices: Choices,
@@ -243,11 +272,15 @@ def _stand(
     set_back: float,
     taken: Collection[str],
     rng: Rng,
+    draws: int = 1,
 ) -> tuple[ObjectInstance, Pick] | None:
     """Stand one thing at the left end of a span of a shelf, ``only`` this model if one is given,
-    none that is ``taken`` unless it comes in several; None where none goes."""
+    none that is ``taken`` unless it comes in several; the widest of some ``draws``. None where none
+    goes."""
     for _ in range(TRIES if only is None else 1):
-        picked = only or choices.draw(rng)
+        picked = only or max(
+            (choices.draw(rng) for _ in range(draws)), key=lambda pick: pick.asset.extents_m[1]
+        )
         twin = picked.asset.id in taken and not (only or picked.category.alike)
         if twin or shelf.full(picked.category):
             continue

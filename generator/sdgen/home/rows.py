@@ -72,8 +72,7 @@ def fill_rows(
                 continue
             choices = abodes.choices(receptacle.category, room, row.of, relation=shelf.relation)
             if choices is not None:
-                deep_m = shelf.front - shelf.back + row.over_m
-                choices = choices.no_larger(deep_m, shelf.air_m(shelf.surface.z_m))
+                choices = shelf.room_for(choices, row.over_m)
             done = _fill(shelf, row, choices, there, rng) if choices is not None else 0
             placed += done
             if done and row.beside:
@@ -169,6 +168,11 @@ class _Shelf:
         headroom = self.surface.support.headroom_m
         return math.inf if headroom is None else self.surface.z_m + headroom - HEADROOM_LEFT_M - z_m
 
+    def room_for(self, choices: Choices, over_m: float = 0.0) -> Choices | None:
+        """What of these is no larger than the shelf, over whose edge it may reach so far."""
+        size = (self.front - self.back + over_m, self.right - self.left)
+        return choices.no_larger((*size, self.air_m(self.surface.z_m)))
+
     def full(self, category: Category) -> bool:
         """Whether the room, or the home, has as many of a category as it may."""
         return self.stock.full(category, self.room.id)
@@ -246,8 +250,7 @@ def _fill(shelf: _Shelf, row: Row, choices: Choices, taken: set[str], rng: Rng) 
 
 def _set_beside(shelf: _Shelf, choices: Choices, taken: Collection[str], rng: Rng) -> int:
     """Set one thing in the middle of the widest gap that a row leaves; how many were."""
-    deep_m = shelf.front - shelf.back
-    fitting = choices.no_larger(deep_m, shelf.air_m(shelf.surface.z_m))
+    fitting = shelf.room_for(choices)
     gap = max(shelf.spans(), key=lambda span: span[1] - span[0], default=None)
     if gap is None or fitting is None:
         return 0
@@ -259,7 +262,7 @@ def _set_beside(shelf: _Shelf, choices: Choices, taken: Collection[str], rng: Rn
         if twin or 2 * half > wide:
             continue
         span = (middle - half, middle + half + ROUND_M)
-        if _stand(shelf, fitting, picked, span, deep_m / 4, taken, rng) is not None:
+        if _stand(shelf, fitting, picked, span, max(SET_BACK_M), taken, rng) is not None:
             return 1
     return 0
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sdgen.catalog.records import Abode, Category
-from sdgen.geometry import Array
+from sdgen.geometry import Array, Vec3
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
 from sdgen.library.records import Asset
@@ -100,10 +100,10 @@ class Choices:
                 return picked
         return None
 
-    def no_larger(self, deep_m: float, high_m: float) -> Choices | None:
-        """The same but for models that are deeper or higher; None when none is left."""
+    def no_larger(self, size_m: Vec3) -> Choices | None:
+        """The same but for models that are deeper, wider or higher; None when none is left."""
         smaller = (
-            (category, abode, [m for m in models if _within(m, deep_m, high_m)])
+            (category, abode, [m for m in models if _within(m, size_m)])
             for category, abode, models in self.among
         )
         return choices_of([one for one in smaller if one[2]])
@@ -130,8 +130,8 @@ def choices_of(among: Sequence[tuple[Category, Abode, Sequence[Asset]]]) -> Choi
     return Choices(tuple(among), sums / sums[-1])
 
 
-def _within(model: Asset, deep_m: float, high_m: float) -> bool:
-    return model.extents_m[0] <= deep_m and model.extents_m[2] <= high_m
+def _within(model: Asset, size_m: Vec3) -> bool:
+    return all(a <= b for a, b in zip(model.extents_m, size_m, strict=True))
 
 
 def living_so(category: Category, abode: Abode, models: Sequence[Asset]) -> Sequence[Asset]:

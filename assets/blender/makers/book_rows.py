@@ -138,7 +138,7 @@ MODELS = {
     "book_row": Maker(
         book_row,
         book_row_random,
-        12,
+        20,
         [
             {"colours": "novels", "length": 0.3, "height": 0.22, "seed": 1},
             {"colours": "novels", "length": 0.18, "height": 0.19, "lean": True, "seed": 2},
@@ -152,6 +152,14 @@ MODELS = {
             {"colours": "grey", "length": 0.15, "height": 0.2, "seed": 10},
             {"colours": "novels", "length": 0.4, "height": 0.24, "lean": True, "seed": 11},
             {"colours": "bright", "length": 0.15, "height": 0.17, "seed": 12},
+            {"colours": "novels", "length": 0.5, "height": 0.21, "seed": 13},
+            {"colours": "pastels", "length": 0.56, "height": 0.24, "lean": True, "seed": 14},
+            {"colours": "bright", "length": 0.62, "height": 0.22, "seed": 15},
+            {"colours": "grey", "length": 0.52, "height": 0.19, "lean": True, "seed": 16},
+            {"colours": "leather", "length": 0.6, "height": 0.25, "seed": 17},
+            {"colours": "novels", "length": 0.68, "height": 0.23, "lean": True, "seed": 18},
+            {"colours": "pastels", "length": 0.46, "height": 0.18, "seed": 19},
+            {"colours": "bright", "length": 0.66, "height": 0.2, "lean": True, "seed": 20},
         ],
     ),
     "file_row": Maker(

@@ -40,10 +40,11 @@ AT_TABLE_M, BY_SEAT_M, COMPANY_M = 0.35, 0.6, 0.7
 #: What people reach into or pull out, and the floor before it.
 REACHED = ("wardrobe", "dresser", "stove", "fridge", "freezer", "utility_cupboard")
 FRONT_M = 0.6
+UNITS = ("kitchen_counter", "corner_counter", "sink_cabinet", "stove", "dishwasher")
 TABLES = ("dining_table", "kitchen_table")
 SEATS = ("chair", "stool", "ottoman", "armchair", "bench")
 RESTED_AT = ("sofa", "armchair", "desk", "bed", "child_bed")
-GROUPS = (*RESTED_AT, *TABLES, "coffee_table", "toy_box")
+GROUPS = (*RESTED_AT, *TABLES, "coffee_table", "toy_box", "bathtub")
 PARTNERS = (*GROUPS, "side_table", "console_table", "bookshelf", "dresser", "wardrobe", "shoe_rack")
 
 
@@ -53,6 +54,7 @@ class Tally:
 
     of: Counter[str] = field(default_factory=Counter)
     bad: Counter[str] = field(default_factory=Counter)
+    alone: Counter[str] = field(default_factory=Counter)
     bare: defaultdict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
     circle: defaultdict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
     pieces: defaultdict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
@@ -109,6 +111,7 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
             others = [b for b in standing if b is not body]
             blocked = any(map(_in(before), others)) or before.difference(outline).area > 0.02
             tally.note("fronts of wardrobes, drawers and ovens that are not free", blocked)
+            tally.alone[f"{body.item.category} in {room.type}, front"] += blocked
     for table in [b for b in here if b.item.category in TABLES]:
         seats = [b for b in here if b.item.category in ("chair", "bench", "stool")]
         near = sum(b.footprint.distance(table.footprint) < AT_TABLE_M for b in seats)
@@ -120,7 +123,7 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
         tally.note("desks without a chair", not _near(desk, seats, AT_TABLE_M))
     groups = [b for b in here if b.item.category in GROUPS]
     for rug in _all(here, "rug"):
-        tally.note("rugs of no group", not _near(rug, groups, 0.05))
+        tally.note("rugs of no group", not _near(rug, groups, 0.3))
     rest = [b for b in here if b.item.category in RESTED_AT]
     for lamp in _all(here, "floor_lamp"):
         tally.note("floor lamps by no seat or desk", not _near(lamp, rest, BY_SEAT_M))
@@ -134,19 +137,22 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
     for seat in [b for b in here if b.item.category in SEATS]:
         others = [b for b in partners if b is not seat]
         # A seat at a wall by nothing else stands alone, too.
-        tally.note("seats that stand alone", not _near(seat, others, COMPANY_M))
+        alone = not _near(seat, others, COMPANY_M)
+        tally.note("seats that stand alone", alone)
+        tally.alone[f"{seat.item.category} in {room.type}"] += alone
     for sofa, tv in zip(_all(here, "sofa"), _all(here, "tv"), strict=False):
         tally.note("televisions 0.3 m off the sofa's middle", abs(_seen_from(sofa, tv)[1]) > 0.3)
     if room.type == "bathroom":
         tally.note("bathrooms without a bath", not _all(here, "bathtub"))
     if room.type == "kitchen":
-        units = [b for b in here if "counter" in b.item.category or b.item.category == "stove"]
         corners = len(_all(here, "corner_counter"))
         tally.note("kitchens of a U", corners == 2)
         tally.note("kitchens of an L", corners == 1)
-        alone = [b for b in units if not _near(b, [u for u in units if u is not b], 0.95)]
-        tally.note("kitchens with a unit apart", bool(alone))
-
+        units = [b for b in here if b.item.category in UNITS]
+        alone = [b for b in units if not _near(b, [u for u in units if u is not b], 0.05)]
+        tally.note("kitchens with a unit that stands alone", bool(alone))
+        fridge = [b for b in _all(here, "fridge") if not _near(b, units, 0.15)]
+        tally.note("kitchens with the fridge apart", bool(fridge))
 
 def _all(here: Sequence[Body], category: str) -> list[Body]:
     return [b for b in here if b.item.category == category]
@@ -188,6 +194,8 @@ def rows(tally: Tally) -> Iterator[str]:
     yield "| furniture | |\n|---|---|"
     for what in sorted(tally.of):
         yield f"| {what} | {tally.bad[what]} of {tally.of[what]} |"
+    commonest = ", ".join(f"{what}: {count}" for what, count in tally.alone.most_common(12) if count)
+    yield f"| of these seats | {commonest} |"
     yield "\n| room | rooms | pieces | bare floor | widest bare circle, m (90 %) |"
     yield "|---|---|---|---|---|"
     for name in sorted(tally.bare):

@@ -268,8 +268,11 @@ class FurnitureRule(Record):
     of ``of`` placed before: ``on`` it, ``beside`` it, ``before`` its front (``gap_m`` away, facing
     it), ``under`` it, ``around`` it (facing it), ``above`` it on the wall, ``over`` it in a row of
     wall units, or ``opposite``, against the wall it faces, with nothing in between. ``count`` is
-    per room, or per piece of ``of`` for ``on``, ``beside``, ``around`` and ``above``. ``front_m``
-    of floor before it is kept free, and against a ``wall`` ``gap_m`` beside it.
+    per room, or per piece of ``of`` for ``on``, ``beside``, ``around`` and ``above``; with fewer
+    than ``least`` of them it has found no place. Smaller rooms than ``from_m2`` are not asked for
+    it. ``front_m`` of floor before it is kept free, and against a ``wall`` ``gap_m`` beside it;
+    ``gap_m`` from a table stands what is ``around`` it, else pushed under, and so much before the
+    middle lies what is ``under`` a piece.
 
     A rule begins a group, with those after it that are about a piece of the group; a group that
     misses something is placed anew a few times. Without a ``needed`` piece of it, it does not stand
@@ -299,7 +302,9 @@ class FurnitureRule(Record):
     of: OptionalCategories = ()
     # Limits that no real room exceeds; a negative gap puts a chair under its desk.
     count: Annotated[tuple[int, int], span(0, 20, whole=True), PAIR] = (1, 1)
+    least: Annotated[int, between(1, 20)] = 1
     chance: Annotated[float, between(0.0, 1.0)] = 1.0
+    from_m2: Annotated[float, between(0.0, 500.0)] = 0.0
     needed: bool = False
     front_m: Annotated[float, between(0.0, 5.0)] = 0.5
     gap_m: Annotated[float, between(-2.0, 5.0)] = 0.0

@@ -42,6 +42,8 @@ MIDDLE_PARTS, MIDDLE_DRAWS = 2, 6
 ACROSS_M = 0.4
 #: A seat reaches so far under the table it stands at: pushed in as far as its legs let it.
 TUCKED_M = (0.24, 0.16, 0.08)
+#: One that stands off its table, as armchairs do, gives way by so much.
+FURTHER_M = (0.0, 0.15, 0.3, 0.45)
 #: A piece before another stands in its middle or, where that is taken, so far beside it: by eye.
 BEFORE_BESIDE_M = 0.1
 #: Half a table's side that has room for two chairs (0.45 m each) side by side, and where they then
@@ -204,10 +206,16 @@ def before(target: ObjectInstance, info: AssetInfo, size: Vec2, gap_m: float) ->
 
 
 def around(
-    target: ObjectInstance, info: AssetInfo, size: Vec2, seated: Sequence[Vec2], rng: Rng
+    target: ObjectInstance,
+    info: AssetInfo,
+    size: Vec2,
+    seated: Sequence[Vec2],
+    rng: Rng,
+    gap_m: float = 0.0,
 ) -> list[PlacedAt]:
     """Poses around a table, facing it: across from who is ``seated`` there (where, seen from
-    above), then along its long sides; each seat as far under it as may be, then less."""
+    above), then along its long sides; each seat as far under it as may be, then less, or
+    ``gap_m`` from it and more."""
     deep, wide = info.extents_m[0] / 2, info.extents_m[1] / 2
     ys = (-wide * SEAT_AT, wide * SEAT_AT) if wide > TWO_SEATS_M else (0.0,)
     sides = [(x, y, turn) for y in ys for x, turn in ((deep, math.pi), (-deep, 0.0))]
@@ -219,10 +227,11 @@ def around(
         other = placed_from(target, -x, y) if x else placed_from(target, 0.0, -y)
         return any(math.dist(other[:2], taken) < ACROSS_M for taken in seated)
 
+    steps = tuple(-gap_m - further for further in FURTHER_M) if gap_m > 0 else TUCKED_M
     return [
         placed_from(target, x - math.cos(turn) * away, y - math.sin(turn) * away, turn)
         for x, y, turn in sorted(seats, key=lambda seat: not is_across(seat))
-        for away in (size[0] / 2 - tucked for tucked in TUCKED_M)
+        for away in (size[0] / 2 - tucked for tucked in steps)
     ]
 
 
@@ -290,10 +299,10 @@ def on_top(
     return [(*placed_from(target, x, y)[:2], top_m, yaw_of(target.pose.quat_xyzw)) for y in spots]
 
 
-def under(target: ObjectInstance) -> list[PlacedAt]:
-    """The pose in the middle under a piece."""
-    x, y, _ = target.pose.position_m
-    return [(x, y, 0.0, yaw_of(target.pose.quat_xyzw))]
+def under(target: ObjectInstance, gap_m: float) -> list[PlacedAt]:
+    """The pose under a piece, ``gap_m`` before its middle."""
+    x, y, _, yaw = placed_from(target, gap_m, 0.0)
+    return [(x, y, 0.0, yaw)]
 
 
 def placed_from(target: ObjectInstance, x: float, y: float, turn: float = 0.0) -> PlacedAt:

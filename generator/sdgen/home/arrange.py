@@ -93,7 +93,7 @@ def _try_room(furnished: RoomTry) -> Layout | Rejection:
     room_type, rng = furnished.room.type, furnished.rng
     groups = groups_of(rules_of(furnished.room, furnished.catalog))
     for group in _needed_first(groups, rng) if furnished.modest else groups:
-        asked = [Asked(rule, _count(rule, rng)) for rule in group]
+        asked = [Asked(rule, _count(rule, furnished)) for rule in group]
         more = _with_group(asked, furnished)
         if more is None and group[0].needed:
             return reject("home", "no_place", category=group[0].category or group[0].row[0])
@@ -146,8 +146,9 @@ def _needed_first(groups: Sequence[list[FurnitureRule]], rng: Rng) -> list[list[
     return [*order, *(group for group in groups if group not in needed)]
 
 
-def _count(rule: FurnitureRule, rng: Rng) -> int:
-    if rng.random() >= rule.chance:
+def _count(rule: FurnitureRule, tried: RoomTry) -> int:
+    rng = tried.rng
+    if tried.outline.area < rule.from_m2 or rng.random() >= rule.chance:
         return 0
     return int(rng.integers(rule.count[0], rule.count[1] + 1))
 
@@ -208,6 +209,8 @@ def _follow(
             if more is None:
                 break
             furnished, placed = more, placed + 1
+    if placed < rule.least:
+        return None, 1.0
     if rule.where in ("beside", "around"):
         return furnished, 1.0 - placed / (count * len(targets))
     return furnished, float(placed == 0)
@@ -299,11 +302,11 @@ def _poses(
         return anchors.before(target, info, size, rule.gap_m)
     if rule.where == "around":
         seated = [layout.items[k].pose.position_m[:2] for k in tried.all([rule.category])]
-        return anchors.around(target, info, size, seated, rng)
+        return anchors.around(target, info, size, seated, rng, rule.gap_m)
     if rule.where == "above":
         return anchors.above(target, info, size, rule.z_m, tried.sides)
     if rule.where == "under":
-        return anchors.under(target)
+        return anchors.under(target, rule.gap_m)
     return anchors.opposite(target, tried.sides, size, rng, reach)
 
 

@@ -24,10 +24,12 @@ from sdgen.home.layout import IN_WALL_M, Intent, Layout, corners_of
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import FLAT_M, LEAVES, OVERHEAD_M
+from sdgen.vocabulary import FLAT_M, HALF_WALL_M, LEAVES, OVERHEAD_M
 
-#: Floor kept clear before a doorway: a person with something in their arms gets through.
-DOOR_CLEAR_M = 0.85
+#: Floor kept clear before a doorway, from the middle line of its wall: a person with something in
+#: their arms gets through. What is taller than so much crowds a frame nearer than this.
+DOOR_CLEAR_M = HALF_WALL_M + 0.8
+TALL_M, OFF_FRAME_M = 1.2, 0.15
 #: A leaf sweeps its width, and its handle so much more; each of two leaves, half the doorway.
 HANDLE_M = 0.08
 #: A twentieth of the floor before a piece may lie beyond the room's outline (a corner cut off), and
@@ -53,8 +55,8 @@ class RoomTry:
     nothing behind.
 
     ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
-    No furniture stands before ``sights`` nor on ``doors`` (``thresholds``: door by door); leaves
-    swing over ``swings``, where no rug lies either. ``number`` counts the tries before it.
+    No furniture stands before ``sights`` nor on ``doors`` (``thresholds``: door by door), nothing
+    tall at their ``frames``; leaves swing over ``swings``, where no rug lies either. ``number`` counts the tries before it.
     """
 
     room: Room
@@ -67,6 +69,7 @@ class RoomTry:
     openings: tuple[Opening, ...]
     sights: tuple[Sight, ...]
     thresholds: tuple[BaseGeometry, ...]
+    frames: tuple[BaseGeometry, ...]
     doors: BaseGeometry
     swings: BaseGeometry
     inside: Polygon
@@ -129,6 +132,7 @@ def empty_room(
     try it is."""
     mine = tuple(o for o in home.openings if room.id in o.room_ids)
     doors: list[BaseGeometry] = []
+    frames: list[BaseGeometry] = []
     swings: list[BaseGeometry] = []
     for opening in mine:
         if opening.kind == "window":
@@ -140,6 +144,9 @@ def empty_room(
             deep = max(deep, swept_m)
             swings.append(opening_rectangle(opening, swept_m))
         doors.append(opening_rectangle(opening, deep))
+        wide_m = opening.width_m + 2 * OFF_FRAME_M
+        wider = opening.model_copy(update={"width_m": wide_m})
+        frames.append(opening_rectangle(wider, deep))
     outline = Polygon(room.polygon_m)
     inside = outline.buffer(IN_WALL_M, join_style="mitre")
     prepare(inside)
@@ -154,6 +161,7 @@ def empty_room(
         openings=mine,
         sights=tuple(map(sight_of, mine)),
         thresholds=tuple(doors),
+        frames=tuple(frames),
         doors=union(doors),
         swings=union(swings),
         inside=inside,
@@ -171,7 +179,8 @@ def free_sides(tried: RoomTry, low_m: float, high_m: float, deep_m: float) -> tu
 def taken_outlines(tried: RoomTry, low_m: float, high_m: float) -> list[Array]:
     """Corners (N, 2) of what keeps pieces between two heights away: doorways, windows that they
     would hide, other pieces."""
-    taken = [shapely.get_coordinates(shape) for shape in tried.thresholds if low_m < OVERHEAD_M]
+    doors = tried.frames if high_m > TALL_M else tried.thresholds
+    taken = [shapely.get_coordinates(shape) for shape in doors if low_m < OVERHEAD_M]
     # Curtains hang beside windows, where pictures would.
     beside = CURTAIN_M if low_m > FLAT_M else 0.0
     taken += [
@@ -233,6 +242,8 @@ def with_placed(
         return None
     if on_floor:
         if shape.intersects(tried.doors):
+            return None
+        if z + asset.extents_m[2] > TALL_M and any(map(shape.intersects, tried.frames)):
             return None
         for owner, kept in tried.keep:
             if owner == target or not kept.intersects(shape):

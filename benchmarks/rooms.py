@@ -115,7 +115,8 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
     for table in [b for b in here if b.item.category in TABLES]:
         seats = [b for b in here if b.item.category in ("chair", "bench", "stool")]
         near = sum(b.footprint.distance(table.footprint) < AT_TABLE_M for b in seats)
-        wanted = 4 if max(table.info.extents_m[:2]) >= 1.2 else 2
+        at_wall = outline.exterior.distance(table.footprint) < 0.15
+        wanted = 2 if max(table.info.extents_m[:2]) < 1.2 else 3 if at_wall else 4
         tally.note("tables with too few chairs", near < wanted)
         tally.note("tables without chairs", near == 0)
     for desk in _all(here, "desk"):

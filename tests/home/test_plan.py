@@ -212,7 +212,7 @@ def test_windows_and_doors_are_as_the_room_types_ask():
     types = [t.model_copy(update=changed.get(t.name, {})) for t in CATALOG.room_types]
     sills, joined, shared = [], 0, 0
     for seed in range(30):
-        plan = plan_random(MIXES["living_hub_5"], types, lane(seed, 0, "plan"))
+        plan = plan_random(MIXES["hall_child_6"], types, lane(seed, 0, "plan"))
         openings = openings_random(plan, lane(seed, 0, "openings"))
         if isinstance(openings, Rejection):
             continue

@@ -269,10 +269,10 @@ class FurnitureRule(Record):
     it), ``under`` it, ``around`` it (facing it), ``above`` it on the wall, ``over`` it in a row of
     wall units, or ``opposite``, against the wall it faces, with nothing in between. ``count`` is
     per room, or per piece of ``of`` for ``on``, ``beside``, ``around`` and ``above``; with fewer
-    than ``least`` of them it has found no place. Smaller rooms than ``from_m2`` are not asked for
-    it. ``front_m`` of floor before it is kept free, and against a ``wall`` ``gap_m`` beside it;
-    ``gap_m`` from a table stands what is ``around`` it, else pushed under, and so much before the
-    middle lies what is ``under`` a piece.
+    than ``least`` of them (half as many ``around`` a short table) it has found no place. Smaller
+    rooms than ``from_m2`` are not asked for it. ``front_m`` of floor before it is kept free, and
+    against a ``wall`` ``gap_m`` beside it; what is ``around`` a table stands ``gap_m`` from it, or
+    pushed under, and what is ``under`` a piece lies so much before its middle.
 
     A rule begins a group, with those after it that are about a piece of the group; a group that
     misses something is placed anew a few times. Without a ``needed`` piece of it, it does not stand

@@ -287,14 +287,20 @@ def gap_behind(
 
 
 def on_top(
-    target: ObjectInstance, info: AssetInfo, size: Vec2, top_m: float, rng: Rng
+    target: ObjectInstance,
+    info: AssetInfo,
+    size: Vec2,
+    top_m: float,
+    rng: Rng,
+    centred: bool = False,
 ) -> list[PlacedAt]:
-    """Poses on a piece, square to it: shallow things at its back, others in its middle."""
+    """Poses on a piece, square to it: shallow things at its back, others in its middle;
+    ``centred``: in the middle of its width, too."""
     depth, width = size
     x = 0.0
     if depth < SHALLOW_SHARE * info.extents_m[0]:
         x = -info.extents_m[0] / 2 + TOP_EDGE_M + depth / 2
-    slack = max(0.0, (info.extents_m[1] - width) / 2 - TOP_EDGE_M)
+    slack = 0.0 if centred else max(0.0, (info.extents_m[1] - width) / 2 - TOP_EDGE_M)
     spots = (float(rng.uniform(-slack, slack)) * TOP_SPREAD for _ in range(TOP_SPOTS))
     return [(*placed_from(target, x, y)[:2], top_m, yaw_of(target.pose.quat_xyzw)) for y in spots]
 

@@ -6,6 +6,7 @@ that a robot cannot cross is arranged anew, a bounded number of times.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -15,6 +16,7 @@ from shapely.geometry import Point, Polygon
 from sdgen.catalog.records import Catalog, FurnitureRule
 from sdgen.facts import bodies_of
 from sdgen.freespace import ROBOT_RADIUS_M, polygons, union
+from sdgen.geometry import yaw_of
 from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side
 from sdgen.home.context import Models
@@ -56,6 +58,8 @@ NEAR_DOOR_M = 0.2
 SMALL_ROOM_M2, LEAST_FREE_SMALL_M2, LEAST_FREE_M2 = 8.0, 0.3, 1.0
 #: What hangs above a piece may be wider by so much: a hood over a stove of the same nominal width.
 ABOVE_WIDER_M = 0.03
+#: What stands so far off the middle line of what it faces still stands across from it: by eye.
+IN_LINE_M = 0.15
 
 
 def furnish_by_rules(
@@ -209,11 +213,35 @@ def _follow(
             if more is None:
                 break
             furnished, placed = more, placed + 1
-    if placed < rule.least:
+    if placed < _least(rule, targets, tried):
         return None, 1.0
+    if rule.where == "opposite" and furnished is not None:
+        return furnished, _off_line(rule, furnished)
     if rule.where in ("beside", "around"):
         return furnished, 1.0 - placed / (count * len(targets))
     return furnished, float(placed == 0)
+
+
+def _least(rule: FurnitureRule, targets: Sequence[int | None], tried: RoomTry) -> int:
+    """How many pieces there must be at least: at tables with no room for two side by side, half
+    of what the rule says."""
+    ids = [k for k in targets if k is not None] if rule.where == "around" else []
+    short = all(tried.layout.info(k).extents_m[1] < 2 * anchors.TWO_SEATS_M for k in ids)
+    return (rule.least + 1) // 2 if ids and short else rule.least
+
+
+def _off_line(rule: FurnitureRule, tried: RoomTry) -> float:
+    """How far a piece is from right across what it stands opposite to, metres; nobody sees less
+    than ``IN_LINE_M``."""
+    across = tried.layout.items[tried.all([rule.category])[-1]].pose.position_m
+    facing = [tried.layout.items[k].pose for k in tried.all(rule.of)]
+    offs = []
+    for pose in facing:
+        yaw = yaw_of(pose.quat_xyzw)
+        dx, dy = across[0] - pose.position_m[0], across[1] - pose.position_m[1]
+        offs.append(abs(dy * math.cos(yaw) - dx * math.sin(yaw)))
+    off = min(offs)
+    return off if off > IN_LINE_M else 0.0
 
 
 def _with_one(rule: FurnitureRule, target: int | None, tried: RoomTry) -> RoomTry | None:
@@ -295,7 +323,8 @@ def _poses(
         return anchors.in_middle(tried.outline, taken_floor(tried), rng)
     target, info = layout.items[target_id], layout.info(target_id)
     if rule.where == "on":
-        return anchors.on_top(target, info, size, top_of(layout, target_id), rng)
+        top = top_of(layout, target_id)
+        return anchors.on_top(target, info, size, top, rng, rule.centred)
     if rule.where == "beside":
         return anchors.beside(target, info, size, rng)
     if rule.where == "before":

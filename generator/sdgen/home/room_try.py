@@ -215,8 +215,11 @@ def free_parts(side: Side, taken: Sequence[Array], deep_m: float) -> Iterator[Si
 
 
 def taken_floor(tried: RoomTry) -> BaseGeometry:
-    """What a piece in the middle keeps off: doors, and room to pass round what stands there."""
-    return unary_union([tried.doors, *(s.buffer(AROUND_M) for s in tried.prints.values())])
+    """What a piece in the middle keeps off: doors, the floor before other pieces, and room to pass
+    round what stands there."""
+    fronts = (front for _, front in tried.keep)
+    around = (shape.buffer(AROUND_M) for shape in tried.prints.values())
+    return unary_union([tried.doors, *fronts, *around])
 
 
 def with_placed(

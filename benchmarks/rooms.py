@@ -33,10 +33,11 @@ from sdgen.vocabulary import FLAT_M, HALF_WALL_M, OPENINGS, OVERHEAD_M
 from shapely.geometry import Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
-#: A door's strip of floor, metres deep; what is taller than a metre keeps off its frame.
+#: A door's strip of floor, metres deep; what is taller keeps off its frame.
 STRIP_M, TALL_M, OFF_FRAME_M = 0.8, 1.2, 0.15
 #: How near a chair is to its table, a lamp to its seat, a rug to its group, a seat to anything.
 AT_TABLE_M, BY_SEAT_M, COMPANY_M = 0.35, 0.6, 0.7
+TOUCH_M2 = 2e-3
 #: What people reach into or pull out, and the floor before it.
 REACHED = ("wardrobe", "dresser", "stove", "fridge", "freezer", "utility_cupboard")
 FRONT_M = 0.6
@@ -77,8 +78,8 @@ def look(made: FurnishedHome, catalog: Catalog, tally: Tally) -> None:
         strip = opening_rectangle(opening, HALF_WALL_M + STRIP_M)
         frame = opening_rectangle(opening, HALF_WALL_M + 0.5).buffer(OFF_FRAME_M)
         tall = [b for b in standing if b.high[2] > TALL_M]
-        tally.note("doors with furniture before them", any(map(_in(strip), standing)))
-        tally.note("doors with tall furniture at the frame", any(map(_in(frame), tall)))
+        tally.note("doors with furniture before them", _any_in(strip, standing))
+        tally.note("doors with tall furniture at the frame", _any_in(frame, tall))
         if opening.kind == "front_door":
             types = {r.type for r in home.rooms if r.id in opening.room_ids}
             tally.note("front doors into a living room", "living_room" in types)
@@ -109,7 +110,7 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
         if body.item.category in REACHED:
             before = _front(body, FRONT_M)
             others = [b for b in standing if b is not body]
-            blocked = any(map(_in(before), others)) or before.difference(outline).area > 0.02
+            blocked = _any_in(before, others) or before.difference(outline).area > 0.02
             tally.note("fronts of wardrobes, drawers and ovens that are not free", blocked)
             tally.alone[f"{body.item.category} in {room.type}, front"] += blocked
     for table in [b for b in here if b.item.category in TABLES]:
@@ -155,6 +156,7 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
         fridge = [b for b in _all(here, "fridge") if not _near(b, units, 0.15)]
         tally.note("kitchens with the fridge apart", bool(fridge))
 
+
 def _all(here: Sequence[Body], category: str) -> list[Body]:
     return [b for b in here if b.item.category == category]
 
@@ -163,14 +165,9 @@ def _near(body: Body, others: Sequence[Body], far_m: float) -> bool:
     return any(body.footprint.distance(other.footprint) < far_m for other in others)
 
 
-class _in:  # noqa: N801
-    """Whether a body takes floor of a shape."""
-
-    def __init__(self, shape: BaseGeometry) -> None:
-        self.shape = shape
-
-    def __call__(self, body: Body) -> bool:
-        return bool(self.shape.intersection(body.footprint).area > 2e-3)
+def _any_in(shape: BaseGeometry, bodies: Sequence[Body]) -> bool:
+    """Whether any of them takes floor of a shape."""
+    return any(shape.intersection(body.footprint).area > TOUCH_M2 for body in bodies)
 
 
 def _front(body: Body, deep_m: float) -> Polygon:
@@ -195,7 +192,9 @@ def rows(tally: Tally) -> Iterator[str]:
     yield "| furniture | |\n|---|---|"
     for what in sorted(tally.of):
         yield f"| {what} | {tally.bad[what]} of {tally.of[what]} |"
-    commonest = ", ".join(f"{what}: {count}" for what, count in tally.alone.most_common(12) if count)
+    commonest = ", ".join(
+        f"{what}: {count}" for what, count in tally.alone.most_common(12) if count
+    )
     yield f"| of these seats | {commonest} |"
     yield "\n| room | rooms | pieces | bare floor | widest bare circle, m (90 %) |"
     yield "|---|---|---|---|---|"
@@ -232,7 +231,9 @@ def main() -> None:
         times.append(time.process_time() - start)
     for row in rows(tally):
         sys.stdout.write(row + "\n")
-    sys.stdout.write(f"\nhomes {args.seeds}, tries {tries}, median s {statistics.median(times):.3f}, ")
+    sys.stdout.write(
+        f"\nhomes {args.seeds}, tries {tries}, median s {statistics.median(times):.3f}, "
+    )
     sys.stdout.write(f"mean s {statistics.mean(times):.3f}\n{causes.most_common()}\n")
 
 

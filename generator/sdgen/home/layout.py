@@ -41,7 +41,7 @@ from sdgen.library.records import AssetInfo
 from sdgen.library.states import object_from_part
 from sdgen.scene import Home, ObjectInstance, Opening, Pose
 from sdgen.seeding import Rng
-from sdgen.vocabulary import HALF_WALL_M, OPENINGS
+from sdgen.vocabulary import HALF_WALL_M, OPENINGS, PRESSED_M
 
 #: Things start this far above what they stand on: a contact at the start would push them.
 DROP_M = 0.001
@@ -278,9 +278,25 @@ class Layout:
             print_ = shapely.polygons(_ring(bulk.size_m, *point, yaw))
             if not ground.takes(print_, point, yaw, looked_at):
                 continue
-            if self.fits([space_at(bulk.size_m, (*point, 0.0), yaw, gap_m)]):
-                return (*bulk.origin(point, yaw), 0.0), yaw
+            floor_m = self._floor_at(space_at(bulk.size_m, (*point, 0.0), yaw, gap_m))
+            if floor_m is not None:
+                return (*bulk.origin(point, yaw), floor_m), yaw
         return None
+
+    def _floor_at(self, block: Block) -> float | None:
+        """How high the floor is below a thing's space: as thick as a flat-woven rug that is under
+        all of it; None where something is in the way, or the thing would lie over the rug's edge.
+
+        What lies on such a rug lies on the floor, by its measures and to whoever walks there.
+        """
+        met = list(dict.fromkeys(self.entered([block])))
+        if not met:
+            return 0.0
+        thick_m = self.info(met[0]).extents_m[2]
+        if len(met) > 1 or not self.items[met[0]].fixed or thick_m > PRESSED_M:
+            return None
+        whole = any(other.shape.covers(block.shape) for other in self.space_of(met[0]))
+        return thick_m if whole else None
 
     def new_item(
         self, asset: AssetInfo, spot: Vec3Yaw, room_id: int, lift_m: float = DROP_M

@@ -56,7 +56,8 @@ class RoomTry:
 
     ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
     No furniture stands before ``sights`` nor on ``doors`` (``thresholds``: door by door), nothing
-    tall at their ``frames``; leaves swing over ``swings``, where no rug lies either. ``number`` counts the tries before it.
+    tall at their ``frames``; leaves swing over ``swings``, where no rug lies either. ``number``
+    counts the tries before it.
     """
 
     room: Room

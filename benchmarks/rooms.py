@@ -151,8 +151,8 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
         tally.note("kitchens of a U", corners == 2)
         tally.note("kitchens of an L", corners == 1)
         units = [b for b in here if b.item.category in UNITS]
-        alone = [b for b in units if not _near(b, [u for u in units if u is not b], 0.05)]
-        tally.note("kitchens with a unit that stands alone", bool(alone))
+        off = [b for b in units if not _near(b, [u for u in units if u is not b], 0.05)]
+        tally.note("kitchens with a unit that stands alone", bool(off))
         fridge = [b for b in _all(here, "fridge") if not _near(b, units, 0.15)]
         tally.note("kitchens with the fridge apart", bool(fridge))
 

@@ -220,7 +220,12 @@ MODELS = {
         4,
         [
             {"width": 0.8, "wood": "oak", "coats": ("#8a3f35", "#3f5568"), "hooks": 3},
-            {"width": 1.1, "wood": "walnut", "coats": ("#3a3f45", "#a08a5a", "#5a6a4a"), "hooks": 3},
+            {
+                "width": 1.1,
+                "wood": "walnut",
+                "coats": ("#3a3f45", "#a08a5a", "#5a6a4a"),
+                "hooks": 3,
+            },
             {"width": 0.8, "wood": "#f0efec", "coats": ("#c0a880", "#2f3a52"), "hooks": 3},
             {"width": 0.95, "wood": "oak", "coats": ("#5f6f52", "#8a5a6a"), "hooks": 4},
         ],

@@ -188,9 +188,9 @@ def headphones(kind: str, paint: str, pad: str) -> Model:
             for mesh in (ear, inner):
                 meshes.append(mesh.turn(rx=-0.5 * q).move(0, q * 0.045, 0.172))
     if kind == "headset":
-        boom = [(0.01, span + 0.004, 0.04), (0.06, span - 0.002, 0.016), (0.1, span - 0.03, 0.012)]
+        boom = [(0.01, span + 0.004, 0.05), (0.06, span - 0.002, 0.028), (0.1, span - 0.03, 0.024)]
         meshes.append(tube(boom, 0.004, 6, mat=plain("#17181a", 0)))
-        meshes.append(ellipsoid((0.014, 0.011, 0.011), (0.108, span - 0.036, 0.012), 8, 6, foam))
+        meshes.append(ellipsoid((0.014, 0.011, 0.011), (0.108, span - 0.036, 0.024), 8, 6, foam))
     if kind in ("lying", "light"):
         for mesh in meshes:
             mesh.keep_pattern().turn(ry=-(0.315 if not light else 0.215) - math.pi / 2)

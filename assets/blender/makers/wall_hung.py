@@ -1,5 +1,5 @@
-"""What hangs on walls without a frame or a glass (back at -X): posters and calendars, rails of hooks
-with coats, holders of toilet rolls."""
+"""What hangs on walls without frame or glass (back at -X): posters and calendars, hooks with coats,
+holders of toilet rolls."""
 
 from __future__ import annotations
 

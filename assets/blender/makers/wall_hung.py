@@ -14,6 +14,7 @@ from toolkit.model import Maker, Model, Part, box_piece
 from toolkit.sampling import noise_offset, pick, seed_of
 from toolkit.shapes import box, lathe, rounded_rectangle, tube
 
+from .convex import few_corners
 from .frames import pane
 from .garments_hung import coat
 from .joinery import Assembly, finish, steel
@@ -173,19 +174,18 @@ def toilet_roll_holder(kind: str, metal: str, radius: float, offset: Offset) -> 
     shine = steel(30) if metal == "steel" else plain(metal, 0.02)
     x, z = radius + 0.014, 0.13
     meshes = [m.move(x, 0, z) for m in roll(radius, offset)]
+    pieces = [few_corners(meshes[0].v, 24)]
     if kind == "lid":
         meshes.append(box(0.006, 0.125, 0.07, (0.003, 0, z), shine, 0.002))
         lid = box(2 * radius + 0.01, 0.125, 0.004, (radius + 0.008, 0, z + radius + 0.004), shine)
         meshes.append(lid)
         bar = [(0.004, -0.058, z), (x, -0.058, z), (x, 0.058, z), (0.004, 0.058, z)]
-        high = z + radius + 0.01
+        pieces.append(box_piece((x / 2, 0, z + radius + 0.006), (x, 0.125, 0.006)))
     else:
         meshes.append(box(0.008, 0.045, 0.045, (0.004, -0.075, z - 0.022), shine, 0.004))
         bar = [(0.004, -0.075, z), (x, -0.075, z), (x, 0.062, z)]
-        high = z + radius + 0.004
     meshes.append(tube(np.array(bar), 0.006, 6, mat=shine))
-    piece = box_piece((x, 0, high / 2 + 0.01), (2 * x, 0.16, high - 0.02))
-    model = {"body": Part([cube_project(m) for m in meshes], collision=[piece])}
+    model = {"body": Part([cube_project(m) for m in meshes], collision=pieces)}
     return Model("toilet roll on its holder", model, mass=0.4, texture_size=128)
 
 

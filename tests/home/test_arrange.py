@@ -16,7 +16,7 @@ from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
 from sdgen.home.arrange import groups_of
 from sdgen.home.layout import corners_of
-from sdgen.home.room_try import free_parts
+from sdgen.home.room_try import OFF_FRAME_M, TALL_M, free_parts
 from sdgen.home.run_shapes import BEHIND_M
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations
@@ -107,6 +107,32 @@ def test_doorways_stay_clear(stages):
             for opening in made.context.home.openings:
                 if opening.kind != "window":
                     assert not shape.intersects(opening_rectangle(opening, 0.6)), item.category
+
+
+def test_nothing_tall_stands_at_the_frame_of_a_door(stages):
+    for made in stages:
+        for item, info in pieces(made):
+            if info.extents_m[2] <= TALL_M or item.pose.position_m[2] > 0.1:
+                continue
+            x, y, _ = item.pose.position_m
+            shape = Polygon(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw)))
+            for opening in made.context.home.openings:
+                if opening.kind != "window":
+                    wide = {"width_m": opening.width_m + 2 * OFF_FRAME_M - 0.01}
+                    frame = opening_rectangle(opening.model_copy(update=wide), 0.5)
+                    assert not shape.intersects(frame), item.category
+
+
+def test_no_table_stands_without_chairs_and_no_lamp_or_rug_alone(stages):
+    for _, found in in_rooms(stages):
+        tables = [*found.get("dining_table", ()), *found.get("kitchen_table", ())]
+        # Islands have bar stools, desks their own chairs.
+        assert len(found.get("chair", ())) >= 2 * len(tables)
+        if "floor_lamp" in found:
+            assert not {"sofa", "armchair", "desk"}.isdisjoint(found)
+        if "rug" in found:
+            groups = {"coffee_table", "bed", "toy_box", "dining_table", "desk"}
+            assert not groups.isdisjoint(found)
 
 
 def test_needed_pieces_are_there_and_chairs_face_their_table(stages):

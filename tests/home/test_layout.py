@@ -6,7 +6,7 @@ import math
 import pytest
 from sdgen.actions import at_rest, in_state
 from sdgen.facts import Body
-from sdgen.geometry import quat_from_yaw
+from sdgen.geometry import quat_from_yaw, yaw_of
 from sdgen.home.ground import Ground
 from sdgen.home.layout import Intent, Layout, at_spot, corners_of
 from sdgen.scene import ObjectInstance, Pose
@@ -111,6 +111,41 @@ def test_floor_spots_touch_nothing_of_what_they_must_keep_off(layout):
     assert found
     for (x, y, _), yaw in found:
         assert not Polygon(corners_of(crate, x, y, yaw)).intersects(off)
+
+
+def test_on_a_flat_woven_rug_the_floor_is_so_much_higher_and_nothing_lies_over_its_edge(layout):
+    rug = put(layout, "rug")
+    thick_m = layout.info(rug).extents_m[2]
+    lies = Polygon(corners_of(layout.info(rug), 0.0, 0.0, 0.0))
+    room, rng = box(-2, -2, 2, 2), lane(0, 4, "layout")
+    book = LIBRARY.by_category("book")[0]
+    found = [layout.spot_on_floor(book, Ground(room, room), rng) for _ in range(60)]
+    heights = []
+    for (x, y, z), yaw in (spot for spot in found if spot is not None):
+        print_ = Polygon(corners_of(book, x, y, yaw))
+        assert lies.covers(print_) if z else not lies.intersects(print_)
+        heights.append(z)
+    assert sorted(set(heights)) == [0.0, thick_m]
+
+
+def test_nothing_is_put_on_a_thick_rug_nor_on_what_lies_on_a_flat_one(layout):
+    room, rng = box(-2, -2, 2, 2), lane(0, 5, "layout")
+    book = LIBRARY.by_category("book")[0]
+    put(layout, "bath_mat")
+    rug = put(layout, "rug", 1.0, 0.0)
+    for _ in range(40):
+        spot = layout.spot_on_floor(book, Ground(room, room), rng)
+        if spot is not None:
+            layout.put(layout.new_item(book, spot, 1))
+    lying = [item for item in layout.items.values() if item.category == "book"]
+    prints = [
+        Polygon(corners_of(book, *i.pose.position_m[:2], yaw_of(i.pose.quat_xyzw))) for i in lying
+    ]
+    assert len(prints) > 5
+    for one, other in itertools.combinations(prints, 2):
+        assert not one.intersects(other)
+    mat = layout.space_of(rug - 1)[0].shape
+    assert not any(mat.intersects(print_) for print_ in prints)
 
 
 def test_a_dropped_thing_leaves_no_trace(layout):

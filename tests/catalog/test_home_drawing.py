@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from itertools import combinations, count
 from pathlib import Path
 from typing import Literal
 
 import pytest
+from sdgen.catalog.home_shape import frame_size
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import FurnitureItem, HomeSpec, OpeningSpec
 from sdgen.hazards.splits import SplitModels, split_of_home
@@ -156,7 +158,8 @@ def test_a_seam_within_a_room_is_no_wall(tmp_path: Path) -> None:
 CATALOG = load_catalog()
 HOMES = pytest.mark.parametrize("home", CATALOG.homes, ids=lambda home: home.id)
 FACE_M = 0.06
-SWING_M = {"door": 0.9, "front_door": 1.0}
+#: How far a leaf sweeps; nothing swings in a passage.
+SWING_M = {"door": 0.9, "front_door": 1.0, "double_door": 0.8}
 FLAT = ("rug", "bath_mat")
 #: Their fronts reach under the table or desk they stand at.
 TUCKED_IN = ("chair", "office_chair")
@@ -180,10 +183,10 @@ def _print(item: FurnitureItem, largest: bool) -> Polygon:
 
 
 def _swing(home: HomeSpec, opening: OpeningSpec) -> Polygon:
-    """The square a door's leaf sweeps, in the room listed first (or last, when flipped)."""
+    """What a door's leaves sweep, in the room listed first (or last, when flipped)."""
     x, y = opening.center_m
     reach = SWING_M[opening.kind]
-    half = reach / 2
+    half = frame_size(opening)[0] / 2
     across = box(x - half, y - reach, x + half, y + reach)
     beside = box(x - reach, y - half, x + reach, y + half)
     both = across if opening.along == "x" else beside
@@ -228,7 +231,7 @@ def test_doors_swing_free_even_beside_the_largest_furniture(home: HomeSpec) -> N
         if item.category not in FLAT and item.position_m[2] < 1.0
     ]
     for opening in home.openings:
-        if opening.kind == "window":
+        if opening.kind not in SWING_M:
             continue
         swing = _swing(home, opening)
         for item, shape in pieces:
@@ -263,7 +266,8 @@ def test_the_home_has_its_rooms_and_size(home: HomeSpec) -> None:
     area = sum(outline.area for outline in _rooms(home).values())
     assert 40 <= area <= 140
     present = {item.category for room in home.rooms for item in room.furniture if not item.optional}
-    assert present >= {"fridge", "stove", "kitchen_counter", "kitchen_table", "sofa", "bed"}
+    assert present >= {"fridge", "stove", "kitchen_counter", "sofa", "bed"}
+    assert present & {"kitchen_table", "dining_table"}
     assert all(math.isfinite(v) for room in home.rooms for r in room.rectangles_m for v in r)
 
 
@@ -295,9 +299,14 @@ def test_a_home_is_known_by_what_it_holds(tmp_path: Path) -> None:
     assert "hut" in [home.id for home in load_catalog([file]).homes]
 
 
-def test_three_base_homes_one_for_each_split() -> None:
-    assert len(CATALOG.homes) == 3
-    assert {split_of_home(home.id) for home in CATALOG.homes} == {"train", "val", "test"}
+def test_every_split_has_base_homes() -> None:
+    """At least seven, most of them to train with, and families with children in every split."""
+    homes = Counter(split_of_home(home.id) for home in CATALOG.homes)
+    assert homes.total() >= 7
+    assert homes["train"] > max(homes["val"], homes["test"])
+    assert min(homes["val"], homes["test"]) >= 1
+    for_children = [h for h in CATALOG.homes if any(r.type == "child_room" for r in h.rooms)]
+    assert {split_of_home(home.id) for home in for_children} == {"train", "val", "test"}
 
 
 @pytest.fixture(scope="module")

@@ -10,9 +10,12 @@ import shapely
 from sdgen.catalog.load import load_catalog
 from sdgen.errors import InputError
 from sdgen.facts import bodies_of, in_the_air
+from sdgen.freespace import union
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
+from sdgen.home.clearances import sight_of
 from sdgen.home.fittings import _hung
+from sdgen.home.wall_sets import WallSets
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
@@ -189,3 +192,51 @@ def test_mistakes_are_located(tmp_path, text, said):
     with pytest.raises(InputError) as caught:
         load_catalog([tmp_path])
     assert said in "\n".join(caught.value.problems)
+
+
+def test_pictures_hang_over_the_middle_of_furniture_or_on_bare_walls_and_behind_nothing(homes):
+    over = hung = 0
+    for home in homes:
+        doors = swing_sectors(bodies_of(list(home.layout.items.values()), LIBRARY.infos))
+        for item in [*things(home, "picture_frame"), *things(home, "poster")]:
+            room = next(r for r in home.context.home.rooms if r.id == item.room_id)
+            assert (
+                Polygon(room.polygon_m).exterior.distance(Point(*item.pose.position_m[:2])) < 0.05
+            )
+            low = item.pose.position_m[2]
+            tall = LIBRARY.info(item.asset).extents_m[2]
+            assert 1.0 < low < low + tall < room.height_m
+            assert not any(s.contains(Point(*item.pose.position_m[:2])) for s in doors)
+            hung += 1
+            below = [i for i in home.layout.items.values() if i.category in ("sofa", "bed")]
+            below = [i for i in below if i.room_id == room.id]
+            over += any(
+                math.dist(i.pose.position_m[:2], item.pose.position_m[:2]) < 1.3 for i in below
+            )
+    assert hung > 4 * len(homes)
+    assert over > len(homes) / 2
+
+
+def test_hardly_a_wall_of_rooms_one_lives_in_stays_bare(homes):
+    bare = walls = 0
+    fitting = next(f for f in CATALOG.fittings if f.name == "posters_elsewhere")
+    for home in homes:
+        for room in home.context.home.rooms:
+            if room.type not in fitting.rooms:
+                continue
+            mine = [o for o in home.context.home.openings if room.id in o.room_ids]
+            sets = WallSets(
+                fitting,
+                LIBRARY.by_category("poster"),
+                room,
+                home.layout,
+                sides_of(room.polygon_m),
+                [(o, sight_of(o)) for o in mine],
+                union(swing_sectors(bodies_of(list(home.layout.items.values()), LIBRARY.infos))),
+                lane(0, 0, "test"),
+            )
+            for side in sets.sides:
+                walls += 1
+                bare += bool(sets.bare_parts(side, 1.3, 1.9))
+    assert walls > 40
+    assert bare < 0.06 * walls

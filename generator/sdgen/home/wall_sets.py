@@ -87,7 +87,7 @@ class WallSets:
         low, high = self.fitting.z_m - tall / 2, self.fitting.z_m + tall / 2
         for side in self.sides:
             seen: set[tuple[float, ...]] = set()
-            todo = self._bare_parts(side, low, high, seen)
+            todo = self.bare_parts(side, low, high)
             while todo:
                 part = max(todo, key=lambda p: p.length_m)
                 seen.add(_key(part))
@@ -95,16 +95,15 @@ class WallSets:
                 if self.rng.random() < self.fitting.chance and chosen:
                     z = self.fitting.z_m - chosen[0].extents_m[2] / 2
                     yield _side_by_side(chosen, part, part.length_m / 2, z)
-                todo = self._bare_parts(side, low, high, seen)
+                todo = [p for p in self.bare_parts(side, low, high) if _key(p) not in seen]
 
-    def _bare_parts(
-        self, side: Side, low: float, high: float, seen: set[tuple[float, ...]]
-    ) -> list[Side]:
+    def bare_parts(self, side: Side, low: float, high: float) -> list[Side]:
+        """The stretches of a wall that are bare over ``least_m`` between two heights."""
         least_m = self.fitting.least_m
         if side.length_m < least_m:
             return []
         parts = self._free(side, low, high)
-        return [p for p in parts if p.length_m >= least_m - 2 * CLEAR_M and _key(p) not in seen]
+        return [p for p in parts if p.length_m >= least_m - 2 * CLEAR_M]
 
     def _standing_on(self, item_id: int) -> list[int]:
         """A piece, and what furniture stands on it (a television)."""

@@ -193,3 +193,22 @@ def test_rows_and_piles_rest_where_they_were_put(model: str, row: Row, room_type
     assert len(things) > 2
     assert max(settled.drift_m.values()) < 0.01
     assert not settled.unstable
+
+
+def test_wide_rows_are_of_fewer_things_and_one_thing_stands_beside_them() -> None:
+    wide = Row(of=("book_row",), wide=True)
+    many = [
+        sum(len(_shelved("bookshelf_03", row, s)[2]) for s in range(6)) for row in (BOOKS, wide)
+    ]
+    assert many[1] < 0.85 * many[0]
+    row = Row(of=("book_row",), filled=(0.4, 0.5), wide=True, beside=("vase", "speaker"))
+    beside = 0
+    for seed in range(6):
+        _, shelf, things = _shelved("bookshelf_03", row, seed)
+        for board in _boards(shelf, things):
+            others = [item for item in board if item.category != "book_row"]
+            assert len(others) <= 1
+            beside += len(others)
+            ends = [_ends(item, shelf) for item in board]
+            assert all(before[1] < after[0] for before, after in pairwise(ends))
+    assert beside > 3

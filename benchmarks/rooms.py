@@ -77,7 +77,7 @@ def look(made: FurnishedHome, catalog: Catalog, tally: Tally) -> None:
             continue
         strip = opening_rectangle(opening, HALF_WALL_M + STRIP_M)
         frame = opening_rectangle(opening, HALF_WALL_M + 0.5).buffer(OFF_FRAME_M)
-        tall = [b for b in standing if b.high[2] > TALL_M]
+        tall = [b for b in standing if b.high[2] > TALL_M and b.low[2] < FLAT_M]
         tally.note("doors with furniture before them", _any_in(strip, standing))
         tally.note("doors with tall furniture at the frame", _any_in(frame, tall))
         if opening.kind == "front_door":

@@ -39,6 +39,8 @@ SPOTS_TRIED = 8
 #: shows them, as every anomaly does; the others lie anywhere, or rooms that no view looks into
 #: would be bare.
 IN_VIEW_SHARE = 0.8
+#: Corners of what stands that are so near to a line, metres, are none.
+ALMOST_M = 0.001
 
 
 class Shows(Protocol):
@@ -171,7 +173,8 @@ class HomeContext:
     @cached_property
     def _beside(self) -> BaseGeometry:
         """What stands, and where things beside it would be put aside."""
-        return self.standing.buffer(ASIDE_M[1], join_style="mitre")
+        # Corners that all but lie on a line would have no mitre.
+        return self.standing.simplify(ALMOST_M).buffer(ASIDE_M[1], join_style="mitre")
 
     def _outline(self, room_id: int) -> Polygon:
         return Polygon(next(room.polygon_m for room in self.home.rooms if room.id == room_id))

@@ -52,9 +52,11 @@ def watched(made: dict[int, str]) -> Iterator[None]:
 
     activities = partial(watching, clutter.add_activities, "activity")
     rows = partial(watching, clutter.fill_rows, "row")
-    with patch.object(clutter, "add_activities", activities):
-        with patch.object(clutter, "fill_rows", rows):
-            yield
+    with (
+        patch.object(clutter, "add_activities", activities),
+        patch.object(clutter, "fill_rows", rows),
+    ):
+        yield
 
 
 def things(bundle: SceneBundle, made: dict[int, str]) -> list[dict[str, object]]:
@@ -132,7 +134,8 @@ def build(seed: int, homes: int, many: int) -> None:
         sys.stdout.write(json.dumps({"n": number, **row}) + "\n")
     medians = statistics.median(nodes), statistics.median(kinds), statistics.mean(tries)
     sys.stderr.write(
-        f"{homes} homes, {lost} rejected; nodes {medians[0]:g}, categories {medians[1]:g} (medians); "
+        f"{homes} homes, {lost} rejected; nodes {medians[0]:g}, categories {medians[1]:g} "
+        f"(medians); "
         f"{medians[2]:.2f} tries a home; {len(found)} things: "
         f"{dict(Counter(str(row['how']).split()[0] for row in found))}\n"
     )

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
+import numpy as np
 import pytest
+import shapely
 from sdgen.catalog.load import load_catalog
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.clutter import add_clutter
@@ -151,3 +153,23 @@ def test_nothing_is_put_on_what_is_kept_off() -> None:
         add_clutter(filled, home.context, lane(5, 1, "place"), keep_off)
         on_it = [i for i in filled.intents.values() if i.target_id == kept.id]
         assert (not on_it) is bare
+
+
+@pytest.mark.parametrize("thing", ["croissant_04", "apple_01", "mug_01"])
+def test_what_lies_on_a_plate_is_not_in_its_rim(thing: str) -> None:
+    meshes, parts = shipped_library().mesh(thing), _info(thing).variants["default"]
+    points = np.concatenate([meshes[part].vertices for part in parts])
+    for trial in range(30):
+        layout, plate = _alone("plate_07")
+        spot = spot_on_small(layout, _info(thing), plate, "ON", lane(trial, 0, "on"))
+        assert spot is not None
+        (x, y, _z), yaw = spot
+        (well,) = layout.surfaces_of(plate)
+        rim_m = layout.info(plate).extents_m[2] - (
+            well.z_m - layout.items[plate].pose.position_m[2]
+        )
+        turn = np.array([[np.cos(yaw), np.sin(yaw)], [-np.sin(yaw), np.cos(yaw)]])
+        low = points[points[:, 2] < points[:, 2].min() + rim_m - 0.002, :2] @ turn + (x, y)
+        beyond = shapely.distance(well.edge, shapely.points(low)).max()
+        # Outlines are those of hulls, which curves leave by a few millimetres.
+        assert beyond < 0.005

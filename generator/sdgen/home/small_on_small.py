@@ -33,6 +33,9 @@ BASE_M = 0.004
 #: Of a thing's base, and of its shape from above, so much lies over the surface: the one so that it
 #: stands, the other clearly more than ON asks for.
 BASE_SHARE, OVER_SHARE = 0.85, 0.75
+#: What rises so little beyond a surface, metres, is no rim; and by so much what lies within a rim
+#: may miss its edge.
+RIM_M, RIM_PLAY_M = 0.004, 0.002
 #: Small things under the topmost of a stack. Higher ones creep in the simulation by a millimetre a
 #: second, which is no rest: with two below 3 % of 250 did, with three 9 %, unbounded 16 %.
 STACKED_MOST = 2
@@ -72,6 +75,7 @@ def _spot_atop(
     surface = open_ones[int(rng.integers(len(open_ones)))]
     edge = surface.edge
     shape = _Shape.of(asset)
+    rim_m = target.pose.position_m[2] + layout.info(target_id).extents_m[2] - surface.z_m
     front, middle = yaw_of(target.pose.quat_xyzw), surface.shape.centroid
     for trial in range(anywhere + SQUARE):
         point: Vec2 | None
@@ -81,7 +85,7 @@ def _spot_atop(
             yaw = front + float(rng.normal(0.0, STACKED_RAD))
             dx, dy = rng.normal(0.0, STACKED_M, 2).tolist()
             point = middle.x + dx, middle.y + dy
-        if point is None or not shape.stands(edge, point, yaw):
+        if point is None or not shape.stands(edge, point, yaw, rim_m):
             continue
         spot = (*point, surface.z_m), yaw
         entered = layout.entered([space_at(asset.extents_m, *spot, GAP_M, DROP_M)])
@@ -104,10 +108,12 @@ def _stacked(layout: Layout, thing_id: int) -> int:
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
-    """A thing at rest from above, in its own frame: corners (N, 2) of it and of its base."""
+    """A thing at rest from above, in its own frame: corners (N, 2) of it and of its base, and the
+    points (N, 3) that it is drawn by."""
 
     whole: Array
     base: Array
+    points: Array
 
     @classmethod
     def of(cls, asset: AssetInfo) -> _Shape:
@@ -116,16 +122,22 @@ class _Shape:
         if outline not in _shapes:
             points = outline.points_m
             low = points[:, 2] < points[:, 2].min() + BASE_M
-            _shapes[outline] = cls(_corners(points), _corners(points[low]))
+            _shapes[outline] = cls(_corners(points), _corners(points[low]), points)
         return _shapes[outline]
 
-    def stands(self, edge: Polygon, point: Vec2, yaw: float) -> bool:
-        """Whether it stands on a surface there: on its base, not far over the edge."""
+    def stands(self, edge: Polygon, point: Vec2, yaw: float, rim_m: float = 0.0) -> bool:
+        """Whether it stands on a surface there: on its base, not far over the edge, and not in a
+        rim that rises so high around it."""
         base = _placed(self.base, point, yaw)
         if not edge.covers(base.centroid):
             return False
         if base.difference(edge).area > (1 - BASE_SHARE) * base.area:
             return False
+        if rim_m > RIM_M:
+            low = self.points[:, 2] < self.points[:, 2].min() + rim_m
+            within = _placed(_corners(self.points[low]), point, yaw)
+            if not edge.buffer(RIM_PLAY_M).covers(within):
+                return False
         whole = _placed(self.whole, point, yaw)
         return bool(whole.difference(edge).area <= (1 - OVER_SHARE) * whole.area)
 

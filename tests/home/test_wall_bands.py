@@ -82,7 +82,8 @@ def test_tiles_are_behind_worktops_and_nowhere_else(homes):
                 # Between two units that stand a little apart, too.
                 assert behind > 0.3 * line.length
                 assert line.length - behind < 1.4
-                assert 0.75 < band.low_m[1] < 1.1 < band.high_m[1] < 1.7
+                # From the worktop, or the console at a stove's back, to the wall units.
+                assert 0.75 < band.low_m[1] < 1.2 < band.high_m[1] < 1.8
                 tiled += 1
     assert tiled >= len(homes)
 

@@ -38,7 +38,7 @@ SPOTS_TRIED = 8
 #: Of the everyday things that may be taken for an anomaly or a near miss, so many lie where a view
 #: shows them, as every anomaly does; the others lie anywhere, or rooms that no view looks into
 #: would be bare.
-IN_VIEW_SHARE = 0.8
+IN_VIEW_SHARE = 0.88
 #: Corners of what stands that are so near to a line, metres, are none.
 ALMOST_M = 0.001
 

@@ -39,7 +39,7 @@ from sdgen.zones import (
 
 #: Of the scenes of a mixed build whose household fits a base home, this many play in one: a choice.
 #: There are few of them, so that more would repeat them; fewer would say little about homes drawn
-#: by people. One household in five fits none, so that a quarter of all scenes play in them.
+#: by people. One household in ten fits none, so that a good quarter of all scenes play in them.
 BASE_SHARE = 0.3
 
 

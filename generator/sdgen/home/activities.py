@@ -189,7 +189,7 @@ class _Group:
     ) -> ObjectInstance | None:
         """Put a thing of a member where its place is; None where it does not go."""
         for _ in range(MODELS_TRIED):
-            asset = self._model(member)
+            asset = self._model(member, target_id)
             if asset is None:
                 return None
             spot = spot_for(member, asset)
@@ -207,7 +207,7 @@ class _Group:
         holder = holder or self.placed.get(member.on or member.inside or "")
         relation = "ON" if member.on else "INSIDE"
         for _ in range(HELD_TRIES if holder else 0):
-            asset = self._model(member)
+            asset = self._model(member, target_id)
             if asset is None or holder is None:
                 return None
             info = self.layout.library.info(asset.id)
@@ -232,8 +232,9 @@ class _Group:
         self.layout.put(item, intent)
         return item
 
-    def _model(self, member: Member) -> Asset | None:
-        """A model for a member: the one the group has already, where it comes in several."""
+    def _model(self, member: Member, target_id: int) -> Asset | None:
+        """A model for a member: the one the group has already, where it comes in several; else
+        none of what the target holds."""
         name = member.thing[int(self.rng.integers(len(member.thing)))]
         category, known = self.context.catalog.category(name), self.models.get(name)
         if self.stock.full(category, self.room.id):
@@ -248,7 +249,7 @@ class _Group:
             for model in self.context.models(category.name)
             if kept.isdisjoint(rest_states(model))
             and (member.state is None or member.state in model.state_names)
-            and (category.alike or not (model.id in there or self.stock.too_common(model.id)))
+            and (category.alike or not (model.id in there or self._seen_enough(model, target_id)))
         ]
         if not among:
             return None
@@ -256,6 +257,10 @@ class _Group:
         if category.alike:
             self.models[name] = asset
         return asset
+
+    def _seen_enough(self, model: Asset, target_id: int) -> bool:
+        """Whether a visitor would notice that there is one more of a model."""
+        return self.stock.stands_on(target_id, model.id) or self.stock.too_common(model.id)
 
     # --- spots -----------------------------------------------------------------------------------
 

@@ -212,3 +212,38 @@ def test_wide_rows_are_of_fewer_things_and_one_thing_stands_beside_them() -> Non
             ends = [_ends(item, shelf) for item in board]
             assert all(before[1] < after[0] for before, after in pairwise(ends))
     assert beside > 3
+
+
+def test_boards_one_above_the_other_show_no_twins_where_there_are_others() -> None:
+    twins = pairs = 0
+    for seed in range(6):
+        rows = [
+            models for _, models in sorted(_level(_shelved("bookshelf_03", BOOKS, seed)[2]).items())
+        ]
+        for lower, upper in pairwise([{item.asset for item in row} for row in rows]):
+            pairs += len(upper)
+            twins += len(lower & upper)
+    assert pairs > 20
+    assert twins < 0.1 * pairs
+
+
+def test_a_pile_of_books_is_of_different_ones_and_of_towels_of_one() -> None:
+    piles = {"book": 0, "towel": 0}
+    for name, room_type in (("book", "living_room"), ("towel", "bedroom")):
+        model = "bookshelf_03" if name == "book" else "wardrobe_01"
+        for seed in range(4):
+            row = Row(of=(name,), pile=(2, 3))
+            layout, _, things = _shelved(model, row, seed, room_type=room_type)
+            for item in things:
+                below = layout.items[layout.intents[item.id].target_id]
+                if below.category == name:
+                    piles[name] += 1
+                    assert (below.asset == item.asset) == (name == "towel")
+    assert min(piles.values()) > 3
+
+
+def test_a_narrow_compartment_holds_one_thing_at_least() -> None:
+    row = Row(of=("book_row", "photo_frame"), filled=(0.6, 0.8))
+    layout, shelf, things = _shelved("bookshelf_05", row, 2)
+    boards = [s for s in layout.surfaces_of(shelf.id) if s.support.headroom_m is not None]
+    assert len(things) >= 0.7 * len(boards)

@@ -33,13 +33,18 @@ ROUND_M = 0.001
 #: beside or in front of an anomaly would hide it from the views that were chosen to show it.
 SIGHT_M = 0.05
 #: Draws of a model for one place of a row: most that fail are too high or too deep for the shelf.
-TRIES = 6
+TRIES = 8
 #: Where none of them goes, the row goes on this much further, metres.
 STEP_M = 0.06
-#: Boards whose heights differ by less are one level.
-LEVEL_M = 0.05
+#: Boards whose heights differ by less are one level; those that do by less than the second are next
+#: to each other, and a twin on the one of what stands on the other is passed over in so many draws.
+LEVEL_M, NEXT_M, PASSED_OVER = 0.05, 0.45, 5
 #: Models drawn for one place where the widest stands.
-WIDE_DRAWS = 3
+WIDE_DRAWS = 4
+#: Draws of a model for a place of a pile: most that fail are larger than what they would lie on.
+PILE_TRIES = 3
+#: A shelf with room for fewer than so many of the narrowest things is short.
+SHORT = 3
 #: Between piles, which are not as straight.
 PILE_GAP_M = 0.02
 #: Of what is flatter, metres, nobody can say surely that it is INSIDE.
@@ -64,7 +69,7 @@ def fill_rows(
     placed = 0
     for surface in layout.surfaces_of(receptacle.id) if rows else ():
         shelf = _Shelf(layout, receptacle, surface, room, stock, context)
-        there = _models_beside(layout, receptacle.id, surface.z_m)
+        there = _models_about(layout, receptacle.id, surface.z_m, LEVEL_M)
         for row in rows:
             elsewhere = row.rooms and room.type not in row.rooms
             on_top = surface.support.headroom_m is None and not row.top
@@ -85,14 +90,14 @@ def fill_rows(
     return placed
 
 
-def _models_beside(layout: Layout, receptacle_id: int, z_m: float) -> set[str]:
-    """The models that stand at a height of a piece of furniture: the next compartment of a board
+def _models_about(layout: Layout, receptacle_id: int, z_m: float, reach_m: float) -> set[str]:
+    """The models that stand about a height of a piece of furniture: the next compartment of a board
     shows its own too near for twins."""
     return {
         layout.items[key].asset
         for key, intent in layout.intents.items()
         if intent.target_id == receptacle_id
-        and abs(layout.items[key].pose.position_m[2] - z_m) < LEVEL_M
+        and abs(layout.items[key].pose.position_m[2] - z_m) < reach_m
     }
 
 
@@ -127,6 +132,8 @@ class _Shelf:
         # A fridge is as full when its door stands open as when no view looks in.
         shuts = not {"OPEN", "CLOSED"}.isdisjoint(receptacle.states)
         self._shut_in = hollow is not None and shuts
+        #: The models of the boards above and below, too.
+        self.next = _models_about(layout, receptacle.id, surface.z_m, NEXT_M)
         # Drawn once a shelf, by category: whether its things are to lie where views show them.
         self._shown: dict[str, bool] = {}
 
@@ -224,18 +231,24 @@ def _fill(shelf: _Shelf, row: Row, choices: Choices, taken: set[str], rng: Rng) 
     """Put things side by side until the row's share of the shelf's length is taken; how many."""
     set_back = float(rng.uniform(*SET_BACK_M))
     gap_m = PILE_GAP_M if row.pile[1] > 1 else ROW_GAP_M
-    # What is left over is at one end, or in one gap between.
+    # What is left over is at one end, or in one gap between; on short shelves at the right end.
     length = shelf.right - shelf.left
-    spare = (1.0 - float(rng.uniform(*row.filled))) * length
-    gap_at = shelf.left + float(rng.uniform(0.0, length - spare))
+    wanted = float(rng.uniform(*row.filled)) * length
+    spare = length - wanted if length > SHORT * choices.narrowest_m else 0.0
+    gap_at = shelf.left + float(rng.uniform(0.0, wanted))
     placed, only, narrowest_m = 0, None, choices.narrowest_m
     draws = WIDE_DRAWS if row.wide else 1
-    for at, right in shelf.spans():
-        while at + narrowest_m <= right:
+    spans = shelf.spans()
+    while spans:
+        at, right = spans.pop(0)
+        # The last thing takes the row nearer to its share than it was.
+        while wanted > narrowest_m / 2 and at + narrowest_m <= right:
             if spare and at >= gap_at:
+                # Where too little fits beside the gap, the last of the row stands in it.
+                spans.append((at, min(at + spare, right)))
                 at, spare = at + spare, 0.0
-            span = (at, right)
-            stood = _stand(shelf, choices, only, span, set_back, taken, rng, draws)
+                continue
+            stood = _stand(shelf, choices, only, (at, right), set_back, taken, rng, draws)
             if stood is None:
                 at += STEP_M
                 continue
@@ -243,8 +256,9 @@ def _fill(shelf: _Shelf, row: Row, choices: Choices, taken: set[str], rng: Rng) 
             only = picked if row.same else None
             taken.add(picked.asset.id)
             high = int(rng.integers(row.pile[0], row.pile[1] + 1))
-            placed += 1 + _pile(shelf, picked, item, high - 1, rng)
+            placed += 1 + _pile(shelf, choices, picked, item, high - 1, taken, rng)
             at += picked.asset.extents_m[1] + gap_m
+            wanted -= picked.asset.extents_m[1] + gap_m
     return placed
 
 
@@ -280,11 +294,10 @@ def _stand(
     """Stand one thing at the left end of a span of a shelf, ``only`` this model if one is given,
     none that is ``taken`` unless it comes in several; the widest of some ``draws``. None where none
     goes."""
-    for _ in range(TRIES if only is None else 1):
-        picked = only or max(
-            (choices.draw(rng) for _ in range(draws)), key=lambda pick: pick.asset.extents_m[1]
-        )
-        twin = picked.asset.id in taken and not (only or picked.category.alike)
+    for trial in range(TRIES if only is None else 1):
+        picked = only or _widest([choices.draw(rng) for _ in range(draws)], span[1] - span[0])
+        known = picked.asset.id in taken or (trial < PASSED_OVER and picked.asset.id in shelf.next)
+        twin = known and not (only or picked.category.alike)
         if twin or shelf.full(picked.category):
             continue
         spot = shelf.spot(picked.asset, span, set_back)
@@ -295,14 +308,45 @@ def _stand(
     return None
 
 
-def _pile(shelf: _Shelf, picked: Pick, below: ObjectInstance, more: int, rng: Rng) -> int:
-    """Put more of a model on one that lies; how many find room."""
-    asset = picked.asset
+def _widest(drawn: Sequence[Pick], room_m: float) -> Pick:
+    """The widest of what was drawn that has room; the narrowest where none has."""
+    wide = sorted(drawn, key=lambda pick: pick.asset.extents_m[1])
+    return next((p for p in reversed(wide) if p.asset.extents_m[1] <= room_m), wide[0])
+
+
+def _pile(
+    shelf: _Shelf,
+    choices: Choices,
+    picked: Pick,
+    below: ObjectInstance,
+    more: int,
+    taken: set[str],
+    rng: Rng,
+) -> int:
+    """Put more on one that lies, of its model if it comes in several, else of others of its
+    category that are not ``taken``; how many find room."""
     for placed in range(more):
-        spot = spot_square_on(shelf.layout, asset, below.id, shelf.receptacle.id, rng)
-        if spot is None or asset.extents_m[2] > shelf.air_m(spot[0][2]):
+        put = None
+        for _ in range(1 if picked.category.alike else PILE_TRIES):
+            upper = picked if picked.category.alike else choices.draw(rng)
+            twin = upper.asset.id in taken and not upper.category.alike
+            if upper.category == picked.category and not twin:
+                put = _lay_on(shelf, upper, below, rng)
+            if put is not None:
+                break
+        if put is None:
             return placed
-        if shelf.full(picked.category) or not shelf.takes(asset, spot, rng):
-            return placed
-        below = shelf.put(asset, spot, Intent("ON", below.id))
+        taken.add(put.asset)
+        below = put
     return more
+
+
+def _lay_on(shelf: _Shelf, picked: Pick, below: ObjectInstance, rng: Rng) -> ObjectInstance | None:
+    """Lay one thing square on another; None where it does not go."""
+    asset = picked.asset
+    spot = spot_square_on(shelf.layout, asset, below.id, shelf.receptacle.id, rng)
+    if spot is None or asset.extents_m[2] > shelf.air_m(spot[0][2]):
+        return None
+    if shelf.full(picked.category) or not shelf.takes(asset, spot, rng):
+        return None
+    return shelf.put(asset, spot, Intent("ON", below.id))

@@ -176,9 +176,10 @@ class _Shelf:
         return math.inf if headroom is None else self.surface.z_m + headroom - HEADROOM_LEFT_M - z_m
 
     def room_for(self, choices: Choices, over_m: float = 0.0) -> Choices | None:
-        """What of these is no larger than the shelf, over whose edge it may reach so far."""
+        """What of these may be put and is no larger than the shelf, over whose edge it may reach so
+        far."""
         size = (self.front - self.back + over_m, self.right - self.left)
-        return choices.no_larger((*size, self.air_m(self.surface.z_m)))
+        return choices.no_larger((*size, self.air_m(self.surface.z_m)), self.full)
 
     def full(self, category: Category) -> bool:
         """Whether the room, or the home, has as many of a category as it may."""

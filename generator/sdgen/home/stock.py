@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -100,11 +100,13 @@ class Choices:
                 return picked
         return None
 
-    def no_larger(self, size_m: Vec3) -> Choices | None:
-        """The same but for models that are deeper, wider or higher; None when none is left."""
+    def no_larger(self, size_m: Vec3, full: Callable[[Category], bool]) -> Choices | None:
+        """The same but for models that are deeper, wider or higher and categories of which there
+        are enough; None when none is left."""
         smaller = (
             (category, abode, [m for m in models if _within(m, size_m)])
             for category, abode, models in self.among
+            if not full(category)
         )
         return choices_of([one for one in smaller if one[2]])
 

@@ -5,7 +5,7 @@ hazards as usual, without pictures, and prints one JSON line for each thing draw
 ones but anomalies, what is shut in, and what stands in rows (half of all, and no more than shelves
 that are full): what it is, in which room, on or in what, beside what, and how it came there
 (``activity``, ``lookalike`` of a hazard, else ``clutter``). A person adds ``"odd": true`` or
-``false``; ``--judged FILE`` then counts. The answers are in ``docs/odd-places/answers.jsonl``.
+``false``; ``--judged FILE`` then counts. The answers are in ``docs/odd-places/``.
 """
 
 from __future__ import annotations

@@ -120,7 +120,7 @@ def told_by_name(data: DataSet, scenes: list[Scene]) -> Iterator[Finding]:
 ERRORS = 4.0
 #: So few homes of either kind say nothing: of 8 open fridges the standard error is 0.6 things.
 LEAST_HOMES = 8
-#: A cold stove in four carries a kettle; of so many lit ones none does in 3 of 1,000 data sets.
+#: What a fifth of cold stoves carry none of so many lit ones does in 1 of 100 data sets.
 MANY_STOVES = 20
 
 

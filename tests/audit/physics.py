@@ -31,7 +31,7 @@ CRUMB_M = 0.006
 #: A piece whose middle is this far beyond what bears it would tip, metres.
 TIPPING_M = 0.005
 #: Looked at by what goes through them.
-MATS = {"rug", "bath_mat"}
+MATS = {"rug", "bath_mat", "doormat"}
 SAMPLES = 400
 
 

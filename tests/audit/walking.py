@@ -20,7 +20,7 @@ FOOT_M = 0.05
 OFF_M = 0.35
 #: What hangs higher than this leaves room to stand before it, metres.
 SHOULDER_M = 1.2
-MATS = {"rug", "bath_mat"}
+MATS = {"rug", "bath_mat", "doormat"}
 
 
 def on_floor(scene: Scene, thing: Thing) -> bool:

@@ -5,25 +5,27 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from toolkit.materials import plain, shade
+from toolkit.materials import plain
 from toolkit.model import Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, spline, tube
 
 from .designs import extend
-from .garments_hung import coat
+from .garments_hung import hang
 from .hall_forms import COAT_RACKS, SHOE_RACKS
 from .joinery import Assembly, finish, surface
 
 Offset = tuple[float, float, float]
+#: Of a coat rack, round its pole, high and low by turns.
+HOOKS = 6
 
 
 def coat_rack(
     wood: str = "walnut",
-    coats: tuple[str, ...] = ("#8a3f35", "#3f5568"),
+    worn: tuple[tuple[str, ...], ...] = (),
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A standing coat rack with up to three coats."""
+    """A standing coat rack on four feet; `worn`: what hangs round it, by garments_hung."""
     asm, timber, height = Assembly(), finish(wood, 2, offset), 1.72
     pole = [
         (0, 0.1),
@@ -34,12 +36,12 @@ def coat_rack(
         (0.016, height),
         (0, height),
     ]
-    asm.add("body", lathe(pole, 12, mat=timber))
+    asm.add("body", lathe(pole, 10, mat=timber))
     for k in range(4):
         a = math.pi / 4 + k * math.pi / 2
         c, s = math.cos(a), math.sin(a)
         foot = spline(
-            [(0.01 * c, 0.01 * s, 0.16), (0.12 * c, 0.12 * s, 0.1), (0.24 * c, 0.24 * s, 0.016)], 3
+            [(0.01 * c, 0.01 * s, 0.16), (0.12 * c, 0.12 * s, 0.1), (0.24 * c, 0.24 * s, 0.016)], 2
         )
         asm.add("body", tube(foot, 0.015, 6, mat=timber))
         asm.solid(
@@ -47,9 +49,8 @@ def coat_rack(
             (min(0, 0.24 * c), min(0, 0.24 * s), 0),
             (max(0, 0.24 * c), max(0, 0.24 * s), 0.03),
         )
-    hooks = 6
-    for k in range(hooks):
-        a = 2 * math.pi * k / hooks
+    for k in range(HOOKS):
+        a = 2 * math.pi * k / HOOKS
         c, s = math.cos(a), math.sin(a)
         z = height - 0.12 - 0.1 * (k % 2)
         curve = spline(
@@ -58,20 +59,17 @@ def coat_rack(
                 (0.07 * c, 0.07 * s, z + 0.01),
                 (0.115 * c, 0.115 * s, z + 0.07),
             ],
-            3,
+            2,
         )
         asm.add("body", tube(curve, 0.009, 6, mat=timber))
     asm.solid("body", (-0.02, -0.02, 0.03), (0.02, 0.02, height))
-    for k, colour in enumerate(coats):
-        a = (0.0, 2 * math.pi / 3, 4 * math.pi / 3)[k % 3]
-        for mesh in coat(colour, shade(colour, 0.8), offset):
-            asm.add(
-                "body", mesh.turn(rz=a).move(0.1 * math.cos(a), 0.1 * math.sin(a), height - 0.1)
-            )
-        x, y = 0.1 * math.cos(a), 0.1 * math.sin(a)
-        asm.solid("body", (x - 0.07, y - 0.1, height - 1.0), (x + 0.07, y + 0.1, height - 0.2))
+    for k, what in enumerate(worn):
+        hook = 2 * k
+        a = 2 * math.pi * hook / HOOKS
+        at = (0.085 * math.cos(a), 0.085 * math.sin(a), height - 0.095)
+        hang(asm, what, at, a)
     return Model(
-        title=f"coat rack with {len(coats)} coat{'s' if len(coats) != 1 else ''}",
+        title="coat rack with " + " and ".join(what[0] for what in worn),
         parts=asm.parts(),
         mass=8.0,
         ground_shadow=True,
@@ -84,7 +82,7 @@ def coat_rack_random(rng: np.random.Generator) -> dict:
     order = [pool[int(i)] for i in rng.permutation(len(pool))]
     return {
         "wood": pick(rng, ["walnut", "oak", "black"]),
-        "coats": tuple(order[: int(rng.integers(1, 3))]),
+        "worn": (("coat", order[0], order[1]), ("jacket", order[2], order[3])),
         "offset": noise_offset(rng),
     }
 
@@ -157,7 +155,23 @@ MODELS = {
             coat_rack,
             coat_rack_random,
             2,
-            [{"coats": ("#8a3f35", "#3f5568")}, {"wood": "black", "coats": ("#b59a6a",)}],
+            [
+                {
+                    "worn": (
+                        ("coat", "#8a3f35", "#6e322a"),
+                        ("jacket", "#3f5568", "#c9a24a"),
+                        ("scarf", "#d8cbb0", "#8a3f35"),
+                    )
+                },
+                {
+                    "wood": "black",
+                    "worn": (
+                        ("coat", "#b59a6a", "#8f7750"),
+                        ("tote", "#e6dfcf", "#3f5568"),
+                        ("cap", "#4b5a45", "#e6dfcf"),
+                    ),
+                },
+            ],
         ),
         COAT_RACKS,
     ),

@@ -9,45 +9,17 @@ import numpy as np
 from toolkit.materials import plain, shade
 from toolkit.mesh import Mesh
 from toolkit.model import Model, cylinder_piece
-from toolkit.shapes import ellipsoid, extrude, lathe, loft, rounded_rectangle, spline, tube
+from toolkit.shapes import ellipsoid, extrude, lathe, loft, spline, tube
 
 from .casework import Case, metal_or
-from .garments_hung import coat
+from .garments_hung import coat, hang, hat
 from .joinery import Assembly, cushion, fabric, finish, surface
 
 Offset = tuple[float, float, float]
 
 
-def _hang(
-    asm: Assembly, colour: str, at: tuple[float, float, float], turn: float = 0.0, offset=(0, 0, 0)
-) -> None:
-    for mesh in coat(colour, shade(colour, 0.8), offset):
-        asm.add("body", mesh.turn(rz=turn).move(*at))
-    x, y, z = at
-    asm.solid("body", (x - 0.07, y - 0.1, z - 0.9), (x + 0.07, y + 0.1, z - 0.1))
-
-
-def _hat(at: tuple[float, float, float], colour: str) -> list[Mesh]:
-    """A felt hat, upside up, its brim's middle at a point."""
-    cloth = fabric(colour, (1, 2, 3), 0.05)
-    shape = [
-        (0, -0.01),
-        (0.15, -0.006),
-        (0.155, 0.004),
-        (0.1, 0.01),
-        (0.092, 0.07),
-        (0.075, 0.105),
-        (0.03, 0.1),
-        (0, 0.095),
-    ]
-    band = [(0.101, 0.012), (0.104, 0.012), (0.102, 0.036), (0.098, 0.036), (0.101, 0.012)]
-    hat = lathe(shape, 20, mat=cloth).scale(1.05, 0.9, 1)
-    ribbon = lathe(band, 20, mat=plain(shade(colour, 0.45), 0.05, 20)).scale(1.05, 0.9, 1)
-    return [m.move(*at) for m in (hat, ribbon)]
-
-
 def rack_tree(wood: str = "birch", height: float = 1.75, offset: Offset = (0, 0, 0)) -> Model:
-    """A trunk with branches on a round foot; a hat and a bag hang on it."""
+    """A trunk with branches on a round foot, things on most of them."""
     asm, timber = Assembly(), finish(wood, 2, offset)
     base = [(0, 0), (0.2, 0), (0.205, 0.01), (0.2, 0.026), (0, 0.026)]
     asm.add("body", lathe(base, 24, mat=timber))
@@ -63,24 +35,16 @@ def rack_tree(wood: str = "birch", height: float = 1.75, offset: Offset = (0, 0,
             (reach * c, reach * s, z + 0.15),
         ]
         asm.add("body", tube(spline(branch, 3), np.linspace(0.014, 0.009, 7), 7, mat=timber))
-    for mesh in _hat((0.0, 0.0, height + 0.0), "#5a4632"):
-        asm.add("body", mesh)
-    a = 2.4
-    x, y, z = 0.18 * math.cos(a), 0.18 * math.sin(a), 1.22
-    strap = [(x, y - 0.01, z), (x + 0.01, y + 0.06, z - 0.2), (x + 0.01, y + 0.1, z - 0.36)]
-    other = [(x, y + 0.01, z), (x + 0.01, y - 0.06, z - 0.2), (x + 0.01, y - 0.1, z - 0.36)]
-    for path in (strap, other):
-        asm.add("body", tube(path, 0.008, 5, mat=plain("#7a4a2a", 0.06, 20)))
-    ring = rounded_rectangle(0.08, 0.28, 0.035, 3)
-    bag = [
-        np.c_[ring * k + [x, y], np.full(len(ring), z - 0.36 - d)]
-        for k, d in ((0.86, 0.0), (1, 0.05), (1.04, 0.2), (0.96, 0.24))
-    ]
-    asm.add("body", loft(bag, plain("#8a5632", 0.08, 18)))
-    asm.solid("body", (x - 0.04, y - 0.14, z - 0.6), (x + 0.04, y + 0.14, z - 0.36))
+    for mesh in hat("#5a4632"):
+        asm.add("body", mesh.move(0, 0, height))
+    for k, what in ((1, ("bag", "#8a5632", "#5f3a22")), (3, ("jacket", "#5d6b52", "#d8b25a"))):
+        a, reach = k * 2.4, 0.2 - 0.016 * k
+        z = (0.95, 1.1, 1.25, 1.38, 1.5, 1.6)[k] + 0.11
+        hang(asm, what, (0.8 * reach * math.cos(a), 0.8 * reach * math.sin(a), z), a)
+    hang(asm, ("scarf", "#a8423a", "#e8dcc6"), (-0.07, -0.08, 1.66), -2.3)
     asm.piece("body", cylinder_piece(0.205, 0, 0.026, 12))
     asm.solid("body", (-0.025, -0.025, 0.026), (0.025, 0.025, height))
-    return Model("coat tree with a hat and a bag", asm.parts(), 7.5, ground_shadow=True)
+    return Model("coat tree with a hat, a bag and a jacket", asm.parts(), 7.5, ground_shadow=True)
 
 
 def rack_rail(metal: str = "iron", wood: str = "oak", offset: Offset = (0, 0, 0)) -> Model:
@@ -103,17 +67,18 @@ def rack_rail(metal: str = "iron", wood: str = "oak", offset: Offset = (0, 0, 0)
     asm.board(
         "body", (-0.18, -hy + 0.01, 0.14), (0.18, hy - 0.01, 0.16), finish(wood, 1, offset), 0.003
     )
-    for k, (y, colour) in enumerate(((-0.2, "#8a3f35"), (-0.04, "#3f5568"), (0.13, "#b59a6a"))):
-        for mesh in coat(colour, shade(colour, 0.8), offset):
-            asm.add("body", mesh.turn(rz=math.pi / 2 + 0.15 * (k - 1)).move(0, y, height - 0.1))
+    worn = ((-0.2, "#8a3f35", 0.86), (-0.05, "#3f5568", 0.74), (0.12, "#b59a6a", 0.8))
+    for k, (y, colour, length) in enumerate(worn):
+        for mesh in coat(colour, shade(colour, 0.8), offset, length):
+            asm.add("body", mesh.turn(rz=math.pi / 2 + 0.15 * (k - 1)).move(0, y, height - 0.07))
         hook = [
-            (0, y, height - 0.13),
+            (0, y, height - 0.11),
             (0, y, height - 0.03),
             (0.014, y, height + 0.01),
             (0, y, height + 0.018),
         ]
         asm.add("body", tube(spline(hook, 2), 0.005, 5, mat=metal_or("steel")))
-    asm.solid("body", (-0.12, -0.28, height - 1.08), (0.12, 0.22, height - 0.15))
+    asm.solid("body", (-0.14, -0.28, height - 0.95), (0.14, 0.22, height - 0.13))
     return Model("clothes rail with coats", asm.parts(), 9.0, ground_shadow=True)
 
 
@@ -141,7 +106,10 @@ def rack_hall(
     for y in np.linspace(-hy + 0.1, hy - 0.1, 4):
         hook = [(x0 + 0.03, y, 1.47), (x0 + 0.09, y, 1.45), (x0 + 0.11, y, 1.5)]
         asm.add("body", tube(spline(hook, 3), 0.009, 6, mat=metal_or("iron")))
-    _hang(asm, "#4b5a45", (x0 + 0.12, -0.09, 1.47), 0.0, offset)
+    hang(asm, ("coat", "#4b5a45", "#3a4636"), (x0 + 0.1, -0.15, 1.48))
+    hang(asm, ("tote", "#d8cbb0", "#8a3f35"), (x0 + 0.1, 0.2, 1.48))
+    for mesh in hat("#3a3f4a"):
+        asm.add("body", mesh.scale(0.8).move(x0 + 0.1, -0.2, height - 0.02))
     for y in (-hy, hy - 0.022):
         asm.board("body", (x0, y, 0), (x1, y + 0.022, 0.42), up, 0.003)
     asm.board("body", (x0, -hy, 0.42), (x1 + 0.01, hy, 0.444), along, 0.004)
@@ -150,13 +118,13 @@ def rack_hall(
         (0.34, 2 * hy - 0.02, 0.035), (0.01, 0, 0.444), fabric(seat, offset), 0.03, 0.008, 0.014
     )
     asm.add("body", pad, solid=True)
-    return Model("hall stand with hooks and a seat", asm.parts(), 14.5, ground_shadow=True)
+    return Model("hall stand with hooks, a coat and a seat", asm.parts(), 14.5, ground_shadow=True)
 
 
 def rack_bent(
     colour: str = "#7a3f22",
     height: float = 1.82,
-    coats: tuple[str, ...] = ("#3f5568",),
+    worn: tuple[tuple[str, ...], ...] = (),
     offset: Offset = (0, 0, 0),
 ) -> Model:
     """The coffee-house one of bent wood: S-shaped arms, a ring for umbrellas."""
@@ -175,10 +143,10 @@ def rack_bent(
         c, s = math.cos(a), math.sin(a)
 
         def curve(points, c=c, s=s):
-            return spline([(q * c, q * s, z) for q, z in points], 3)
+            return spline([(q * c, q * s, z) for q, z in points], 2)
 
         foot = curve([(0.02, 0.45), (0.1, 0.4), (0.13, 0.2), (0.2, 0.06), (0.28, 0.014)])
-        asm.add("body", tube(foot, 0.014, 6, mat=timber))
+        asm.add("body", tube(foot, 0.014, 5, mat=timber))
         asm.solid(
             "body",
             (0.28 * c - 0.015, 0.28 * s - 0.015, 0),
@@ -193,18 +161,17 @@ def rack_bent(
                 (0.24, height - 0.02),
             ]
         )
-        asm.add("body", tube(arm, 0.012, 6, mat=timber))
+        asm.add("body", tube(arm, 0.012, 5, mat=timber))
         small = curve([(0.02, height - 0.42), (0.1, height - 0.46), (0.15, height - 0.38)])
-        asm.add("body", tube(small, 0.01, 6, mat=timber))
-    t = np.linspace(0, 2 * math.pi, 19)[:-1]
-    ring = np.c_[0.15 * np.cos(t), 0.15 * np.sin(t), np.full(18, 0.5)]
-    asm.add("body", tube(ring, 0.01, 6, closed=True, mat=timber))
+        asm.add("body", tube(small, 0.01, 5, mat=timber))
+    t = np.linspace(0, 2 * math.pi, 15)[:-1]
+    ring = np.c_[0.15 * np.cos(t), 0.15 * np.sin(t), np.full(14, 0.5)]
+    asm.add("body", tube(ring, 0.01, 5, closed=True, mat=timber))
     asm.solid("body", (-0.02, -0.02, 0.0), (0.02, 0.02, height))
-    for k, tone in enumerate(coats):
-        a = (math.pi / 4, -math.pi * 0.75)[k % 2]
-        x, y = 0.19 * math.cos(a), 0.19 * math.sin(a)
-        _hang(asm, tone, (x, y, height - 0.18), a, offset)
-    return Model("bentwood coat rack", asm.parts(), 7.0, ground_shadow=True)
+    for k, what in enumerate(worn):
+        a = math.pi / 4 + (0, 2, 1, 3)[k] * math.pi / 2
+        hang(asm, what, (0.15 * math.cos(a), 0.15 * math.sin(a), height - 0.15), a)
+    return Model("bentwood coat rack with clothes", asm.parts(), 7.0, ground_shadow=True)
 
 
 # ---- shoe racks
@@ -376,7 +343,13 @@ def shoes_ladder(wood: str = "pine", width: float = 0.7, offset: Offset = (0, 0,
     return case.model("tall shoe rack of slats", 7.0)
 
 
-COAT_RACKS = [(rack_tree, {}), (rack_rail, {}), (rack_hall, {}), (rack_bent, {})]
-COAT_RACKS += [(rack_bent, {"colour": "black", "coats": ()})]
+BENT_WORN = (("coat", "#3f5568", "#33465a"), ("scarf", "#c9b48a", "#7a3f35"))
+BLACK_WORN = (
+    ("jacket", "#8a4a3a", "#d8cbb0"),
+    ("umbrella", "#2f3a52"),
+    ("cap", "#3f5568", "#e6dfcf"),
+)
+COAT_RACKS = [(rack_tree, {}), (rack_rail, {}), (rack_hall, {}), (rack_bent, {"worn": BENT_WORN})]
+COAT_RACKS += [(rack_bent, {"colour": "black", "worn": BLACK_WORN})]
 SHOE_RACKS = [(shoes_metal, {}), (shoes_bench, {}), (shoes_cabinet, {}), (shoes_ladder, {})]
 SHOE_RACKS += [(shoes_metal, {"tiers": 2, "width": 0.75, "metal": "iron"})]

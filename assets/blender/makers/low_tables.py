@@ -118,35 +118,28 @@ def table_glass(
     )
 
 
-def table_nest(
-    radius: float = 0.32,
+def table_tiers(
+    radius: float = 0.41,
     wood: str = "oak",
-    second: str = "#3f5a56",
+    shelf: str = "#3f5a56",
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """Two round tables, the lower one partly under the higher one."""
-    asm = Assembly()
+    """A round top and, between its legs, a smaller round shelf near the floor."""
+    asm, t, height, low = Assembly(), 0.024, 0.43, 0.15
     supports = []
-    for name, cy, r, h, colour in (
-        ("top", -0.2, radius + 0.05, 0.46, wood),
-        ("top_2", 0.26, radius - 0.04, 0.36, second),
-    ):
-        t = 0.022
-        lid = [(0, h - t), (r - 0.004, h - t), (r, h - t + 0.005), (r, h - 0.004), (r - 0.004, h)]
-        top = lathe([*lid, (0, h)], 32, mat=finish(colour, 1, offset), weight=1.3)
-        asm.add("body", top.move(0, cy, 0))
-        asm.piece("body", np.add(cylinder_piece(r, h - t, h, 14), [0, cy, 0]))
-        for k in range(3):
-            a = 2 * math.pi * k / 3 + (0.5 if name == "top" else math.pi / 2)
-            c, s = math.cos(a), math.sin(a)
-            foot, head = (0.9 * r * c, cy + 0.9 * r * s), (0.6 * r * c, cy + 0.6 * r * s)
-            leg(asm, "body", foot, head, (0, h - t), (0.01, 0.016), finish("oak", 2, offset), 8)
-        support = spot(name, 0, cy, r - 0.012, h)
-        if name == "top_2":  # what is not under the other
-            support.polygon = [(x, max(y, 0.2)) for x, y in support.polygon]
-        supports.append(support)
+    for name, r, z, colour in (("top", radius, height, wood), ("shelf_1", 0.27, low, shelf)):
+        lid = [(0, z - t), (r - 0.005, z - t), (r, z - t + 0.005), (r, z - 0.004), (r - 0.004, z)]
+        asm.add("body", lathe([*lid, (0, z)], 32, mat=finish(colour, 1, offset), weight=1.3))
+        asm.piece("body", cylinder_piece(r, z - t, z, 14))
+        supports.append(spot(name, 0, 0, r - 0.015, z))
+    supports[1].headroom = height - t - low
+    for k in range(4):
+        a = math.pi / 4 + k * math.pi / 2
+        c, s = math.cos(a), math.sin(a)
+        foot, head = (0.31 * c, 0.31 * s), (0.255 * c, 0.255 * s)
+        leg(asm, "body", foot, head, (0, height - t), (0.013, 0.02), finish(wood, 2, offset), 8)
     return Model(
-        "nest of two round coffee tables", asm.parts(), 13.0, supports=supports, ground_shadow=True
+        "round coffee table with a shelf", asm.parts(), 12.0, supports=supports, ground_shadow=True
     )
 
 
@@ -288,7 +281,7 @@ COFFEE_TABLES = [
     (table_oval, {}),
     (table_drum, {}),
     (table_glass, {}),
-    (table_nest, {}),
+    (table_tiers, {}),
     (table_drawer, {}),
     (table_glass, {"metal": "iron", "shelf": "walnut"}),
 ]

@@ -14,7 +14,7 @@ from toolkit import labels
 from toolkit.materials import Material, label, metal, plain, shade
 from toolkit.model import Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
-from toolkit.shapes import box, lathe, tube
+from toolkit.shapes import lathe, tube
 
 from .door_styles import glaze, grooved, louvre, planks
 from .joinery import AJAR, Assembly, finish, open_closed, steel
@@ -48,7 +48,7 @@ def _frame(
     ):
         asm.board("body", low, high, mat)
     if sill:
-        asm.board("body", (-x, -inner, 0), (x, inner, 0.012), steel(10))
+        asm.board("body", (-x, -inner, 0), (x, inner, 0.018), steel(10))
 
 
 def _panels(
@@ -126,7 +126,8 @@ def front_door(
     style: "six" panels, "glazed" with a row of small panes near the top, "half" glass, "planks"
     with iron straps, or "modern" with grooves and a strip of glass.
     """
-    asm, width, height, jamb, floor = Assembly(), 1.0, 2.1, 0.047, 0.014
+    # The leaf swings over a doormat.
+    asm, width, height, jamb, floor = Assembly(), 1.0, 2.1, 0.047, 0.022
     paint, groove = plain(colour, 0.025, 5, offset), plain(shade(colour, 0.62), 0.03, 5)
     _frame(asm, width, height, jamb, plain(frame, 0.015, 5), True)
     y0, y1, z1 = -width / 2 + jamb + 0.003, width / 2 - jamb - 0.003, height - jamb - 0.003
@@ -169,22 +170,21 @@ def front_door(
                     paint,
                     solid=False,
                 )
-    _panels(asm, 0.014, layout, paint, groove)
+    _panels(asm, floor, layout, paint, groove)
     _lever(asm, y0 + 0.055, 1.02, 1, fitting)
     for face in (-1, 1):
         x = face * LEAF / 2
-        # letterbox: a plate with a flap; lock: a round cylinder above the handle; peephole
-        lo, hi = sorted((x, x + face * 0.007))
-        asm.board("door", (lo, -0.14, 0.83), (hi, 0.14, 0.92), fitting, 0.003, solid=False)
-        lo, hi = sorted((x + face * 0.006, x + face * 0.011))
-        asm.board(
-            "door", (lo, -0.115, 0.848), (hi, 0.115, 0.898), _darker(brass), 0.002, solid=False
-        )
-        bolt = lathe([(0, 0), (0.027, 0), (0.025, 0.012), (0, 0.014)], 16, mat=fitting)
-        asm.add("door", bolt.turn(ry=face * math.pi / 2).move(x, y0 + 0.055, 1.3))
-        asm.add(
-            "door", box(0.02, 0.008, 0.03, (x + face * 0.02, y0 + 0.055, 1.285), fitting, 0.002)
-        )
+        # A letter plate as wide as two hands, far below the handle, its flap as the plate; the lock
+        # is a round cylinder over the handle, flush: nobody is to take it for a second one.
+        lo, hi = sorted((x, x + face * 0.006))
+        slot_z = 0.76
+        plate = ((lo, -0.12, slot_z), (hi, 0.12, slot_z + 0.07))
+        asm.board("door", *plate, fitting, 0.002, solid=False)
+        lo, hi = sorted((x + face * 0.005, x + face * 0.009))
+        flap = ((lo, -0.1, slot_z + 0.02), (hi, 0.1, slot_z + 0.05))
+        asm.board("door", *flap, plain("#2a2b2d", 0.02), 0.0, solid=False)
+        bolt = lathe([(0, 0), (0.02, 0), (0.018, 0.005), (0, 0.006)], 16, mat=fitting)
+        asm.add("door", bolt.turn(ry=face * math.pi / 2).move(x, y0 + 0.055, 1.2))
         ring = lathe(
             [(0, 0), (0.016, 0), (0.014, 0.006), (0.007, 0.006), (0, 0.004)],
             14,
@@ -197,29 +197,6 @@ def front_door(
                 x, 0, 1.0 if style == "half" else 1.54 if style == "six" else 1.5
             ),
         )
-    # chain on the inside
-    chain = [
-        (LEAF / 2 + 0.012, y0 + 0.03, 1.42),
-        (LEAF / 2 + 0.016, y0 + 0.1, 1.385),
-        (LEAF / 2 + 0.012, y0 + 0.17, 1.42),
-    ]
-    asm.add("door", tube(np.array(chain), 0.006, 5, mat=fitting))
-    asm.board(
-        "door",
-        (LEAF / 2, y0 + 0.15, 1.405),
-        (LEAF / 2 + 0.01, y0 + 0.27, 1.435),
-        fitting,
-        0.002,
-        solid=False,
-    )
-    asm.board(
-        "door",
-        (LEAF / 2, y0 + 0.012, 1.405),
-        (LEAF / 2 + 0.01, y0 + 0.05, 1.435),
-        fitting,
-        0.002,
-        solid=False,
-    )
     plate = _number_plate(number)
     low_z = {"half": 0.96, "planks": 1.4}.get(style, 1.7)
     asm.board(
@@ -251,11 +228,6 @@ FRONTS = {
     "planks": "iron straps",
     "modern": "a strip of glass",
 }
-
-
-def _darker(brass: bool) -> Material:
-    """A darker tone of the fittings, for the letterbox flap."""
-    return metal("b98f3c", "7a5a20", (1, 1, 6), 40) if brass else metal("9fa4a8", "63686d")
 
 
 def _number_plate(number: str) -> Image.Image:

@@ -8,15 +8,15 @@ import math
 import numpy as np
 from PIL import Image, ImageDraw
 from toolkit import labels
-from toolkit.materials import Material, label, plain, shade
+from toolkit.materials import Material, label, plain
 from toolkit.mesh import Mesh, cube_project
 from toolkit.model import Maker, Model, Part, box_piece
 from toolkit.sampling import noise_offset, pick, seed_of
-from toolkit.shapes import box, lathe, rounded_rectangle, tube
+from toolkit.shapes import box, ellipsoid, extrude, lathe, rounded_rectangle, tube
 
 from .convex import few_corners
 from .frames import pane
-from .garments_hung import coat
+from .garments_hung import hang
 from .joinery import Assembly, finish, steel
 from .pictures import painting
 
@@ -135,26 +135,43 @@ def poster_random(rng: np.random.Generator) -> dict:
 
 # ---- hooks with coats
 def coat_hooks(
-    width: float, wood: str, coats: tuple[str, ...], hooks: int, offset: Offset = (0, 0, 0)
+    width: float,
+    wood: str,
+    worn: tuple[tuple[str, ...], ...],
+    metal: str = "#2c2d2f",
+    shelf: bool = False,
+    offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A board with hooks, coats on the outer ones or on all."""
-    asm, timber, metal = Assembly(), finish(wood, 1, offset), steel(30)
-    z = 0.97
-    asm.board("body", (0, -width / 2, z), (0.022, width / 2, z + 0.1), timber, 0.005)
-    at = [(k - (hooks - 1) / 2) * width / hooks for k in range(hooks)]
-    for y in at:
-        hook = [(0.02, y, z + 0.06), (0.075, y, z + 0.045), (0.09, y, z + 0.08)]
-        asm.add("body", tube(np.array(hook), 0.008, 6, mat=metal))
-    worn = at if len(coats) == hooks else [at[0], at[-1]]
-    for y, colour in zip(worn, coats, strict=True):
-        for mesh in coat(colour, shade(colour, 0.8), offset):
-            asm.add("body", mesh.move(0.09, y, z + 0.02))
-        asm.solid("body", (0.02, y - 0.17, 0.01), (0.16, y + 0.17, z))
-    return Model("coat hooks with coats", asm.parts(), mass=4.5)
+    """A board with a hook for each of `worn` (by garments_hung; none hangs on an empty one), with
+    or without a shelf for hats over it."""
+    asm, timber = Assembly(), finish(wood, 1, offset)
+    iron = steel(30) if metal == "steel" else plain(metal, 0.03)
+    low = 0.84
+    asm.board("body", (0, -width / 2, low), (0.022, width / 2, low + 0.13), timber, 0.005)
+    if shelf:
+        top = low + 0.13
+        asm.board("body", (0, -width / 2, top), (0.2, width / 2, top + 0.02), timber, 0.004)
+        for y in (-width / 2 + 0.04, width / 2 - 0.04):
+            brace = [(0.0, low + 0.02), (0.022, low + 0.02), (0.17, top), (0.0, top)]
+            mesh = extrude(brace, 0.018, timber, axis="y").move(0, y, 0)
+            asm.add("body", mesh)
+    for k, what in enumerate(worn):
+        y = (k + 0.5 - len(worn) / 2) * width / len(worn)
+        asm.add("body", box(0.008, 0.03, 0.1, (0.026, y, low + 0.015), iron, 0.003))
+        for z, out in ((low + 0.06, 0.1), (low + 0.03, 0.06)):
+            hook = [(0.026, y, z), (out * 0.8, y, z - 0.008), (out, y, z + 0.03)]
+            asm.add("body", tube(np.array(hook), 0.009, 6, mat=iron))
+        knob = ellipsoid(0.015, (0.1, y, low + 0.096), 8, 5, iron)
+        asm.add("body", knob)
+        if what:
+            hang(asm, what, (0.062, y, low + 0.025))
+    kinds = dict.fromkeys(what[0] for what in worn if what)
+    return Model("coat hooks with " + ", ".join(kinds), asm.parts(), mass=4.5)
 
 
 def coat_hooks_random(rng: np.random.Generator) -> dict:
-    return {"width": 0.9, "wood": "oak", "coats": ("#8a3f35",) * 2, "hooks": 3}
+    worn = (("coat", "#8a3f35", "#6e322a"), (), ("jacket", "#3f5568", "#c9a24a"))
+    return {"width": 0.9, "wood": "oak", "worn": worn}
 
 
 # ---- toilet rolls
@@ -217,17 +234,57 @@ MODELS = {
     "coat_hooks": Maker(
         coat_hooks,
         coat_hooks_random,
-        4,
+        6,
         [
-            {"width": 0.8, "wood": "oak", "coats": ("#8a3f35", "#3f5568"), "hooks": 3},
+            {
+                "width": 0.85,
+                "wood": "oak",
+                "worn": (("coat", "#8a3f35", "#6e322a"), (), ("tote", "#e6dfcf", "#3f5568")),
+            },
             {
                 "width": 1.1,
                 "wood": "walnut",
-                "coats": ("#3a3f45", "#a08a5a", "#5a6a4a"),
-                "hooks": 3,
+                "metal": "#b08d4a",
+                "shelf": True,
+                "worn": (
+                    ("coat", "#3a3f45", "#2a2e33"),
+                    ("scarf", "#a08a5a", "#e6dfcf"),
+                    ("jacket", "#5a6a4a", "#c98a3a"),
+                    ("umbrella", "#2f3a52"),
+                ),
             },
-            {"width": 0.8, "wood": "#f0efec", "coats": ("#c0a880", "#2f3a52"), "hooks": 3},
-            {"width": 0.95, "wood": "oak", "coats": ("#5f6f52", "#8a5a6a"), "hooks": 4},
+            {
+                "width": 0.7,
+                "wood": "#f0efec",
+                "metal": "steel",
+                "worn": (("jacket", "#2f3a52", "#c8403a"), ("bag", "#a3694f", "#6a4226")),
+            },
+            {
+                "width": 1.0,
+                "wood": "oak",
+                "metal": "steel",
+                "worn": (
+                    ("jacket", "#c0a880", "#5a4632"),
+                    ("hat", "#6a5a48"),
+                    ("coat", "#5f6f52", "#4c5942"),
+                ),
+            },
+            {
+                "width": 0.62,
+                "wood": "black",
+                "metal": "#b08d4a",
+                "worn": (("coat", "#8a5a6a", "#6e4855"), ("cap", "#d8b25a", "#f0ece0")),
+            },
+            {
+                "width": 0.95,
+                "wood": "#dfe3dc",
+                "shelf": True,
+                "worn": (
+                    ("jacket", "#c9a03a", "#e8e4da"),
+                    ("cap", "#3f5568", "#c8403a"),
+                    ("coat", "#6b7a86", "#56636d"),
+                ),
+            },
         ],
     ),
     "toilet_roll_holder": Maker(

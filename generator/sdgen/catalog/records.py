@@ -220,18 +220,26 @@ class Category(Record):
 
 #: Where what belongs to the building is, and what people hang on walls.
 FittedAt = Literal[
-    "window", "under_window", "beside_door", "beside", "wall", "ceiling", "over", "bare_wall"
+    "window",
+    "under_window",
+    "beside_door",
+    "before_door",
+    "beside",
+    "wall",
+    "ceiling",
+    "over",
+    "bare_wall",
 ]
 
 
 class Fitting(Record):
-    """What belongs to the building and hangs on its walls and ceilings, in rooms of these types
+    """What belongs to the building, on its walls, ceilings and floors, in rooms of these types
     (none: in all).
 
     At each ``window`` that has nothing yet, its upper end above it, ``under_window``,
     ``beside_door`` (inner ones and the front door), ``beside`` each piece ``of`` these categories
-    or, ``count`` a room, anywhere along a ``wall``, ``z_m`` high but for windows; or in the middle
-    of the ``ceiling``.
+    or, ``count`` a room, anywhere along a ``wall``, ``z_m`` high but for windows; in the middle of
+    the ``ceiling``; or on the floor, ``before_door``, inside each door ``of`` these kinds.
 
     Sets of ``count`` of one size, of any models, their middle ``z_m`` high: ``over`` the middle of
     each piece ``of`` these categories, higher where it is high; on each stretch of ``bare_wall``

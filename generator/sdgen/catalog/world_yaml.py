@@ -283,7 +283,7 @@ class FittingYaml(Record):
 
     @model_validator(mode="after")
     def _beside_something(self) -> FittingYaml:
-        about_pieces = self.where in ("beside", "over")
+        about_pieces = self.where in ("beside", "over", "before_door")
         if about_pieces and not self.of:
             refuse(problem((), f"missing key 'of': 'where: {self.where}' needs it"))
         if not about_pieces and self.of:

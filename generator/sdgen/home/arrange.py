@@ -189,13 +189,16 @@ def _in_turn(group: Sequence[Asked], tried: RoomTry) -> tuple[float, RoomTry] | 
 
 
 def _targets(rule: FurnitureRule, count: int, tried: RoomTry) -> list[int | None]:
-    """The pieces that a rule is about, in a drawn order; one that is none, where it is about the
-    room."""
+    """The pieces that a rule is about, in a drawn order, or the nearest first to those that its
+    piece is to be near; one that is none, where it is about the room."""
     if not rule.of:
         return [None]
-    found = tried.all(rule.of)
-    order: list[int | None] = [found[k] for k in tried.rng.permutation(len(found)).tolist()]
-    return order[:count] if rule.where in ONE_EACH else order
+    items, found = tried.layout.items, tried.all(rule.of)
+    order = [found[k] for k in tried.rng.permutation(len(found)).tolist()]
+    near = [items[k].pose.position_m for k in tried.all(rule.near)]
+    if near:
+        order.sort(key=lambda k: min(math.dist(items[k].pose.position_m, at) for at in near))
+    return [*order[:count]] if rule.where in ONE_EACH else [*order]
 
 
 def _follow(

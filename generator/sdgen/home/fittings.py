@@ -1,5 +1,5 @@
 """What belongs to the building: curtains and blinds at windows, radiators below, switches by doors,
-sockets, lamps at the ceilings; then what people hang on the walls.
+sockets, lamps at the ceilings, mats before doors; then what people hang on the walls.
 
 Hung when the furniture stands, where it leaves room: a window behind a bookcase has no curtain.
 """
@@ -50,6 +50,8 @@ NARROWER_M, WIDER_M = 0.05, 0.6
 #: Between the hole of a door and what hangs beside it: the frame, and a hand's breadth; where that
 #: is taken, a step further.
 BESIDE_DOOR_M = (0.12, 0.35)
+#: Between the wall of a door and what lies before it.
+BEFORE_DOOR_M = 0.04
 #: Between a piece of furniture and what hangs on the wall beside it.
 BESIDE_PIECE_M = 0.06
 #: The middle of a room is found to so much.
@@ -177,7 +179,7 @@ class _Hanging:
         else:
             for opening in self.home.openings:
                 found = _side_of(opening, sides) if self.room.id in opening.room_ids else None
-                if found is None or (opening.kind in DOORS) != (fitting.where == "beside_door"):
+                if found is None or not self._is_at(opening):
                     continue
                 window = opening.object_id if fitting.where == "window" else None
                 if window not in dressed and rng.random() < fitting.chance:
@@ -241,6 +243,12 @@ class _Hanging:
                 return True
         return False
 
+    def _is_at(self, opening: Opening) -> bool:
+        """Whether the fitting is one for such an opening."""
+        if self.fitting.where == "before_door":
+            return opening.kind in self.fitting.of
+        return (opening.kind in DOORS) == (self.fitting.where == "beside_door")
+
     def _at_opening(self, opening: Opening, side: Side, along: float) -> Candidates:
         fitting = self.fitting
         low, high = opening.center_m[2], opening.center_m[2] + opening.height_m
@@ -250,8 +258,11 @@ class _Hanging:
                 yield from _hung(model, side, t, fitting.z_m)
             return
         for model in self.sizes:
-            _, wide, tall = model.extents_m
-            if fitting.where == "window":
+            deep, wide, tall = model.extents_m
+            if fitting.where == "before_door":
+                x, y = side.at(along, BEFORE_DOOR_M + deep / 2)
+                yield model, (x, y, 0.0, side.yaw)
+            elif fitting.where == "window":
                 if -NARROWER_M <= wide - opening.width_m <= WIDER_M:
                     top = min(high + ABOVE_WINDOW_M, self.room.height_m - HUNG_GAP_M)
                     yield from _hung(model, side, along, top - tall)

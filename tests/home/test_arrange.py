@@ -265,6 +265,26 @@ def test_cupboards_have_their_backs_to_a_wall(stages):
             assert 0.028 < min(gaps) < 0.032 + off, item.category
 
 
+def test_a_dish_rack_stands_by_the_sink(stages):
+    """On the nearest worktop that has room: of two side by side, or across from each other, none is
+    much nearer."""
+    racks = 0
+    for made in stages:
+        items = made.layout.items
+        for rack in (item for item in items.values() if item.category == "dish_rack"):
+            racks += 1
+            at = items[made.layout.intents[rack.id].target_id]
+            sinks = [i for i in items.values() if i.category == "sink_cabinet"]
+            tops = [i for i in items.values() if i.category == at.category]
+            apart = {
+                top.id: min(math.dist(top.pose.position_m, s.pose.position_m) for s in sinks)
+                for top in tops
+                if top.room_id == rack.room_id
+            }
+            assert apart[at.id] <= min(apart.values()) + 0.15
+    assert racks > 2
+
+
 def test_homes_differ_and_have_three_to_ten_rooms(stages):
     counts = {len(made.context.home.rooms) for made in stages}
     assert counts <= set(range(3, 11))

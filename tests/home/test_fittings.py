@@ -19,7 +19,7 @@ from sdgen.home.wall_sets import WallSets
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
 from sdgen.seeding import lane
-from sdgen.zones import swing_blocked, swing_sectors
+from sdgen.zones import doorway_blocked, swing_blocked, swing_sectors
 from shapely.geometry import Point, Polygon
 
 from tests.shipped import shipped_library
@@ -146,6 +146,28 @@ def test_switches_are_on_the_side_of_the_latch(homes):
     assert seen > len(homes)
 
 
+def test_a_doormat_lies_inside_every_front_door(homes):
+    for home in homes:
+        (mat,) = things(home, "doormat")
+        (door,) = (o for o in home.context.home.openings if o.kind == "front_door")
+        rooms = {room.id: Polygon(room.polygon_m) for room in home.context.home.rooms}
+        x, y, z = mat.pose.position_m
+        assert mat.room_id in door.room_ids
+        assert math.dist((x, y), door.center_m[:2]) < 0.5
+        assert z == 0
+        assert rooms[mat.room_id].contains(Point(x, y))
+        # Neither in the way of the door, nor of anybody.
+        bodies = bodies_of(list(home.layout.items.values()), LIBRARY.infos)
+        assert not swing_blocked(bodies)
+        assert not doorway_blocked(home.context.home, bodies)
+
+
+def test_front_doors_swing_over_doormats():
+    thickest = max(mat.extents_m[2] for mat in LIBRARY.by_category("doormat"))
+    for door in LIBRARY.by_category("front_door"):
+        assert LIBRARY.bounds(door.id)["door"][0][2] > thickest + 0.005
+
+
 def test_nothing_hangs_where_a_door_swings(homes):
     for home in homes:
         hung = bodies_of(home.layout.items.values(), LIBRARY.infos)
@@ -182,6 +204,8 @@ def test_nothing_hangs_in_the_air_of_a_doorway(homes):
         ("mine: {category: curtain, where: roof}", "fittings.yaml:1: mine.where"),
         ("mine: {category: curtain, where: window, rooms: [den]}", "den"),
         ("mine: {category: curtain, where: beside}", "missing key 'of'"),
+        ("mine: {category: doormat, where: before_door}", "missing key 'of'"),
+        ("mine: {category: doormat, where: before_door, of: desk}", "desk is no door"),
         ("mine: {category: curtain, where: window, of: desk}", "mine.of"),
         ("mine: {category: curtain, where: beside, of: dsek}", "did you mean 'desk'"),
         ("curtains: {category: curtain, where: window}", "is already defined"),

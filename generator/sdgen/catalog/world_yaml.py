@@ -50,7 +50,7 @@ from sdgen.catalog.words import (
 )
 from sdgen.scene import Notify, Record
 from sdgen.strict import Expect, problem, refuse
-from sdgen.vocabulary import HoldingRelation, InnerOpening
+from sdgen.vocabulary import DOORS, HoldingRelation, InnerOpening
 
 #: VirtualHome's spelling; ``category`` of a node in graph.json.
 SUPERCLASSES = (
@@ -286,6 +286,9 @@ class FittingYaml(Record):
         about_pieces = self.where in ("beside", "over", "before_door")
         if about_pieces and not self.of:
             refuse(problem((), f"missing key 'of': 'where: {self.where}' needs it"))
+        odd = [name for name in self.of if name not in DOORS]
+        if self.where == "before_door" and odd:
+            refuse(problem(("of",), f"{odd[0]} is no door (known: {', '.join(DOORS)})"))
         if not about_pieces and self.of:
             refuse(problem(("of",), f"does not go with 'where: {self.where}'"))
         return self

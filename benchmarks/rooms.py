@@ -17,6 +17,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import shapely
+from crowding import ahead, look_at_groups, look_at_openings
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog
 from sdgen.facts import Body, bodies_of
@@ -69,6 +70,7 @@ class Tally:
 def look(made: FurnishedHome, catalog: Catalog, tally: Tally) -> None:
     """Count the faults of a home."""
     home = made.context.home
+    fitted = {fitting.category for fitting in catalog.fittings}
     bodies = bodies_of(made.layout.items.values(), made.layout.library.infos)
     pieces = [b for b in bodies if b.item.category not in OPENINGS and b.low[2] < OVERHEAD_M]
     standing = [b for b in pieces if b.high[2] > FLAT_M]
@@ -86,7 +88,14 @@ def look(made: FurnishedHome, catalog: Catalog, tally: Tally) -> None:
     for room in home.rooms:
         here = [b for b in pieces if b.item.room_id == room.id]
         _look_at_room(room, here, tally)
-        windows = [o for o in home.openings if o.kind == "window" and room.id in o.room_ids]
+        mine = [o for o in home.openings if room.id in o.room_ids]
+        filled = {o.object_id for o in mine}
+        doors = [b for b in bodies if b.item.id in filled]
+        within = [b for b in bodies if b.item.room_id == room.id]
+        loose = [b for b in within if b.item.category not in fitted and b.item.id not in filled]
+        look_at_openings(room, mine, loose, doors, tally.note)
+        look_at_groups(loose, _all(within, "radiator"), TABLES, tally.note)
+        windows = [o for o in mine if o.kind == "window"]
         walls = Polygon(room.polygon_m).exterior
         for plant in _all(here, "plant_pot"):
             at = Point(plant.center[:2])
@@ -108,7 +117,7 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
     tally.pieces[room.type].append(len(standing))
     for body in standing:
         if body.item.category in REACHED:
-            before = _front(body, FRONT_M)
+            before = ahead(body, FRONT_M)
             others = [b for b in standing if b is not body]
             blocked = _any_in(before, others) or before.difference(outline).area > 0.02
             tally.note("fronts of wardrobes, drawers and ovens that are not free", blocked)
@@ -168,16 +177,6 @@ def _near(body: Body, others: Sequence[Body], far_m: float) -> bool:
 def _any_in(shape: BaseGeometry, bodies: Sequence[Body]) -> bool:
     """Whether any of them takes floor of a shape."""
     return any(shape.intersection(body.footprint).area > TOUCH_M2 for body in bodies)
-
-
-def _front(body: Body, deep_m: float) -> Polygon:
-    """The floor before a body, a little narrower than it is."""
-    yaw = yaw_of(body.item.pose.quat_xyzw)
-    x, y, _ = body.item.pose.position_m
-    half, wide = body.info.extents_m[0] / 2, body.info.extents_m[1] / 2 - 0.05
-    c, s = math.cos(yaw), math.sin(yaw)
-    ring = [(half, -wide), (half + deep_m, -wide), (half + deep_m, wide), (half, wide)]
-    return Polygon([(x + c * u - s * v, y + s * u + c * v) for u, v in ring])
 
 
 def _seen_from(body: Body, other: Body) -> Vec2:

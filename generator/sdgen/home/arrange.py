@@ -58,6 +58,8 @@ NEAR_DOOR_M = 0.2
 SMALL_ROOM_M2, LEAST_FREE_SMALL_M2, LEAST_FREE_M2 = 8.0, 0.3, 1.0
 #: What hangs above a piece may be wider by so much: a hood over a stove of the same nominal width.
 ABOVE_WIDER_M = 0.03
+#: At walls furniture keeps so far off the frames of doors where it can.
+EASED_M = 0.25
 #: What stands so far off the middle line of what it faces still stands across from it: by eye.
 IN_LINE_M = 0.15
 
@@ -206,18 +208,23 @@ def _follow(
 ) -> tuple[RoomTry | None, float]:
     """The room with the pieces of a rule (None when none found a place), and the share missing."""
     if rule.where in MANY_AT_ONCE:
-        made = MANY_AT_ONCE[rule.where](rule, tried)
-        return made, float(made is None)
-    furnished: RoomTry | None = None
-    placed = 0
+        whole = MANY_AT_ONCE[rule.where](rule, tried)
+        return whole, float(whole is None)
+    made: list[RoomTry] = []
     for target in targets:
         for _ in range(count):
-            more = _with_one(rule, target, furnished or tried)
+            more = _with_one(rule, target, made[-1] if made else tried)
             if more is None:
                 break
-            furnished, placed = more, placed + 1
-    if placed < _least(rule, targets, tried):
+            made.append(more)
+    least = _least(rule, targets, tried)
+    # Chairs face each other in pairs.
+    if rule.where == "around" and not rule.gap_m and len(made) % 2 and len(made) > least:
+        made.pop()
+    placed = len(made)
+    if placed < least:
         return None, 1.0
+    furnished = made[-1] if made else None
     if rule.where == "opposite" and furnished is not None:
         return furnished, _off_line(rule, furnished)
     if rule.where in ("beside", "around"):
@@ -258,13 +265,22 @@ def _with_one(rule: FurnitureRule, target: int | None, tried: RoomTry) -> RoomTr
             continue
         if len(failed) == MODELS_TRIED:
             break
-        walls = _walls(rule, asset, tried)
-        for pose in by_wishes(rule, _poses(rule, asset, target, walls, tried), walls, tried):
-            more = with_placed(rule, asset, pose, target, tried)
-            if more is not None:
-                return more
+        for off_doors_m in _off_doors(rule, tried):
+            walls = _walls(rule, asset, tried, off_doors_m)
+            poses = _poses(rule, asset, target, walls, tried)
+            for pose in by_wishes(rule, asset, poses, walls, tried):
+                more = with_placed(rule, asset, pose, target, tried)
+                if more is not None:
+                    return more
         failed.append(asset)
     return None
+
+
+def _off_doors(rule: FurnitureRule, tried: RoomTry) -> tuple[float, ...]:
+    """How far off the frames of doors a piece is sought at walls, in this order."""
+    if rule.where != "wall" or rule.z_m or tried.number or not tried.thresholds:
+        return (0.0,)
+    return (EASED_M, 0.0)
 
 
 def _as_large(model: AssetInfo, other: AssetInfo) -> bool:
@@ -293,12 +309,14 @@ def _candidates(rule: FurnitureRule, target: int | None, tried: RoomTry) -> list
     return [*alike, *(m for m in order if m.id not in there)]
 
 
-def _walls(rule: FurnitureRule, asset: AssetInfo, tried: RoomTry) -> tuple[Side, ...]:
+def _walls(
+    rule: FurnitureRule, asset: AssetInfo, tried: RoomTry, off_doors_m: float
+) -> tuple[Side, ...]:
     """The stretches of wall that a piece may stand or hang at."""
     if rule.where != "wall":
         return ()
     deep, _, tall = asset.extents_m
-    sides = free_sides(tried, rule.z_m, rule.z_m + tall, deep)
+    sides = free_sides(tried, rule.z_m, rule.z_m + tall, deep, off_doors_m)
     # A room that did not come out so makes do with less.
     apart = max(0.0, rule.gap_m) * (1 - tried.number / ROOM_TRIES)
     return tuple(

@@ -19,6 +19,7 @@ from sdgen.geometry import Array, quat_from_yaw, round_position, round_quat, yaw
 from sdgen.home.anchors import PlacedAt, Side, sides_of
 from sdgen.home.clearances import Sight, between, front_of, sight_of
 from sdgen.home.context import Models
+from sdgen.home.crowding import Mouths, mouths_of
 from sdgen.home.furnish import put_piece, stand_in
 from sdgen.home.layout import IN_WALL_M, Intent, Layout, corners_of
 from sdgen.library.records import AssetInfo
@@ -56,8 +57,8 @@ class RoomTry:
 
     ``inside`` is the outline with a few millimetres to spare; ``prints`` are the floor's occupants.
     No furniture stands before ``sights`` nor on ``doors`` (``thresholds``: door by door), nothing
-    tall at their ``frames``; leaves swing over ``swings``, where no rug lies either. ``number``
-    counts the tries before it.
+    tall at their ``frames``; leaves swing over ``swings``, where no rug lies either; ``mouths``
+    are all openings, as pieces crowd them. ``number`` counts the tries before it.
     """
 
     room: Room
@@ -74,6 +75,7 @@ class RoomTry:
     doors: BaseGeometry
     swings: BaseGeometry
     inside: Polygon
+    mouths: Mouths
     prints: Mapping[int, Polygon] = field(default_factory=dict)
     placed: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
     keep: tuple[tuple[int, Polygon], ...] = ()
@@ -166,14 +168,20 @@ def empty_room(
         doors=union(doors),
         swings=union(swings),
         inside=inside,
+        mouths=mouths_of(room, mine, layout),
         number=number,
     )
 
 
-def free_sides(tried: RoomTry, low_m: float, high_m: float, deep_m: float) -> tuple[Side, ...]:
+def free_sides(
+    tried: RoomTry, low_m: float, high_m: float, deep_m: float, off_doors_m: float = 0.0
+) -> tuple[Side, ...]:
     """The stretches of the walls with nothing before them, for a piece so deep that reaches from
-    ``low_m`` to ``high_m``."""
+    ``low_m`` to ``high_m`` and keeps ``off_doors_m`` off doorways."""
     taken = taken_outlines(tried, low_m, high_m)
+    if off_doors_m:
+        wider = (d.buffer(off_doors_m, join_style="mitre") for d in tried.thresholds)
+        taken += [shapely.get_coordinates(door) for door in wider]
     return tuple(part for side in tried.sides for part in free_parts(side, taken, deep_m))
 
 

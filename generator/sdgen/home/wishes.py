@@ -5,10 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from sdgen.catalog.records import FurnitureRule
-from sdgen.geometry import yaw_of
+import numpy as np
+
+from sdgen.catalog.records import Category, FurnitureRule
+from sdgen.geometry import Array, yaw_of
 from sdgen.home.anchors import PlacedAt, Side
+from sdgen.home.crowding import crowding, elbows
 from sdgen.home.room_try import RoomTry
+from sdgen.library.records import AssetInfo
 
 #: What chance makes of a wish, metres (one sigma): neighbours do not all furnish alike.
 CHANCE_M = 0.25
@@ -20,18 +24,37 @@ OTHER_WALL_M = 3.0
 #: worth so much of being off the middle.
 LONG_M, LONG_SHARE = 4.0, 0.3
 
+#: Where pieces stand that do not go with another.
+ON_THEIR_OWN = ("wall", "corner", "middle")
+#: By eye: covering a window and its radiator costs a piece so much, in all; seats are put there.
+AT_WINDOW, BED_AT_WINDOW = 0.7, 2.5
+#: Nobody puts a piece where it crowds a room by more.
+CROWDED_M = 1.0
+#: What stands by beds takes so much on both sides.
+BEDSIDE_M = 0.45
+
 
 def by_wishes(
-    rule: FurnitureRule, poses: Sequence[PlacedAt], walls: Sequence[Side], tried: RoomTry
+    rule: FurnitureRule,
+    asset: AssetInfo,
+    poses: Sequence[PlacedAt],
+    walls: Sequence[Side],
+    tried: RoomTry,
 ) -> Sequence[PlacedAt]:
-    """The poses of a rule's piece, best first by its wishes; as they are where it has none that
-    anything in the room bears on. ``walls`` are the free stretches whose middle is meant."""
+    """The poses of a rule's piece, best first by its wishes and by what it would crowd; as they are
+    where nothing in the room bears on them. ``walls`` are the free stretches whose middle is
+    meant."""
+    crowded = _crowding(rule, asset, poses, tried)
     near = _middles(rule.near, tried)
     facing = _middles(rule.facing, tried)
     aligned = [yaw_of(tried.layout.items[k].pose.quat_xyzw) for k in tried.all(rule.aligned)]
     centred = rule.centred and not tried.modest
+    # What a room can do without would rather not stand at all than crowd it.
+    most = math.inf if rule.needed or tried.number else CROWDED_M
+    fair = np.flatnonzero(crowded <= most).tolist()
+    poses, crowded = [poses[k] for k in fair], crowded[fair]
     if not (near or facing or aligned or centred):
-        return poses
+        return [poses[k] for k in np.argsort(crowded, kind="stable").tolist()]
     # A room that did not come out as one would wish leaves more to chance.
     spread = CHANCE_M * (1 + tried.number)
 
@@ -48,8 +71,38 @@ def by_wishes(
             total += _off_middle(pose, walls)
         return total
 
-    costs = [cost(pose) for pose in poses]
+    costs = [cost(pose) + more for pose, more in zip(poses, crowded.tolist(), strict=True)]
     return [poses[k] for k in sorted(range(len(poses)), key=costs.__getitem__)]
+
+
+def _crowding(
+    rule: FurnitureRule, asset: AssetInfo, poses: Sequence[PlacedAt], tried: RoomTry
+) -> Array:
+    """What a piece would crowd in each pose; nothing where it goes with another piece, hangs, or
+    the room is glad of any place."""
+    apart = rule.where in ON_THEIR_OWN or (rule.where == "around" and rule.gap_m > 0)
+    if not apart or rule.z_m or tried.modest:
+        return np.zeros(len(poses))
+    category = tried.catalog.category(rule.category)
+    seat, size = _has_elbows(category), (asset.extents_m[0], asset.extents_m[1])
+    if category.sleeps:
+        wide = (size[0], size[1] + 2 * BEDSIDE_M)
+        found = crowding(poses, wide, tried.mouths, BED_AT_WINDOW)
+    else:
+        found = crowding(poses, size, tried.mouths, 0.0 if seat else AT_WINDOW)
+    about = set(tried.all(rule.of))
+    others = [
+        shape
+        for k, shape in tried.prints.items()
+        if k not in about
+        and (seat or _has_elbows(tried.catalog.category(tried.layout.items[k].category)))
+    ]
+    return found + elbows(poses, size, others)
+
+
+def _has_elbows(category: Category) -> bool:
+    """Whether people sit on it and draw it about."""
+    return {"SITTABLE", "MOVABLE"} <= set(category.properties)
 
 
 def _middles(categories: Sequence[str], tried: RoomTry) -> list[tuple[float, float]]:

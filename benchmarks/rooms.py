@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 import shapely
 from crowding import ahead, look_at_groups, look_at_openings
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.records import Catalog
+from sdgen.catalog.records import Catalog, FurnitureRule
 from sdgen.facts import Body, bodies_of
 from sdgen.freespace import opening_rectangle, polygons, union
 from sdgen.geometry import Vec2, yaw_of
@@ -38,6 +38,8 @@ from shapely.geometry.base import BaseGeometry
 STRIP_M, TALL_M, OFF_FRAME_M = 0.8, 1.2, 0.15
 #: How near a chair is to its table, a lamp to its seat, a rug to its group, a seat to anything.
 AT_TABLE_M, BY_SEAT_M, COMPANY_M = 0.35, 0.6, 0.7
+#: A room with so wide a circle of floor on which nothing stands or lies looks empty.
+EMPTY_M = 2.4
 TOUCH_M2 = 2e-3
 #: What people reach into or pull out, and the floor before it.
 REACHED = ("wardrobe", "dresser", "stove", "fridge", "freezer", "utility_cupboard")
@@ -52,7 +54,8 @@ PARTNERS = (*GROUPS, "side_table", "console_table", "bookshelf", "dresser", "war
 
 @dataclass
 class Tally:
-    """What was counted: of so many, how many are at fault; and shares by room type."""
+    """What was counted: of so many, how many are at fault; and shares by room type. In rooms of
+    the types ``rugs_alone`` rugs lie by themselves."""
 
     of: Counter[str] = field(default_factory=Counter)
     bad: Counter[str] = field(default_factory=Counter)
@@ -60,6 +63,7 @@ class Tally:
     bare: defaultdict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
     circle: defaultdict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
     pieces: defaultdict[str, list[float]] = field(default_factory=lambda: defaultdict(list))
+    rugs_alone: frozenset[str] = frozenset()
 
     def note(self, what: str, fault: bool) -> None:
         """One more of a kind."""
@@ -133,7 +137,7 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
         seats = [b for b in here if b.item.category in ("chair", "office_chair")]
         tally.note("desks without a chair", not _near(desk, seats, AT_TABLE_M))
     groups = [b for b in here if b.item.category in GROUPS]
-    for rug in _all(here, "rug"):
+    for rug in [] if room.type in tally.rugs_alone else _all(here, "rug"):
         tally.note("rugs of no group", not _near(rug, groups, 0.3))
     rest = [b for b in here if b.item.category in RESTED_AT]
     for lamp in _all(here, "floor_lamp"):
@@ -166,6 +170,10 @@ def _look_at_room(room: Room, here: Sequence[Body], tally: Tally) -> None:
         tally.note("kitchens with the fridge apart", bool(fridge))
 
 
+def _lies_alone(rule: FurnitureRule) -> bool:
+    return rule.category == "rug" and rule.where == "middle"
+
+
 def _all(here: Sequence[Body], category: str) -> list[Body]:
     return [b for b in here if b.item.category == category]
 
@@ -195,15 +203,16 @@ def rows(tally: Tally) -> Iterator[str]:
         f"{what}: {count}" for what, count in tally.alone.most_common(12) if count
     )
     yield f"| of these seats | {commonest} |"
-    yield "\n| room | rooms | pieces | bare floor | widest bare circle, m (90 %) |"
-    yield "|---|---|---|---|---|"
+    yield "\n| room | rooms | pieces | bare floor | widest bare circle, m (90 %) | empty |"
+    yield "|---|---|---|---|---|---|"
     for name in sorted(tally.bare):
         circles = sorted(tally.circle[name])
         most = 2 * circles[int(0.9 * (len(circles) - 1))]
+        empty = statistics.mean(2 * circle >= EMPTY_M for circle in circles)
         yield (
             f"| {name} | {len(circles)} | {statistics.median(tally.pieces[name]):g} | "
             f"{statistics.median(tally.bare[name]):.0%} | "
-            f"{2 * statistics.median(circles):.2f} ({most:.2f}) |"
+            f"{2 * statistics.median(circles):.2f} ({most:.2f}) | {empty:.0%} |"
         )
 
 
@@ -213,7 +222,9 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=40)
     parser.add_argument("--homes", default="procedural")
     args = parser.parse_args()
-    catalog, library, tally = load_catalog(), load_library(), Tally()
+    catalog, library = load_catalog(), load_library()
+    alone = (t.name for t in catalog.room_types for r in t.furniture if _lies_alone(r))
+    tally = Tally(rugs_alone=frozenset(alone))
     base = BuildOptions(homes=args.homes, sensors=(), views=0, hazards_min=0, hazards_max=0)
     causes: Counter[str] = Counter()
     tries, times = 0, []

@@ -196,6 +196,25 @@ def test_opposite_is_against_the_wall_a_piece_faces(y, size, seed):
         assert gap_behind(pose, size, BOX) == pytest.approx(BACK_GAP_M)
 
 
+@given(ROOMS, SIZES)
+def test_what_lies_flat_lies_wholly_on_the_free_floor_along_it_first(room, size):
+    free = Polygon(room)
+    poses = anchors.on_free_floor(free, size)
+    assert poses
+    assert all(free.buffer(1e-9).covers(footprint(pose, size)) for pose in poses)
+    # The box is longer in x, and a piece is wider (y of its own) than deep.
+    assert room is ANGLE or poses[0][3] == math.pi / 2
+    middle = free.centroid.coords[0]
+    away = [math.dist(pose[:2], middle) for pose in poses if pose[3] == poses[0][3]]
+    assert away == pytest.approx(sorted(away))
+
+
+def test_nothing_flat_lies_where_the_floor_is_too_narrow():
+    strip = Polygon(((0.0, 0.0), (4.0, 0.0), (4.0, 0.7), (0.0, 0.7)))
+    assert anchors.on_free_floor(strip, (0.8, 2.5)) == []
+    assert anchors.on_free_floor(strip, (0.6, 2.5))
+
+
 def test_nothing_is_opposite_when_the_wall_is_too_near():
     sofa, _ = stands((2.5, 1.0, 0.0, 0.0), (0.9, 1.6))
     assert anchors.opposite(sofa, sides_of(BOX), (0.4, 1.0), rng(1)) == []

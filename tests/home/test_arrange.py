@@ -14,9 +14,9 @@ from sdgen.freespace import free_shape, opening_rectangle, rounded_rings
 from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
-from sdgen.home.arrange import groups_of
+from sdgen.home.arrange import _candidates, groups_of, rules_of
 from sdgen.home.layout import corners_of
-from sdgen.home.room_try import OFF_FRAME_M, TALL_M, free_parts
+from sdgen.home.room_try import OFF_FRAME_M, TALL_M, empty_room, free_parts
 from sdgen.home.run_shapes import BEHIND_M
 from sdgen.options import BuildOptions
 from sdgen.physics.checks import penetrations
@@ -124,15 +124,46 @@ def test_nothing_tall_stands_at_the_frame_of_a_door(stages):
 
 
 def test_no_table_stands_without_chairs_and_no_lamp_or_rug_alone(stages):
-    for _, found in in_rooms(stages):
+    for room, found in in_rooms(stages):
         tables = [*found.get("dining_table", ()), *found.get("kitchen_table", ())]
         # Islands have bar stools, desks their own chairs.
         assert len(found.get("chair", ())) >= 2 * len(tables)
         if "floor_lamp" in found:
             assert not {"sofa", "armchair", "desk"}.isdisjoint(found)
-        if "rug" in found:
-            groups = {"coffee_table", "bed", "toy_box", "dining_table", "desk"}
-            assert not groups.isdisjoint(found)
+        by_itself = any(
+            r.category == "rug" and r.where == "middle" for r in rules_of(room, CATALOG)
+        )
+        if "rug" in found and not by_itself:
+            assert not {"coffee_table", "bed", "dining_table", "desk"}.isdisjoint(found)
+
+
+def test_rugs_lie_on_free_floor_and_no_door_swings_over_them(stages):
+    for made in stages:
+        for item, info in pieces(made):
+            if item.category != "rug":
+                continue
+            x, y, _ = item.pose.position_m
+            shape = Polygon(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw)))
+            room = next(r for r in made.context.home.rooms if r.id == item.room_id)
+            assert Polygon(room.polygon_m).covers(shape)
+            for opening in made.context.home.openings:
+                if opening.kind == "door" and opening.room_ids[0] == room.id:
+                    leaf = opening_rectangle(opening, opening.width_m)
+                    assert not shape.intersects(leaf)
+
+
+def test_large_rugs_mostly_come_first_where_a_rule_says_so():
+    home = stage(0)
+    room = home.context.home.rooms[0]
+    rug = FurnitureRule(category="rug", where="middle", largest=True)
+    firsts = []
+    for seed in range(20):
+        tried = empty_room(
+            home.context.home, room, home.layout, CATALOG, LIBRARY.by_category, lane(seed, 0, "rug")
+        )
+        firsts.append(_candidates(rug, None, tried)[0].extents_m)
+    assert min(deep * wide for deep, wide, _ in firsts) > 2.0
+    assert len(set(firsts)) > 1
 
 
 def test_needed_pieces_are_there_and_chairs_face_their_table(stages):

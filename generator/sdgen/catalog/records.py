@@ -280,7 +280,8 @@ class FurnitureRule(Record):
     than ``least`` of them (half as many ``around`` a short table) it has found no place. Smaller
     rooms than ``from_m2`` are not asked for it. ``front_m`` of floor before it is kept free, and
     against a ``wall`` ``gap_m`` beside it; what is ``around`` a table stands ``gap_m`` from it, or
-    pushed under, and what is ``under`` a piece lies so much before its middle.
+    pushed under, and what is ``under`` a piece lies so much before its middle. What lies flat in
+    the ``middle`` lies clear of all that stands. ``largest``: large models mostly come first.
 
     A rule begins a group, with those after it that are about a piece of the group; a group that
     misses something is placed anew a few times. Without a ``needed`` piece of it, it does not stand
@@ -323,6 +324,7 @@ class FurnitureRule(Record):
     facing: OptionalCategories = ()
     aligned: OptionalCategories = ()
     centred: bool = False
+    largest: bool = False
 
     @model_validator(mode="after")
     def _of_its_kind(self) -> FurnitureRule:

@@ -38,6 +38,8 @@ MIDDLE_SPREAD_M = 0.15
 ACROSS_CHANCE = 0.25
 #: Bound the work: free parts of the floor looked at, largest first, and poses in each.
 MIDDLE_PARTS, MIDDLE_DRAWS = 2, 6
+#: What lies flat is tried at so many spots along either side of the free floor: bounds the work.
+FLAT_SPOTS = 9
 #: Who sits this near the middle of an edge of a table sits at it.
 ACROSS_M = 0.4
 #: A seat reaches so far under the table it stands at: pushed in as far as its legs let it.
@@ -185,6 +187,31 @@ def in_middle(room: Polygon, taken: BaseGeometry, rng: Rng) -> list[PlacedAt]:
             # A piece is wider (y) than deep, so it lies along the room at yaw 0 if that is y.
             yaw = 0.0 if long_y != across else math.pi / 2
             out.append((x, y, 0.0, yaw))
+    return out
+
+
+def on_free_floor(free: BaseGeometry, size: Vec2) -> list[PlacedAt]:
+    """Poses of what lies flat on the largest parts of a free floor, wholly on them, along them
+    before across, those nearest the middle of each first."""
+    deep, wide = size
+    out: list[PlacedAt] = []
+    for part in polygons(free)[:MIDDLE_PARTS]:
+        x0, y0, x1, y1 = part.bounds
+        shapely.prepare(part)
+        middle = np.array(part.centroid.coords[0])
+        turns = (0.0, math.pi / 2) if y1 - y0 > x1 - x0 else (math.pi / 2, 0.0)
+        for yaw in turns:
+            u, v = (deep / 2, wide / 2) if yaw == 0.0 else (wide / 2, deep / 2)
+            if 2 * u > x1 - x0 or 2 * v > y1 - y0:
+                continue
+            xs = np.linspace(x0 + u, x1 - u, FLAT_SPOTS)
+            ys = np.linspace(y0 + v, y1 - v, FLAT_SPOTS)
+            spots = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
+            half = np.array((u, v))
+            boxes = shapely.box(*(spots - half).T, *(spots + half).T)
+            spots = spots[shapely.covers(part, boxes)]
+            order = np.argsort(np.hypot(*(spots - middle).T), kind="stable")
+            out += [(x, y, 0.0, yaw) for x, y in spots[order].tolist()]
     return out
 
 

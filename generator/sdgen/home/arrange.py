@@ -23,7 +23,14 @@ from sdgen.home.context import Models
 from sdgen.home.furnish import top_of
 from sdgen.home.islands import with_island
 from sdgen.home.layout import Layout
-from sdgen.home.room_try import RoomTry, empty_room, free_sides, taken_floor, with_placed
+from sdgen.home.room_try import (
+    RoomTry,
+    bare_floor,
+    empty_room,
+    free_sides,
+    taken_floor,
+    with_placed,
+)
 from sdgen.home.runs import with_row, with_run
 from sdgen.home.wall_units import with_wall_units
 from sdgen.home.wishes import by_wishes
@@ -31,6 +38,7 @@ from sdgen.library.records import Asset, AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, Room
 from sdgen.seeding import Rng
+from sdgen.vocabulary import FLAT_M
 from sdgen.zones import doorway_point, floor_obstacles
 
 #: Bound the search: a room that fails so often mostly has no arrangement, and homes are drawn anew.
@@ -48,6 +56,8 @@ MANY_AT_ONCE: Mapping[str, Callable[[FurnitureRule, RoomTry], RoomTry | None]] =
 }
 #: Of 718 pieces that found a place 663 were of the first model tried, nine of the fourth.
 MODELS_TRIED = 4
+#: Where large models come first, one may come before another of which it has so much of the floor.
+NEARLY_AS_LARGE = 0.6
 #: Where one model found no place, none does that is as large in each direction but for so much.
 SAME_M = 0.02
 #: People walk past each other's furniture where it leaves them so much.
@@ -291,7 +301,8 @@ def _as_large(model: AssetInfo, other: AssetInfo) -> bool:
 def _candidates(rule: FurnitureRule, target: int | None, tried: RoomTry) -> list[Asset]:
     """The models of a rule in the order they are tried, at random but for these: round and beside
     a piece all are of the first one's model, elsewhere on a floor what stands in the room already
-    comes first; above a piece the nearest to its width does, none much wider."""
+    comes first; above a piece the nearest to its width does, none much wider; large ones mostly,
+    where the rule says so."""
     found = tried.models(rule.category)
     order = [found[k] for k in tried.rng.permutation(len(found)).tolist()]
     if rule.where == "above" and target is not None:
@@ -301,12 +312,19 @@ def _candidates(rule: FurnitureRule, target: int | None, tried: RoomTry) -> list
     if rule.z_m:
         return order
     if tried.modest and rule.needed:
-        return sorted(order, key=lambda m: m.extents_m[0] * m.extents_m[1])
+        return sorted(order, key=_floor_m2)
+    if rule.largest:
+        order.sort(key=lambda m: -_floor_m2(m) * tried.rng.uniform(NEARLY_AS_LARGE, 1.0))
+        return order
     there = {tried.layout.items[k].asset for k in tried.all([rule.category])}
     alike = [m for m in order if m.id in there]
     if alike and rule.where in ("around", "beside"):
         return alike
     return [*alike, *(m for m in order if m.id not in there)]
+
+
+def _floor_m2(model: AssetInfo) -> float:
+    return model.extents_m[0] * model.extents_m[1]
 
 
 def _walls(
@@ -340,6 +358,9 @@ def _poses(
         return anchors.against_walls(walls, size, rule.z_m, rng, reach=reach, centred=centred)
     if rule.where == "corner":
         return anchors.in_corners(tried.sides, size, rng, reach)
+    if target_id is None and asset.extents_m[2] <= FLAT_M:
+        clear = anchors.on_free_floor(bare_floor(tried), size)
+        return clear or anchors.on_free_floor(bare_floor(tried, tucked=True), size)
     if target_id is None:
         return anchors.in_middle(tried.outline, taken_floor(tried), rng)
     target, info = layout.items[target_id], layout.info(target_id)

@@ -32,6 +32,8 @@ GALLEY_M = (2.1, 2.85)
 #: far behind its units at most, where what there is does not fill the wall between.
 U_LEAST_M = 2.6
 BEHIND_M = 0.06
+#: A run that ends so near a corner of the room ends in it; so near a doorway, it crowds it.
+IN_CORNER_M, AT_DOOR_M = 0.2, 0.3
 
 
 class Leg(NamedTuple):
@@ -62,7 +64,7 @@ class Walls:
     tried: RoomTry
     free: list[list[Vec2]] = field(default_factory=list)
     windows: list[list[Vec2]] = field(default_factory=list)
-    drawn: dict[str, tuple[Asset, ...]] = field(default_factory=dict)
+    drawn: dict[tuple[str, bool, bool], tuple[Asset, ...]] = field(default_factory=dict)
 
     @classmethod
     def of(cls, tried: RoomTry) -> Walls:
@@ -86,14 +88,42 @@ class Walls:
         """Whether nothing is in the way from here to there along a side."""
         return any(low - 1e-6 <= low_m and high_m <= high + 1e-6 for low, high in self.free[k])
 
-    def of_each_width(self, category: str) -> tuple[Asset, ...]:
-        """A model of each width there is of a category, drawn once."""
-        if category not in self.drawn:
-            found, rng = self.tried.models(category), self.tried.rng
-            shuffled = (found[k] for k in rng.permutation(len(found)).tolist())
+    def of_each_width(
+        self, category: str, left: bool = False, right: bool = False
+    ) -> tuple[Asset, ...]:
+        """A model of each width there is of a category, drawn once; of those that may stand with
+        their ``left``, and their ``right``, at a corner unit."""
+        key = category, left, right
+        if key not in self.drawn:
+            found = [m for m in self.tried.models(category) if self.joins(m, left, right)]
+            shuffled = (found[k] for k in self.tried.rng.permutation(len(found)).tolist())
             by_width = {round(model.extents_m[1], 2): model for model in shuffled}
-            self.drawn[category] = tuple(by_width.values())
-        return self.drawn[category]
+            self.drawn[key] = tuple(by_width.values())
+        return self.drawn[key]
+
+    def joins(self, unit: Asset, left: bool, right: bool) -> bool:
+        """Whether no leaf of a unit opens over a corner unit at its ``left``, or its ``right``."""
+        reach = self.tried.layout.library.reach(unit.id)
+        return not (left and reach.left_m > CORNER_GAP_M or right and reach.right_m > CORNER_GAP_M)
+
+    def joining(self, unit: Asset, left: bool = False, right: bool = False) -> Asset:
+        """The unit or, where it cannot stand so at a corner unit, one of its category that can."""
+        if self.joins(unit, left, right):
+            return unit
+        found = self.of_each_width(unit.category, left, right)
+        return found[int(self.tried.rng.integers(len(found)))] if found else unit
+
+    def in_corner(self, k: int, at_m: float) -> bool:
+        """Whether a point of a side is as good as at an end where the room has a corner."""
+        if not 0.0 < min(at_m, self.tried.sides[k].length_m - at_m) < IN_CORNER_M:
+            return False
+        start = at_m < self.tried.sides[k].length_m / 2
+        return any(k == (pair[1] if start else pair[0]) for pair in self.corners())
+
+    def at_doorway(self, k: int, at_m: float) -> bool:
+        """Whether a free stretch of a side ends right beside a point, and not in a corner."""
+        ends = (end for stretch in self.free[k] for end in stretch)
+        return any(abs(end - at_m) < AT_DOOR_M for end in ends) and not self.in_corner(k, at_m)
 
     def corners(self) -> Iterator[tuple[int, int]]:
         """Sides that meet in a corner of the room that a unit can stand in."""
@@ -154,7 +184,7 @@ def round_corner(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | N
     for k in walls.tried.rng.permutation(len(turns)).tolist():
         a, b, split = turns[k]
         one, two = units[:split], units[split:]
-        if not (_joins(one[-1], corner) and _joins(two[0], corner)):
+        if not (_as_low(one[-1], corner) and _as_low(two[0], corner)):
             continue
         first = _up_to(a, walls.tried.sides[a], one, corner, walls)
         second = _on_from(b, walls.tried.sides[b], two, corner, walls)
@@ -175,8 +205,10 @@ def round_two(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | None
     length = sides[b].length_m
     if length < U_LEAST_M or not walls.takes(b, 0.0, length):
         return None
-    for low in range(1, len(units) - 1):
-        for high in range(low + 1, len(units)):
+    splits = [(low, high) for low in range(1, len(units) - 1) for high in range(low + 1, len(units))]
+    for number in walls.tried.rng.permutation(len(splits)).tolist():
+        low, high = splits[number]
+        if all(_as_low(unit, corner) for unit in units[low - 1 : high + 1]):
             first = _up_to(a, sides[a], units[:low], corner, walls)
             last = first and _on_from(c, sides[c], units[high:], corner, walls)
             if first is None or last is None:
@@ -185,8 +217,6 @@ def round_two(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | None
             if filling is None:
                 continue
             middle, gap, behind = filling
-            if not all(_joins(unit, corner) for unit in (first.units[-1], *middle, last.units[0])):
-                continue
             # As if the walls at its ends were so much nearer.
             one, other = (replace(sides[k], start=sides[k].at(0.0, behind)) for k in (a, c))
             back = replace(sides[b], start=sides[b].at(behind, 0.0), length_m=length - 2 * behind)
@@ -201,7 +231,10 @@ def _filling(
 ) -> tuple[tuple[Asset, ...], float, float] | None:
     """Units like these that fill a wall between two corner units, of models drawn at random, how
     far they stand apart, and how far worktops reach behind the units at both ends."""
-    drawn = [walls.of_each_width(unit.category) for unit in units]
+    ends = [(k == 0, k == len(units) - 1) for k in range(len(units))]
+    drawn = [
+        walls.of_each_width(unit.category, *end) for unit, end in zip(units, ends, strict=True)
+    ]
     for middle in product(*drawn):
         free_m = between_m - sum(unit.extents_m[1] for unit in middle)
         least, most = (gap * (len(middle) + 1) for gap in WEDGED_GAP_M)
@@ -228,11 +261,32 @@ def apart_round_corner(units: Sequence[Asset], corner: Asset, walls: Walls) -> R
 def _with_tall(run: Run, units: Sequence[Asset], walls: Walls) -> Run | None:
     legs = run.legs
     for unit in units:
-        alone = along_wall([unit], walls) if unit.extents_m[2] > TALL_M else Run(())
-        if alone is None:
-            return None
-        legs = (*legs, *alone.legs)
+        if unit.extents_m[2] > TALL_M:
+            alone = _alone_in_corner(unit, walls)
+            if alone is None and walls.tried.modest:
+                alone = along_wall([unit], walls)
+            if alone is None:
+                return None
+            legs = (*legs, *alone.legs)
     return run._replace(legs=legs)
+
+
+def _alone_in_corner(unit: Asset, walls: Walls) -> Run | None:
+    """A unit in a corner of the room: in the middle of a wall, it would look forgotten."""
+    left, right = _ends([unit], walls.tried)
+    wide = unit.extents_m[1]
+    starts = [
+        (k, start)
+        for k, free in enumerate(walls.free)
+        for low, high in free
+        if high - low >= left + wide + right
+        for start in (low + left, high - right - wide)
+        if walls.in_corner(k, start) or walls.in_corner(k, start + wide)
+    ]
+    if not starts:
+        return None
+    k, start = starts[int(walls.tried.rng.integers(len(starts)))]
+    return Run((Leg(k, walls.tried.sides[k], start, (unit,)),))
 
 
 Shaped = Callable[[Sequence[Asset], Walls], Run | None]
@@ -252,31 +306,33 @@ def _corner_at(first: Side, corner: Asset) -> anchors.PlacedAt:
     return (x, y, 0.0, first.yaw)
 
 
-def _joins(unit: Asset, corner: Asset) -> bool:
+def _as_low(unit: Asset, corner: Asset) -> bool:
     """No tall unit stands beside a corner unit."""
     return unit.extents_m[2] <= max(TALL_M, corner.extents_m[2])
 
 
 def _up_to(k: int, side: Side, units: Sequence[Asset], corner: Asset, walls: Walls) -> Leg | None:
     """A leg whose last unit joins a corner unit at the end of a side."""
+    units = (*units[:-1], walls.joining(units[-1], right=True))
     end = side.length_m - BACK_GAP_M - corner.extents_m[1] - CORNER_GAP_M
     start = end - _length(units, walls.tried)
-    if walls.tried.layout.library.reach(units[-1].id).right_m > CORNER_GAP_M:
+    if not walls.joins(units[-1], left=False, right=True):
         return None
     if not walls.takes(k, start - _ends(units, walls.tried)[0], side.length_m):
         return None
-    return Leg(k, side, start, tuple(units))
+    return Leg(k, side, start, units)
 
 
 def _on_from(k: int, side: Side, units: Sequence[Asset], corner: Asset, walls: Walls) -> Leg | None:
     """A leg whose first unit joins a corner unit at the beginning of a side."""
+    units = (walls.joining(units[0], left=True), *units[1:])
     start = BACK_GAP_M + corner.extents_m[0] + CORNER_GAP_M
     end = start + _length(units, walls.tried)
-    if walls.tried.layout.library.reach(units[0].id).left_m > CORNER_GAP_M:
+    if not walls.joins(units[0], left=True, right=False):
         return None
     if not walls.takes(k, 0.0, end + _ends(units, walls.tried)[1]):
         return None
-    return Leg(k, side, start, tuple(units))
+    return Leg(k, side, start, units)
 
 
 def _gap(unit: Asset, following: Asset | None, tried: RoomTry, gap_m: float = UNIT_GAP_M) -> float:

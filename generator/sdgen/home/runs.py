@@ -8,11 +8,14 @@ import math
 from collections.abc import Mapping
 
 import numpy as np
+from shapely.geometry import Polygon
 
 from sdgen.catalog.records import FurnitureRule
 from sdgen.home import anchors
+from sdgen.home.anchors import Side
 from sdgen.home.room_try import RoomTry, with_placed
-from sdgen.home.run_shapes import DEPTH_M, STRAIGHT, TALL_M, TURNING, Run, Walls, spots
+from sdgen.home.run_shapes import DEPTH_M, STRAIGHT, TALL_M, TURNING, Leg, Run, Walls, spots
+from sdgen.library.records import Asset
 
 #: Bound the search: runs drawn of a shape, some of them as short as may be, for small kitchens; and
 #: of these, the best first, tried in the room.
@@ -25,12 +28,15 @@ SHAPES = {"corner": 0.4, "wall": 0.15, "galley": 0.1, "u": 0.35}
 APART = ("apart", "apart_corner")
 #: How often each extra unit of a rule is asked for.
 EXTRA_CHANCE = 0.7
-#: A sink this near the middle of a window, along the wall, is at it; a stove whose middle is nearer
-#: than this to one has no room for its hood.
-AT_WINDOW_M, BESIDE_WINDOW_M = 0.5, 0.35
+#: A sink this near the middle of a window, along the wall, is at it.
+AT_WINDOW_M = 0.5
+#: A hood over a stove is so deep, and takes at least the heights from here to there.
+HOOD_DEEP_M, HOOD_M = 0.5, (1.6, 1.85)
 #: What a metre more of worktop is worth, up to so many; what else is, or costs, in metres.
 WORKTOP_WORTH, WORKTOP_MOST_M = 0.35, 4.5
-SINK_AT_WINDOW, STOVE_AT_WINDOW, NO_TOP_BESIDE_STOVE = -1.2, 2.0, 0.8
+SINK_AT_WINDOW, NO_HOOD, NO_TOP_BESIDE_STOVE = -1.2, 4.0, 0.8
+#: Where a leg of low units ends in the open, and where any leg ends beside a doorway.
+OPEN_END, END_AT_DOOR = 0.35, 0.5
 #: A dishwasher stands in the leg of the sink.
 DISHWASHER, SPLIT_FROM_SINK = -0.3, 0.8
 #: Each shape less wished for than the one before it.
@@ -106,14 +112,14 @@ def _cost(run: Run, walls: Walls) -> float:
         # Beside each unit: another, or the corner unit that the leg joins.
         before = 0 < number <= len(run.corners)
         after = number < len(run.corners)
+        total += _ends_cost(leg, before, after, walls)
         topped = [before, *(unit.extents_m[2] <= TALL_M for unit in leg.units), after]
         traits = [tried.catalog.category(unit.category).properties for unit in leg.units]
         wet = any("WATER_SOURCE" in its for its in traits)
         for i, (unit, middle) in enumerate(spots(leg, tried)):
             off = min((abs(t - middle) for t, _ in windows), default=math.inf)
-            beside = min((abs(t - middle) - half for t, half in windows), default=math.inf)
             if "HEAT_SOURCE" in traits[i]:
-                total += STOVE_AT_WINDOW if beside < BESIDE_WINDOW_M else 0.0
+                total += 0.0 if _has_hood(leg.side, unit, middle, tried) else NO_HOOD
                 total += NO_TOP_BESIDE_STOVE * (2 - topped[i] - topped[i + 2])
             elif topped[i + 1]:
                 worktop += unit.extents_m[1]
@@ -122,6 +128,29 @@ def _cost(run: Run, walls: Walls) -> float:
             if unit.category == "dishwasher":
                 total += DISHWASHER if wet else SPLIT_FROM_SINK
     return total - WORKTOP_WORTH * min(worktop, WORKTOP_MOST_M)
+
+
+def _ends_cost(leg: Leg, before: bool, after: bool, walls: Walls) -> float:
+    """What speaks against the ends of a leg, but those ``before`` and ``after`` it that join a
+    corner unit."""
+    last, middle = list(spots(leg, walls.tried))[-1]
+    ends = [] if before else [(leg.units[0], leg.start_m)]
+    ends += [] if after else [(last, middle + last.extents_m[1] / 2)]
+    total = 0.0
+    for unit, at_m in ends:
+        total += END_AT_DOOR if walls.at_doorway(leg.wall, at_m) else 0.0
+        open_end = unit.extents_m[2] <= TALL_M and not walls.in_corner(leg.wall, at_m)
+        total += OPEN_END if open_end else 0.0
+    return total
+
+
+def _has_hood(side: Side, stove: Asset, middle_m: float, tried: RoomTry) -> bool:
+    """Whether a hood over a stove hides no window."""
+    half = stove.extents_m[1] / 2
+    ends = (middle_m - half, middle_m + half)
+    near, far = ([side.at(t, off) for t in ends] for off in (0.0, HOOD_DEEP_M))
+    shape = Polygon([*near, *far[::-1]])
+    return not any(sight.hidden_by(shape, *HOOD_M) for sight in tried.sights)
 
 
 def _with(rule: FurnitureRule, run: Run, tried: RoomTry) -> RoomTry | None:

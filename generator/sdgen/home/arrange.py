@@ -7,15 +7,11 @@ that a robot cannot cross is arranged anew, a bounded number of times.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from shapely.geometry import Point, Polygon
-
 from sdgen.catalog.records import Catalog, FurnitureRule
-from sdgen.facts import bodies_of
-from sdgen.freespace import ROBOT_RADIUS_M, polygons, union
 from sdgen.geometry import yaw_of
 from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side
@@ -32,6 +28,7 @@ from sdgen.home.room_try import (
     with_placed,
 )
 from sdgen.home.runs import with_row, with_run
+from sdgen.home.walking import passable, walkable
 from sdgen.home.wall_units import with_wall_units
 from sdgen.home.wishes import by_wishes
 from sdgen.library.records import Asset, AssetInfo
@@ -39,7 +36,6 @@ from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, Room
 from sdgen.seeding import Rng
 from sdgen.vocabulary import FLAT_M
-from sdgen.zones import doorway_point, floor_obstacles
 
 #: Bound the search: a room that fails so often mostly has no arrangement, and homes are drawn anew.
 ROOM_TRIES = 8
@@ -60,12 +56,6 @@ MODELS_TRIED = 4
 NEARLY_AS_LARGE = 0.6
 #: Where one model found no place, none does that is as large in each direction but for so much.
 SAME_M = 0.02
-#: People walk past each other's furniture where it leaves them so much.
-WALK_M = 0.8
-#: What a person in a room must be able to get to: this far from every doorway's middle.
-NEAR_DOOR_M = 0.2
-#: Floor that a robot's middle has in a room: a small bathroom has little more than a spot to turn.
-SMALL_ROOM_M2, LEAST_FREE_SMALL_M2, LEAST_FREE_M2 = 8.0, 0.3, 1.0
 #: What hangs above a piece may be wider by so much: a hood over a stove of the same nominal width.
 ABOVE_WIDER_M = 0.03
 #: At walls furniture keeps so far off the frames of doors where it can.
@@ -116,7 +106,7 @@ def _try_room(furnished: RoomTry) -> Layout | Rejection:
         if more is not None and not (group[0].needed or _leaves_way(furnished, more)):
             continue
         furnished = more or furnished
-    if not _passable(furnished) or not (furnished.modest or _walkable(furnished)):
+    if not passable(furnished) or not (furnished.modest or walkable(furnished)):
         return reject("home", "no_way_through", category=room_type)
     return furnished.layout
 
@@ -126,7 +116,7 @@ def _leaves_way(before: RoomTry, after: RoomTry) -> bool:
     did not with all, before."""
     if before.number == 0 or len(after.prints) == len(before.prints):
         return True
-    return _walkable(after) or not _walkable(before)
+    return walkable(after) or not walkable(before)
 
 
 def rules_of(room: Room, catalog: Catalog) -> tuple[FurnitureRule, ...]:
@@ -379,32 +369,3 @@ def _poses(
     if rule.where == "under":
         return anchors.under(target, rule.gap_m)
     return anchors.opposite(target, tried.sides, size, rng, reach)
-
-
-def _walkable(tried: RoomTry) -> bool:
-    """True when people can walk from each doorway of the room to every other."""
-    return any(_joined(tried, WALK_M / 2))
-
-
-def _passable(tried: RoomTry) -> bool:
-    """True when a robot can get from each doorway of the room to every other and to its middle."""
-    least = LEAST_FREE_M2 if tried.outline.area >= SMALL_ROOM_M2 else LEAST_FREE_SMALL_M2
-    return any(part.area >= least for part in _joined(tried, ROBOT_RADIUS_M))
-
-
-def _joined(tried: RoomTry, radius_m: float) -> Iterator[Polygon]:
-    """The parts of the floor with all doorways of the room by them, where the middle of what is so
-    wide may be."""
-    ids = [k for found in tried.placed.values() for k in found]
-    layout = tried.layout
-    obstacles = floor_obstacles(bodies_of([layout.items[k] for k in ids], layout.library.infos))
-    grown = union([o.buffer(radius_m, quad_segs=2) for o in obstacles])
-    free = tried.outline.buffer(-radius_m, join_style="mitre").difference(grown)
-    ends = [
-        Point(doorway_point(opening, tried.room))
-        for opening in tried.openings
-        if opening.kind != "window"
-    ]
-    for part in polygons(free):
-        if all(part.distance(end) <= NEAR_DOOR_M for end in ends):
-            yield part

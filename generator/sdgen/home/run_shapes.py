@@ -32,6 +32,8 @@ GALLEY_M = (2.1, 2.85)
 #: far behind its units at most, where what there is does not fill the wall between.
 U_LEAST_M = 2.6
 BEHIND_M = 0.06
+#: And units of a U stand so much nearer to the walls at its ends at most, where there is too much.
+NEARER_M = 0.01
 #: A run that ends so near a corner of the room ends in it; so near a doorway, it crowds it.
 IN_CORNER_M, AT_DOOR_M = 0.2, 0.3
 
@@ -104,7 +106,9 @@ class Walls:
     def joins(self, unit: Asset, left: bool, right: bool) -> bool:
         """Whether no leaf of a unit opens over a corner unit at its ``left``, or its ``right``."""
         reach = self.tried.layout.library.reach(unit.id)
-        return not (left and reach.left_m > CORNER_GAP_M or right and reach.right_m > CORNER_GAP_M)
+        return not (
+            (left and reach.left_m > CORNER_GAP_M) or (right and reach.right_m > CORNER_GAP_M)
+        )
 
     def joining(self, unit: Asset, left: bool = False, right: bool = False) -> Asset:
         """The unit or, where it cannot stand so at a corner unit, one of its category that can."""
@@ -194,7 +198,8 @@ def round_corner(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | N
 
 
 def round_two(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | None:
-    """A U: its middle leg fills the wall between two corner units."""
+    """A U: its middle leg fills the wall between two corner units, with a unit or two more at its
+    ends where that takes it."""
     sides = walls.tried.sides
     met = list(walls.corners())
     turns = [(a, b, c) for a, b in met for other, c in met if b == other]
@@ -205,7 +210,9 @@ def round_two(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | None
     length = sides[b].length_m
     if length < U_LEAST_M or not walls.takes(b, 0.0, length):
         return None
-    splits = [(low, high) for low in range(1, len(units) - 1) for high in range(low + 1, len(units))]
+    splits = [
+        (low, high) for low in range(1, len(units) - 1) for high in range(low + 1, len(units))
+    ]
     for number in walls.tried.rng.permutation(len(splits)).tolist():
         low, high = splits[number]
         if all(_as_low(unit, corner) for unit in units[low - 1 : high + 1]):
@@ -213,7 +220,9 @@ def round_two(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | None
             last = first and _on_from(c, sides[c], units[high:], corner, walls)
             if first is None or last is None:
                 continue
-            filling = _filling(units[low:high], length - 2 * BACK_GAP_M - deep - wide, walls)
+            between = length - 2 * BACK_GAP_M - deep - wide
+            fillings = (_filling(some, between, walls) for some in _padded(units, low, high))
+            filling = next((found for found in fillings if found is not None), None)
             if filling is None:
                 continue
             middle, gap, behind = filling
@@ -226,20 +235,32 @@ def round_two(units: Sequence[Asset], corner: Asset, walls: Walls) -> Run | None
     return None
 
 
+def _padded(units: Sequence[Asset], low: int, high: int) -> Iterator[tuple[Asset, ...]]:
+    """Some units of a run, alone and with one more at either end or both: of the category that the
+    run has most of."""
+    names = [unit.category for unit in units]
+    more = max(units, key=lambda unit: names.count(unit.category))
+    for before, after in ((0, 0), (1, 0), (0, 1), (1, 1)):
+        yield (*(more,) * before, *units[low:high], *(more,) * after)
+
+
 def _filling(
     units: Sequence[Asset], between_m: float, walls: Walls
 ) -> tuple[tuple[Asset, ...], float, float] | None:
     """Units like these that fill a wall between two corner units, of models drawn at random, how
-    far they stand apart, and how far worktops reach behind the units at both ends."""
+    far they stand apart, and how far worktops reach behind the units at both ends (below 0: how
+    much nearer to the wall these stand)."""
     ends = [(k == 0, k == len(units) - 1) for k in range(len(units))]
     drawn = [
         walls.of_each_width(unit.category, *end) for unit, end in zip(units, ends, strict=True)
     ]
+    if not all(drawn) or sum(min(m.extents_m[1] for m in found) for found in drawn) > between_m:
+        return None
     for middle in product(*drawn):
         free_m = between_m - sum(unit.extents_m[1] for unit in middle)
         least, most = (gap * (len(middle) + 1) for gap in WEDGED_GAP_M)
-        if least <= free_m <= most + 2 * BEHIND_M:
-            behind = max(0.0, free_m - most) / 2
+        if least - 2 * NEARER_M <= free_m <= most + 2 * BEHIND_M:
+            behind = (free_m - min(max(free_m, least), most)) / 2
             return middle, (free_m - 2 * behind) / (len(middle) + 1), behind
     return None
 

@@ -26,6 +26,8 @@ NARROW_M = 0.05
 SHAPES = {"corner": 0.4, "wall": 0.15, "galley": 0.1, "u": 0.35}
 #: Where none of these finds a place.
 APART = ("apart", "apart_corner")
+#: How often what comes after a tall first unit is the other way round.
+TURNED_CHANCE = 0.4
 #: How often each extra unit of a rule is asked for.
 EXTRA_CHANCE = 0.7
 #: A sink this near the middle of a window, along the wall, is at it.
@@ -92,6 +94,9 @@ def _drawn(rule: FurnitureRule, shape: str, walls: Walls, short: bool) -> Run | 
             least = min(m.extents_m[1] for m in found)
             found = tuple(m for m in found if m.extents_m[1] < least + NARROW_M)
         units.append(found[int(rng.integers(len(found)))])
+    if rule.where == "run" and rng.random() < TURNED_CHANCE:
+        # A fridge at its beginning stays there, by the sink then.
+        units[1:] = units[:0:-1]
     if rng.random() < 0.5:
         units.reverse()
     if shape in STRAIGHT:

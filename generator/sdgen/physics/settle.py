@@ -17,9 +17,9 @@ from sdgen.vocabulary import DRIFT_LIMIT_M
 
 #: Two seconds; 16 scenes were still after 24 to 180 steps.
 MAX_STEPS = 480
-#: Looked at every twentieth of a second; still is what moves by less than 1 mm/s and turns by less
-#: than 0.01 rad/s over two such windows: a thing that falls 3 mm and rocks is not still meanwhile.
-_WINDOW = 12
+#: Looked at every fortieth of a second; still is what moves by less than 2 mm/s and turns by less
+#: than 0.02 rad/s over two such windows: a thing that falls 3 mm and rocks is not still meanwhile.
+_WINDOW = 6
 _QUIET_WINDOWS = 2
 _STILL_M = 5e-5
 _STILL_RAD = 5e-4

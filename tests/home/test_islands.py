@@ -75,7 +75,7 @@ def test_a_run_round_two_corners_fills_the_wall_between_them(wide_m, round_two):
 
 
 def test_a_wall_too_short_for_two_corners_has_none(round_two):
-    assert runs.with_run(RUN, kitchen(2.5, 3.6, 1)) is None
+    assert runs.with_run(RUN, kitchen(2.4, 2.5, 1)) is None
 
 
 def test_an_island_stands_a_metre_from_all_else_and_faces_a_run():

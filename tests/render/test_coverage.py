@@ -56,7 +56,8 @@ def _area(triangles: np.ndarray) -> float:
 
 
 def _sampled_share_beyond(corners: np.ndarray, near: float) -> float:
-    u, v = np.meshgrid((np.arange(100) + 0.5) / 100, (np.arange(100) + 0.5) / 100)
+    steps = (np.arange(400) + 0.5) / 400
+    u, v = np.meshgrid(steps, steps)
     u, v = u[u + v < 1], v[u + v < 1]
     z = corners[0, 2] * (1 - u - v) + corners[1, 2] * u + corners[2, 2] * v
     return float((z >= near).mean())

@@ -42,8 +42,8 @@ _DRAWS, _WAYS = 4, 2
 _LOOKALIKES, _EVERYDAY = 0.5, 3.0
 #: What the high places of each hazard count, where its near misses lie that must be out of reach:
 #: where nobody looks at them, of what children must not reach only the hazards are seen, and its
-#: name tells them. All on one piece or two, those first that serve most hazards: spread over the
-#: six to eight of a home none would get a view of its own.
+#: name tells them. All on one piece or two, the same for as many hazards as it does: spread over
+#: the six to eight of a home none would get a view of its own.
 _HIGH, _HIGH_PIECES = 3.0, 2
 #: Eyes are lifted somewhat above this; of what lies flat higher up views show little.
 _SEEN_FROM_ABOVE_M = 1.7
@@ -132,15 +132,10 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     placed = np.zeros(len(surfaces.points_m))
     for wanted, weight in expected.items():
         placed += weight * surfaces.share(wanted)
-    out_of_reach = [
-        surfaces.out_of_reach(recipes, _possible(recipes, context, layout)[0]) for recipes in high
-    ]
     pieces = np.unique(surfaces.target).tolist()
-    serves = Counter(k for points in out_of_reach for k in set(surfaces.target[points].tolist()))
-    drawn = rng.permutation(len(pieces)).tolist()
-    rank = {piece: (-serves[piece], lot) for piece, lot in zip(pieces, drawn, strict=True)}
-    for points in out_of_reach:
-        placed += _HIGH * surfaces.few_of(points, rank)
+    rank = dict(zip(pieces, rng.permutation(len(pieces)).tolist(), strict=True))
+    for recipes in high:
+        placed += _HIGH * surfaces.few_of(recipes, _possible(recipes, context, layout)[0], rank)
     ways = {key: list(_ways(context, layout, *key, outdoors[key], rng)) for key in sorted(were_set)}
     likely = placed > 0
     weights = np.array(
@@ -181,23 +176,22 @@ class _Surfaces:
         or 0 where there is none."""
         return self._evenly(self._fitting(wanted))
 
-    def out_of_reach(self, recipes: Sequence[Recipe], wanted: Iterable[Wanted]) -> Bools:
-        """The points where any of these may lie and no child reaches, (N,)."""
+    def few_of(
+        self, recipes: Sequence[Recipe], wanted: Iterable[Wanted], rank: Mapping[int, int]
+    ) -> Array:
+        """How likely each point is where any of these may lie out of reach, (N,), as for
+        :meth:`share`: on the first few pieces by ``rank`` (by id), lower ones before higher."""
         fitting = np.zeros(len(self.points_m), dtype=np.bool_)
         for one in wanted:
             fitting |= self._fitting(one)
-        return fitting & self._beyond(recipes, fitting)
-
-    def few_of(self, points: Bools, rank: Mapping[int, tuple[int, int]]) -> Array:
-        """How likely each of these points (N,) is, as for :meth:`share`: on the first few pieces
-        by ``rank`` (by id), lower ones before higher."""
+        fitting &= self._beyond(recipes, fitting)
         above = self.points_m[:, 2] > _SEEN_FROM_ABOVE_M
         order = {
-            owner: (bool(above[points & (self.target == owner)].all()), rank[owner])
-            for owner in set(self.target[points].tolist())
+            owner: (bool(above[fitting & (self.target == owner)].all()), rank[owner])
+            for owner in set(self.target[fitting].tolist())
         }
         owners = sorted(order, key=order.__getitem__)[:_HIGH_PIECES]
-        return self._evenly(points & np.isin(self.target, owners))
+        return self._evenly(fitting & np.isin(self.target, owners))
 
     def _beyond(self, recipes: Sequence[Recipe], among: Bools) -> Bools:
         """Which of these points no child reaches, for the first thing that the recipes place."""

@@ -53,8 +53,8 @@ def test_views_follow_from_the_furnished_home_and_their_own_lane(furnished):
 
 
 def test_near_misses_out_of_reach_have_a_place_that_views_show(catalog, library):
-    """Of each class by reach in most homes, so that what it names is seen harmless, too: of 40 homes
-    in five of six."""
+    """Of each class by reach in most homes, so that what it names is seen harmless, too: of forty
+    homes in five of six."""
     by_reach = [hazard for hazard in catalog.hazards if hazard.concerns.by_reach]
     found = []
     with Client() as client:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from tests.audit.dataset import Finding, Scene
+from tests.audit.dataset import MATS, Finding, Scene
 
 #: People own these in sets, and lay them out so.
 SETS = {
@@ -131,7 +131,7 @@ NO_PLAY = {"bathroom", "laundry", "kitchen"}
 def odd_floors(scene: Scene) -> Iterator[Finding]:
     """What nobody puts on a floor, or not in this room, and that is no label."""
     floors = scene.nodes.keys() - scene.things.keys()
-    floors |= {t.id for t in scene.furniture if t.category in {"rug", "bath_mat", "doormat"}}
+    floors |= {t.id for t in scene.furniture if t.category in MATS}
     for thing in scene.small:
         if thing.id in scene.hazards_of or not set(scene.on.get(thing.id, [])) & floors:
             continue

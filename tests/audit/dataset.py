@@ -22,6 +22,8 @@ Json = dict[str, Any]
 #: What has parts that are flames.
 BURNS = {"stove"}
 
+#: What lies flat on floors, under things and feet.
+MATS = frozenset({"rug", "bath_mat", "doormat"})
 ROOT = Path(__file__).resolve().parents[2]
 
 

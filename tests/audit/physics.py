@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import shapely
 
-from tests.audit.dataset import Finding, Part, Scene, Thing
+from tests.audit.dataset import MATS, Finding, Part, Scene, Thing
 from tests.audit.meshes import depths, drop, spread
 
 Floats = npt.NDArray[np.float64]
@@ -30,8 +30,6 @@ PILE_M = 0.005
 CRUMB_M = 0.006
 #: A piece whose middle is this far beyond what bears it would tip, metres.
 TIPPING_M = 0.005
-#: Looked at by what goes through them.
-MATS = {"rug", "bath_mat", "doormat"}
 SAMPLES = 400
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
-from tests.audit.dataset import Finding, Scene, Thing
+from tests.audit.dataset import MATS, Finding, Scene, Thing
 from tests.audit.leaves import is_pulled_away
 from tests.audit.routes import FLAT_M, Ground
 
@@ -20,7 +20,6 @@ FOOT_M = 0.05
 OFF_M = 0.35
 #: What hangs higher than this leaves room to stand before it, metres.
 SHOULDER_M = 1.2
-MATS = {"rug", "bath_mat", "doormat"}
 
 
 def on_floor(scene: Scene, thing: Thing) -> bool:

@@ -74,6 +74,25 @@ def test_a_run_round_two_corners_fills_the_wall_between_them(wide_m, round_two):
     assert max(between) > 1.2
 
 
+def test_a_run_round_two_corners_takes_a_unit_more_where_the_wall_does(round_two):
+    """Of what is drawn alone one in eight fills this wall."""
+    assert sum(runs.with_run(RUN, kitchen(3.3, 3.2, seed)) is not None for seed in range(8)) >= 6
+
+
+def test_a_fridge_apart_from_its_run_stands_in_a_corner(monkeypatch):
+    monkeypatch.setattr(runs, "SHAPES", {"apart": 1.0})
+    stood = 0
+    for seed in range(8):
+        made = runs.with_run(RUN, kitchen(3.6, 3.9, seed))
+        if made is None:
+            continue
+        stood += 1
+        (x0, y0, x1, y1) = shapes(made, made.all(["fridge"]))[0].bounds
+        assert min(x0, 3.6 - x1) < 0.25
+        assert min(y0, 3.9 - y1) < 0.25
+    assert stood >= 6
+
+
 def test_a_wall_too_short_for_two_corners_has_none(round_two):
     assert runs.with_run(RUN, kitchen(2.4, 2.5, 1)) is None
 

@@ -1,4 +1,5 @@
-"""Near views look at places from usual eyes, and onto high ones from lifted eyes."""
+"""Near views look at places from usual eyes, and onto high ones from lifted eyes; overviews at
+rooms."""
 
 import numpy as np
 import pytest
@@ -9,6 +10,8 @@ from sdgen.library import Library
 from sdgen.options import EYE_HEIGHT_M
 from sdgen.seeding import lane
 from shapely.geometry import box
+
+from tests.fakes import box_room
 
 
 @pytest.mark.parametrize(
@@ -23,3 +26,16 @@ def test_eyes_are_lifted_to_look_onto_high_places_alone(
     assert len(heights) > 100
     assert max(map(abs, heights)) <= HEIGHT_JITTER_M
     assert np.ptp(heights) > HEIGHT_JITTER_M
+
+
+def test_overviews_show_walls_too(library: Library) -> None:
+    """However near a room's middle is, the picture's upper edge is above the horizon."""
+    (room,) = box_room([]).home.rooms
+    none = Spots(np.empty((0, 3)), np.empty(0, dtype=np.int64), (), np.empty(0))
+    for half_m in (0.8, 2.0):
+        free = box(-half_m, -half_m, half_m, half_m)
+        views = candidates(library, [room], free, none, lane(0, 0, "views"))
+        assert len(views) > 3
+        assert {view.overview_of for view in views} == {room.id}
+        ahead = np.array([view.world_from_camera[:3, 2] for view in views])
+        assert (ahead[:, 2] / np.hypot(ahead[:, 0], ahead[:, 1])).min() > -0.3

@@ -3,7 +3,7 @@ import pytest
 from sdgen.cameras.parts import part_numbers, part_points
 from sdgen.cameras.pinhole import intrinsics
 from sdgen.cameras.sight import estimate_pixels
-from sdgen.cameras.view import View, clear, to_cameras
+from sdgen.cameras.view import View, clear, to_cameras, wide
 from sdgen.geometry import look_at
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
@@ -93,6 +93,19 @@ def test_nothing_stands_before_a_clear_eye(library: Library, scene: Scene) -> No
     with RayWorld(library, scene) as world:
         assert clear(world.cast, views).tolist() == [True, False, False]
         assert clear(world.cast, []).tolist() == []
+
+
+def test_of_a_rooms_overviews_those_stay_that_see_furthest(library: Library, scene: Scene) -> None:
+    """Two of two rooms' each: from the far wall and into a near one; near views stay."""
+    far, near = ((-1.0, -1.5, 1.2), (1.0, 1.5, 0.9)), ((1.6, 0.0, 1.2), (1.9, 0.0, 1.1))
+    pairs = [(near, 1), (far, 1), (near, None), (far, 2), (near, 2), (near, 3)]
+    views = [
+        View("near" if room is None else "room", np.array(eye), np.array(aim), room)
+        for (eye, aim), room in pairs
+    ]
+    with RayWorld(library, scene) as world:
+        assert wide(world.cast, views).tolist() == [False, True, True, True, False, True]
+        assert wide(world.cast, views[2:3]).tolist() == [True]
 
 
 def test_cameras_are_numbered_in_a_drawn_order(scene: Scene) -> None:

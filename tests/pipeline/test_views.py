@@ -109,7 +109,7 @@ def test_near_misses_are_marked_by_what_would_show_the_hazard(catalog, library, 
 
     monkeypatch.setattr(overlook, "shows", record)
     held_to = set()
-    for index in range(20):
+    for index in range(60):
         asked.clear()
         made = make_scene(index, catalog, library, OPTIONS)
         near = {one.object_id for one in made.anomalies.lookalikes if "sharp" in one.near_miss_of}

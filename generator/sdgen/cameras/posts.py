@@ -46,10 +46,13 @@ _LIFTED_DISTANCE_M = (0.8, 1.5)
 #: Overviews tried of each room.
 _OVERVIEWS = 8
 #: Free-floor points drawn for an eye: those nearest to a room's rim see most of it.
-_RIM_OF = 4
+_RIM_OF = 8
 #: Overviews aim at the room's middle at the height of seats and tables, give or take (x, y, z).
 _AIM_Z_M = 0.65
 _AIM_JITTER_M = (0.5, 0.5, 0.15)
+#: But look down by so much at most, a tangent (15 degrees): a floor is not a room, and what hangs
+#: on walls belongs to it.
+_DOWN = 0.27
 #: An aim nearer than this would look down the camera's own post.
 _NEAREST_AIM_M = 0.5
 #: Free floor below this is a gap between furniture, square metres.
@@ -145,5 +148,7 @@ def _overviews(rooms: Sequence[Room], free: BaseGeometry, rng: Rng) -> Iterator[
             height = EYE_HEIGHT_M + rng.uniform(0.0, 2 * HEIGHT_JITTER_M)
             eye = np.array([*points[int(np.argmax(away))], height])
             aim = middle + rng.uniform(-1.0, 1.0, 3) * _AIM_JITTER_M
-            if math.dist(aim[:2], eye[:2]) >= _NEAREST_AIM_M:
-                yield View("room", eye, aim)
+            level = math.dist(aim[:2], eye[:2])
+            aim[2] = max(aim[2], height - _DOWN * level)
+            if level >= _NEAREST_AIM_M:
+                yield View("room", eye, aim, room.id)

@@ -16,7 +16,7 @@ from sdgen.cameras.cover import CANONICAL, choose, shown_at_rest, states_shown, 
 from sdgen.cameras.posts import candidates, swept_by
 from sdgen.cameras.seen import Seen
 from sdgen.cameras.spots import SetTo, spots_of
-from sdgen.cameras.view import CLEARANCE_M, clear, to_cameras
+from sdgen.cameras.view import CLEARANCE_M, clear, to_cameras, wide
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.facts import Facts
 from sdgen.hazards.evidence import evidence_of
@@ -54,6 +54,7 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
     with RayWorld(library, home.scene(0, layout.items), client.still) as world:
         states = shown_at_rest(library, views, spots.states, states, world.cast)
         stands = clear(world.cast, views)
+        stands[stands] = wide(world.cast, list(compress(views, stands)))
         views, states = list(compress(views, stands)), states[stands]
         shows = np.concatenate([things_shown(views, spots.points_m, world.cast), states], axis=1)
         chosen = choose(views, shows, spots.weight, max(count, CANONICAL), rng)

@@ -131,18 +131,12 @@ def vessel_basin(wood: str = "oak", bowl: str = "round", offset: Offset = (0, 0,
     bar_handle(asm, "drawer", case_front + 0.018, 0, height - 0.1, 0.3, metal, False, 0.026)
     low, high = (x0 + 0.06, -half + 0.03, floor + 0.03), (case_front, half - 0.03, floor + 0.3)
     drawer_box(asm, "drawer", low, high, finish("birch", 0, offset))
-    top, cy = height + 0.025, 0.12
+    top = height + 0.025
     china = plain("#f4f5f3", 0.012, 8, offset)
-    inner = Assembly()
     r = (0.19, 0.2) if bowl == "round" else (0.17, 0.24)
-    _bowl(inner, 0.02, r, (top, top + 0.13), china, 2.0 if bowl == "round" else 6.0)
-    tap(inner, x0 + 0.045, 0, top, 0.15, 0.32, metal)
-    stream(inner, x0 + 0.195, 0, top + 0.198, top + 0.02, 0.011)
-    for part, meshes in inner.meshes.items():
-        for mesh in meshes:
-            asm.add(part, mesh.move(0, cy, 0))
-    for piece in inner.pieces["body"]:
-        asm.piece("body", piece + np.array([0, cy, 0]))
+    _bowl(asm, 0.02, r, (top, top + 0.13), china, 2.0 if bowl == "round" else 6.0)
+    tap(asm, x0 + 0.045, 0, top, 0.15, 0.32, metal)
+    stream(asm, x0 + 0.195, 0, top + 0.198, top + 0.02, 0.011)
     switch = switched(asm, "water")
     return Model(
         title=f"{bowl} basin on a {wood} unit with a drawer",
@@ -152,7 +146,8 @@ def vessel_basin(wood: str = "oak", bowl: str = "round", offset: Offset = (0, 0,
         variants=switch["variants"],
         states=switch["states"] + open_closed("drawer", "drawer", 0.01, 0.12),
         supports=[
-            surface("top", (x0, -half), (0.24, cy - r[1] - 0.01), top),
+            surface("top", (x0, -half), (0.24, -r[1] - 0.01), top),
+            surface("top_left", (x0, r[1] + 0.01), (0.24, half), top),
             surface(
                 "drawer_floor",
                 (low[0] + 0.012, low[1] + 0.012),
@@ -162,9 +157,7 @@ def vessel_basin(wood: str = "oak", bowl: str = "round", offset: Offset = (0, 0,
                 "inside",
                 "drawer",
             ),
-            surface(
-                "basin_floor", (-0.05, cy - 0.07), (0.09, cy + 0.07), top + 0.024, None, "basin"
-            ),
+            surface("basin_floor", (-0.05, -0.07), (0.09, 0.07), top + 0.024, None, "basin"),
         ],
         containers=[
             Container(
@@ -174,7 +167,7 @@ def vessel_basin(wood: str = "oak", bowl: str = "round", offset: Offset = (0, 0,
                 "drawer",
                 "drawer",
             ),
-            Container("basin", (0.02, cy, top + 0.075), (1.4 * r[0], 1.4 * r[1], 0.11)),
+            Container("basin", (0.02, 0, top + 0.075), (1.4 * r[0], 1.4 * r[1], 0.11)),
         ],
         ground_shadow=True,
     )
@@ -183,13 +176,12 @@ def vessel_basin(wood: str = "oak", bowl: str = "round", offset: Offset = (0, 0,
 def oval_tub(
     style: str = "modern", colour: str = "#f4f5f3", length: float = 1.65, offset: Offset = (0, 0, 0)
 ) -> Model:
-    """style: "modern" (an egg down to the floor), "slipper" (one end raised, on claw feet) or
-    "corner" (a short deep tub in a square surround)."""
+    """style: "modern" (an egg down to the floor), "slipper" (one end raised, on claw feet),
+    "corner" (a short deep tub in a square surround) or "inset" (an oval in a long one)."""
     asm, metal = Assembly(), steel(20)
     china, inside = plain(colour, 0.015, 8, offset), plain("#f4f5f3", 0.012, 8, offset)
-    hx, hy = {"modern": (0.38, length / 2), "slipper": (0.37, length / 2), "corner": (0.41, 0.71)}[
-        style
-    ]
+    hx = {"modern": 0.38, "corner": 0.41}.get(style, 0.37)
+    hy, boxed = 0.71 if style == "corner" else length / 2, style in ("corner", "inset")
     height, floor = 0.58, 0.15
 
     def ring(k: float, z: float, power: float = 2.6, inset: float = 0.0) -> np.ndarray:
@@ -201,7 +193,7 @@ def oval_tub(
 
     base = 0.12 if style == "slipper" else 0.0
     power = 6.0 if style == "corner" else 2.6
-    if style == "corner":
+    if boxed:
         rings = [superellipse(hx, hy, 24, 28, z) for z in (0, height - 0.01, height)]
         inset = 0.07
     else:
@@ -238,8 +230,8 @@ def oval_tub(
         ((-0.75 * hx, hy - w), (0.75 * hx, hy)),
     ):
         asm.solid("body", (*low, floor), (*high, height))
-    y = -hy + (0.02 if style != "corner" else 0.035)
-    if style == "corner":
+    y = -hy + (0.035 if boxed else 0.02)
+    if boxed:
         spout = [
             (0, y, height),
             (0, y, height + 0.1),
@@ -256,9 +248,9 @@ def oval_tub(
         asm.solid("body", (-0.02, y - 0.08, 0), (0.02, y - 0.04, height + 0.25))
     asm.add("body", tube(spout, 0.016, 8, mat=metal))
     for x in (-0.08, 0.08):
-        z = height if style == "corner" else height + 0.12
-        at = y if style == "corner" else y - 0.06
-        if style != "corner":
+        z = height if boxed else height + 0.12
+        at = y if boxed else y - 0.06
+        if not boxed:
             asm.add("body", tube([(0, at, z), (x, at, z)], 0.011, 6, mat=metal))
         knob = [
             (0, z),
@@ -269,7 +261,7 @@ def oval_tub(
             (0, z + 0.052),
         ]
         asm.add("body", lathe(knob, 8, mat=metal).move(x, at, 0))
-    stream(asm, 0, land, spout[-1][2], floor + (0.03 if style == "corner" else 0.09), 0.016)
+    stream(asm, 0, land, spout[-1][2], floor + (0.03 if boxed else 0.09), 0.016)
     drain = [(0, floor), (0.03, floor), (0.028, floor + 0.005), (0, floor + 0.004)]
     asm.add("body", lathe(drain, 10, mat=metal).move(0, -hy + 0.5, 0))
     switch = switched(asm, "water")
@@ -277,6 +269,7 @@ def oval_tub(
         "modern": "free-standing oval bathtub",
         "slipper": "slipper bathtub on claw feet",
         "corner": "short deep bathtub, boxed in",
+        "inset": "oval bathtub, boxed in",
     }
     # the rectangle within the level floor, an oval of the loft's last ring
     last, share = ring(0.68, floor, power, inset), 2 ** (-1 / power)

@@ -14,7 +14,6 @@ from .bath_forms import ceramic_basin, oval_tub, vessel_basin
 from .designs import extend
 from .joinery import (
     Assembly,
-    bar_handle,
     carcass,
     finish,
     front,
@@ -26,6 +25,8 @@ from .joinery import (
 from .kitchen import basin, stream, switched, tap
 
 Offset = tuple[float, float, float]
+#: The ceramic top of a washstand.
+SLAB_M = 0.05
 
 
 def _ceramic(offset: Offset) -> Material:
@@ -52,24 +53,24 @@ def washbasin(
     style: str = "slab",
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A vanity: cabinet with two doors, a top with room beside the basin, and a tap."""
+    """A washstand: a broad ceramic basin, in the middle of its top, over a cabinet on legs."""
     asm, half = Assembly(), width / 2
-    x0, case_front, x1, floor, height = -0.24, 0.2, 0.24, 0.14, 0.85
+    x0, case_front, x1, floor, height = -0.24, 0.2, 0.24, 0.2, 0.85
     fronts, board, metal = finish(colour, 2, offset), finish(top, 1, offset), steel()
+    china = _ceramic(offset)
     carcass(
         asm,
         "body",
         (x0, -half + 0.01, floor),
-        (case_front, half - 0.01, height - 0.03),
+        (case_front, half - 0.01, height - SLAB_M),
         fronts,
         fronts,
         top=False,
     )
     for x in (x0 + 0.03, case_front - 0.05):
-        for y in (-half + 0.03, half - 0.05):
-            asm.board("body", (x, y, 0), (x + 0.02, y + 0.02, floor), metal)
-    sx, sy, cx = 0.3, 0.4, 0.02
-    cy = half - 0.06 - sy / 2
+        for y in (-half + 0.03, half - 0.06):
+            asm.board("body", (x, y, 0), (x + 0.03, y + 0.03, floor), board)
+    sx, sy, cx, cy, rim = 0.28, 0.4, 0.035, 0.0, 0.062
     a, b = cx - sx / 2 - 0.002, cx + sx / 2 + 0.002
     c, d = cy - sy / 2 - 0.002, cy + sy / 2 + 0.002
     for low, high in (
@@ -78,21 +79,24 @@ def washbasin(
         ((x0, c), (a, d)),
         ((b, c), (x1, d)),
     ):
-        asm.board("body", (*low, height - 0.03), (*high, height), board)
-    basin(asm, (cx, cy), (sx, sy), height, 0.13, _ceramic(offset), 0.037, 0.08)
-    tap(asm, x0 + 0.055, cy, height, 0.13, 0.17, metal)
-    stream(asm, x0 + 0.185, cy, height + 0.105, height - 0.128, 0.011)
+        asm.board("body", (*low, height - SLAB_M), (*high, height), china)
+    asm.board("body", (x0, -half, height), (x0 + 0.014, half, height + 0.05), china, 0.004)
+    basin(asm, (cx, cy), (sx, sy), height, 0.13, china, rim, 0.13)
+    tap(asm, x0 + 0.052, cy, height, 0.13, 0.17, metal)
+    stream(asm, x0 + 0.182, cy, height + 0.105, height - 0.128, 0.011)
     states, joints, settings = [], {}, {}
     for door, y0, y1 in (("door_left", -half + 0.01, 0.0), ("door_right", 0.0, half - 0.01)):
-        z = (floor + 0.002, height - 0.034)
+        z = (floor + 0.002, height - SLAB_M - 0.004)
         front(asm, door, case_front, (y0 + 0.002, y1 - 0.002), z, fronts, style)
         y = -0.04 if door == "door_left" else 0.04
-        bar_handle(asm, door, case_front + 0.018, y, 0.66, 0.14, metal, reach=0.022)
+        knob = lathe([(0, 0), (0.006, 0), (0.006, 0.01), (0.013, 0.014), (0, 0.022)], 10, mat=metal)
+        asm.add(door, knob.turn(ry=math.pi / 2).move(case_front + 0.018, y, 0.62), solid=True)
         joints[door] = hinge(case_front + 0.018, y0 if door == "door_left" else y1)
         states += open_closed(door, door)
         settings[door] = {"joint": door}
     low, high = (x0 + 0.01, -half + 0.03), (case_front, half - 0.03)
     room = height - 0.15 - floor - 0.018
+    aside = sy / 2 + rim + 0.002
     center = ((low[0] + high[0]) / 2, 0, floor + 0.018 + room / 2)
     return Model(
         title=f"washbasin on a {_tone(colour)} cabinet",
@@ -102,7 +106,8 @@ def washbasin(
         variants=switched(asm, "water")["variants"],
         states=switched(asm, "water")["states"] + states,
         supports=[
-            surface("top", (x0, -half), (x1, c - 0.02), height),
+            surface("top", (x0 + 0.014, -half), (x1, cy - aside), height),
+            surface("top_left", (x0 + 0.014, cy + aside), (x1, half), height),
             surface("inside_floor", low, high, floor + 0.018, room, "inside"),
             surface(
                 "basin_floor",
@@ -128,16 +133,21 @@ def washbasin_random(rng: np.random.Generator) -> dict:
     return {
         "width": pick(rng, [0.8, 0.9, 1.0]),
         "colour": pick(rng, ["#e9e8e4", "walnut", "#8fa3a8"]),
-        "top": pick(rng, ["oak", "#f2f2ef"]),
+        "top": pick(rng, ["oak", "#2f3133"]),
         "style": pick(rng, ["slab", "shaker"]),
         "offset": noise_offset(rng),
     }
 
 
 def bathtub(
-    length: float = 1.65, width: float = 0.74, panelled: bool = True, offset: Offset = (0, 0, 0)
+    length: float = 1.65,
+    width: float = 0.74,
+    panelled: bool = True,
+    panel: str | None = None,
+    offset: Offset = (0, 0, 0),
 ) -> Model:
-    """A tub, hollow, along y, with its tap at one end; boxed in, or free-standing on feet."""
+    """A tub, hollow, along y, with its tap at one end; boxed in (in a colour or wood of its own:
+    `panel`), or free-standing on feet."""
     asm, height, floor = Assembly(), 0.58, 0.16
     china, metal = _ceramic(offset), steel(20)
 
@@ -184,7 +194,9 @@ def bathtub(
                 x, y = sx * (width / 2 - 0.16), sy * (length / 2 - 0.28)
                 asm.add("body", lathe(foot, 10, mat=metal).move(x, y, 0))
                 asm.solid("body", (x - 0.03, y - 0.03, 0), (x + 0.03, y + 0.03, 0.12))
-    asm.add("body", loft(rings, china))
+    box = finish(panel, 2, offset) if panel else china
+    sides = 0 if panelled else -1  # the first ring of faces
+    asm.add("body", loft(rings, mats=[china, box], mat_of_face=lambda k, i: int(k == sides)))
     hx, hy, w = width / 2, length / 2, 0.09
     low_z = 0.0 if panelled else 0.1
     asm.solid("body", (-hx + 0.03, -hy + 0.03, low_z), (hx - 0.03, hy - 0.03, floor))
@@ -267,11 +279,11 @@ MODELS = {
             2,
             [
                 {"width": 0.8, "colour": "#e9e8e4", "top": "oak"},
-                {"width": 1.0, "colour": "walnut", "top": "#f2f2ef"},
+                {"width": 1.0, "colour": "walnut", "top": "#2f3133"},
             ],
         ),
         [
-            (washbasin, {"width": 0.8, "colour": "#8fa3a8", "top": "#f2f2ef"}),
+            (washbasin, {"width": 0.8, "colour": "#8fa3a8", "top": "oak"}),
             (ceramic_basin, {"stand": "pedestal"}),
             (ceramic_basin, {"stand": "legs"}),
             (vessel_basin, {"wood": "oak", "bowl": "round"}),
@@ -279,9 +291,11 @@ MODELS = {
         ],
     ),
     "bathtub": extend(
-        Maker(bathtub, bathtub_random, 2, [{"panelled": True}, {"panelled": False}]),
+        Maker(
+            bathtub, bathtub_random, 2, [{"panelled": True}, {"panelled": True, "panel": "#a9b3a6"}]
+        ),
         [
-            (oval_tub, {"style": "modern"}),
+            (oval_tub, {"style": "inset"}),
             (oval_tub, {"style": "modern", "colour": "#4c5357"}),
             (oval_tub, {"style": "slipper"}),
             (oval_tub, {"style": "slipper", "colour": "#5f7f86"}),

@@ -13,7 +13,7 @@ from toolkit.shapes import ellipsoid, extrude, lathe, loft, spline, tube
 
 from .casework import Case, metal_or
 from .garments_hung import coat, hang, hat
-from .joinery import Assembly, cushion, fabric, finish, surface
+from .joinery import Assembly, finish, surface
 
 Offset = tuple[float, float, float]
 
@@ -82,10 +82,8 @@ def rack_rail(metal: str = "iron", wood: str = "oak", offset: Offset = (0, 0, 0)
     return Model("clothes rail with coats", asm.parts(), 9.0, ground_shadow=True)
 
 
-def rack_hall(
-    wood: str = "#eceae5", seat: str = "#6d8077", height: float = 1.75, offset: Offset = (0, 0, 0)
-) -> Model:
-    """A hall stand: a panelled back with hooks over a seat with a shelf for shoes."""
+def rack_hall(wood: str = "#eceae5", height: float = 1.75, offset: Offset = (0, 0, 0)) -> Model:
+    """A hall stand: a panelled back with hooks over two low shelves for shoes."""
     asm, hy = Assembly(), 0.38
     up, along = finish(wood, 2, offset), finish(wood, 1, offset)
     x0, x1 = -0.19, 0.19
@@ -93,7 +91,7 @@ def rack_hall(
         w = 2 * hy / 5
         y = -hy + k * w
         asm.board(
-            "body", (x0, y + 0.002, 0.4), (x0 + 0.018, y + w - 0.002, height - 0.04), up, 0.003
+            "body", (x0, y + 0.002, 0.1), (x0 + 0.018, y + w - 0.002, height - 0.04), up, 0.003
         )
     asm.board(
         "body",
@@ -111,14 +109,12 @@ def rack_hall(
     for mesh in hat("#3a3f4a"):
         asm.add("body", mesh.scale(0.8).move(x0 + 0.1, -0.2, height - 0.02))
     for y in (-hy, hy - 0.022):
-        asm.board("body", (x0, y, 0), (x1, y + 0.022, 0.42), up, 0.003)
-    asm.board("body", (x0, -hy, 0.42), (x1 + 0.01, hy, 0.444), along, 0.004)
+        asm.board("body", (x0, y, 0), (x1, y + 0.022, 0.28), up, 0.003)
+    asm.board("body", (x0, -hy, 0.28), (x1 + 0.01, hy, 0.302), along, 0.004)
     asm.board("body", (x0 + 0.01, -hy + 0.022, 0.1), (x1 - 0.01, hy - 0.022, 0.118), along)
-    pad = cushion(
-        (0.34, 2 * hy - 0.02, 0.035), (0.01, 0, 0.444), fabric(seat, offset), 0.03, 0.008, 0.014
-    )
-    asm.add("body", pad, solid=True)
-    return Model("hall stand with hooks, a coat and a seat", asm.parts(), 14.5, ground_shadow=True)
+    pair(asm, (0.02, 0.24, 0.302), "#3a3a3c", "#26221f")
+    pair(asm, (0.02, -0.2, 0.118), "#8a5a32")
+    return Model("hall stand with hooks, a coat and shoes", asm.parts(), 14.5, ground_shadow=True)
 
 
 def rack_bent(
@@ -255,35 +251,34 @@ def shoes_metal(
 
 
 def shoes_bench(
-    width: float = 0.85, wood: str = "birch", seat: str = "#a3694f", offset: Offset = (0, 0, 0)
+    width: float = 0.85, wood: str = "birch", rows: int = 4, offset: Offset = (0, 0, 0)
 ) -> Model:
-    """A padded seat over two rows of pigeonholes."""
+    """Rows of four pigeonholes, some with a pair of shoes: too high for a seat."""
     case, d = Case(wood, offset=offset), 0.32
-    half, t, height = width / 2, 0.018, 0.46
+    half, t, height = width / 2, 0.018, 0.03 + 0.2 * rows
     x = (-d / 2, d / 2)
     case.carcass(x, (-half, half), (0.03, height), outside=case.wood)
     case.plinth((x[0], x[1] + 0.01), (-half, half), 0.03)
-    middle = 0.03 + (height - 0.03) / 2
+    floors = [0.03 + (height - 0.03) * k / rows for k in range(rows)]
     cell = (width - 2 * t) / 4
-    case.board(x, (-half + t, half - t), (middle - t / 2, middle + t / 2), case.across)
+    for z in floors[1:]:
+        case.board(x, (-half + t, half - t), (z - t / 2, z + t / 2), case.across)
     for k in range(1, 4):
         y = -half + t + k * cell
         case.board((x[0], x[1] - 0.004), (y - t / 2, y + t / 2), (0.03 + t, height - t), case.wood)
-    pad = cushion((d, width - 0.01, 0.04), (0, 0, height), fabric(seat, offset), 0.03, 0.01, 0.016)
-    case.asm.add("body", pad)
-    case.asm.solid("body", (x[0], -half, height), (x[1], half, height + 0.048))
-    case.supports.append(surface("top", (x[0], -half), (x[1], half), height + 0.05, margin=0.03))
+    case.supports.append(surface("top", (x[0], -half), (x[1], half), height))
     n = 0
-    for r, z in enumerate((0.03 + t, middle + t / 2)):
+    for r, floor in enumerate(floors):
+        z = floor + (t if r == 0 else t / 2)
         for c in range(4):
             y = -half + t + c * cell
-            if (r, c) in ((0, 1), (1, 3)):
-                pair(case.asm, (0.01, y + cell / 2, z), ("#2f3f55", "#8a5a32")[r])
+            if (r, c) in SHOES_IN:
+                pair(case.asm, (0.01, y + cell / 2, z), SHOES_IN[r, c])
                 continue
             n += 1
             low, high = (x[0] + 0.01, y + t / 2), (x[1], y + cell - t / 2)
-            case.supports.append(surface(f"shelf_{n}", low, high, z, 0.18, margin=0.004))
-    return case.model("shoe bench with pigeonholes and a cushion", 14.0)
+            case.supports.append(surface(f"shelf_{n}", low, high, z, 0.17, margin=0.004))
+    return case.model("shoe shelves of pigeonholes", 16.0)
 
 
 def shoes_cabinet(
@@ -343,6 +338,8 @@ def shoes_ladder(wood: str = "pine", width: float = 0.7, offset: Offset = (0, 0,
     return case.model("tall shoe rack of slats", 7.0)
 
 
+#: In which pigeonholes (row, column) a pair of what colour is.
+SHOES_IN = {(0, 1): "#2f3f55", (1, 3): "#8a5a32", (2, 0): "#b8b2a4", (3, 2): "#3a3a3c"}
 BENT_WORN = (("coat", "#3f5568", "#33465a"), ("scarf", "#c9b48a", "#7a3f35"))
 BLACK_WORN = (
     ("jacket", "#8a4a3a", "#d8cbb0"),

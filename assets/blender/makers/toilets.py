@@ -54,10 +54,12 @@ def _cistern(asm: Assembly, style: str, button: bool, china, metal, seat) -> flo
         else:
             lever = [(-0.172, -0.13, 0.69), (-0.155, -0.13, 0.69), (-0.15, -0.07, 0.685)]
             asm.add("body", tube(lever, 0.008, 6, mat=metal))
-    elif style == "hung":  # a slim cistern down to the floor, of glass, with the flush plate on it
-        asm.board("body", (-0.3, -0.24, 0), (-0.165, 0.24, 1.0), metal, 0.004)
+    elif (
+        style == "hung"
+    ):  # a narrow cistern down to the floor, of glass, with the flush plate on it
+        asm.board("body", (-0.35, -0.24, 0), (-0.165, 0.24, 1.0), metal, 0.004)
         asm.board("body", (-0.168, -0.24, 0.004), (-0.16, 0.24, 1.0), china, 0.003)
-        asm.board("body", (-0.302, -0.242, 1.0), (-0.158, 0.242, 1.022), china, 0.004)
+        asm.board("body", (-0.352, -0.242, 1.0), (-0.158, 0.242, 1.022), china, 0.004)
         asm.board("body", (-0.16, -0.12, 0.82), (-0.148, 0.12, 0.96), metal, 0.004, solid=False)
         for y in (-0.055, 0.055):
             asm.board(
@@ -125,13 +127,13 @@ def toilet(
     names = {
         "close": "close-coupled toilet",
         "skirted": "skirted toilet",
-        "hung": "wall-hung toilet before a slim cistern",
+        "hung": "wall-hung toilet before a narrow cistern",
         "old": "old-fashioned toilet, low-level cistern",
     }
     wide = {"hung": 0.23, "old": 0.24}.get(style, 0.2)
     tops = surface(
         "top",
-        (-0.3 if style == "hung" else -0.35, (0.03 if style in ("close", "skirted") else -wide)),
+        (-0.35, (0.03 if style in ("close", "skirted") else -wide)),
         (-0.165, wide),
         top,
     )

@@ -225,6 +225,7 @@ FittedAt = Literal[
     "beside_door",
     "before_door",
     "beside",
+    "at_hand",
     "wall",
     "ceiling",
     "over",
@@ -237,9 +238,10 @@ class Fitting(Record):
     (none: in all).
 
     At each ``window`` that has nothing yet, its upper end above it, ``under_window``,
-    ``beside_door`` (inner ones and the front door), ``beside`` each piece ``of`` these categories
-    or, ``count`` a room, anywhere along a ``wall``, ``z_m`` high but for windows; in the middle of
-    the ``ceiling``; or on the floor, ``before_door``, inside each door ``of`` these kinds.
+    ``beside_door`` (inner ones and the front door), ``beside`` each piece ``of`` these categories,
+    ``at_hand`` of who sits on it (the wall at its side, or else beside it) or, ``count`` a room,
+    anywhere along a ``wall``, ``z_m`` high but for windows; in the middle of the ``ceiling``; or on
+    the floor, ``before_door``, inside each door ``of`` these kinds.
 
     Sets of ``count`` of one size, of any models, their middle ``z_m`` high: ``over`` the middle of
     each piece ``of`` these categories, higher where it is high; on each stretch of ``bare_wall``

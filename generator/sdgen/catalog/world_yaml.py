@@ -283,7 +283,7 @@ class FittingYaml(Record):
 
     @model_validator(mode="after")
     def _beside_something(self) -> FittingYaml:
-        about_pieces = self.where in ("beside", "over", "before_door")
+        about_pieces = self.where in ("beside", "at_hand", "over", "before_door")
         if about_pieces and not self.of:
             refuse(problem((), f"missing key 'of': 'where: {self.where}' needs it"))
         odd = [name for name in self.of if name not in DOORS]

@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from typing import NamedTuple
 
 import shapely
@@ -29,7 +30,14 @@ from sdgen.freespace import (
     unreachable_rooms,
 )
 from sdgen.geometry import Vec2, apply, quat_from_yaw, round_position, round_quat
-from sdgen.home.anchors import HUNG_GAP_M, PlacedAt, Side, against_walls, sides_of
+from sdgen.home.anchors import (
+    HUNG_GAP_M,
+    PlacedAt,
+    Side,
+    against_walls,
+    placed_from,
+    sides_of,
+)
 from sdgen.home.clearances import Sight, sight_of
 from sdgen.home.context import Models
 from sdgen.home.furnish import put_piece
@@ -54,6 +62,9 @@ BESIDE_DOOR_M = (0.12, 0.35)
 BEFORE_DOOR_M = 0.04
 #: Between a piece of furniture and what hangs on the wall beside it.
 BESIDE_PIECE_M = 0.06
+#: A wall at the side of a seat is at hand when it is no further from it, and what hangs there is
+#: so far behind its front: by eye.
+AT_HAND_M, BEHIND_FRONT_M = 0.5, 0.12
 #: The middle of a room is found to so much.
 MIDDLE_M = 0.05
 #: A wall is an opening's when its middle is in it.
@@ -171,11 +182,12 @@ class _Hanging:
                 yield [(m, (x, y, high - m.extents_m[2], 0.0)) for m in self.sizes], None
         elif fitting.where in ON_BARE_WALLS:
             yield from self._on_walls(rng)
-        elif fitting.where == "beside":
+        elif fitting.where in ("beside", "at_hand"):
             for item in list(self.layout.items.values()):
                 beside = item.room_id == self.room.id and item.category in fitting.of
                 if beside and rng.random() < fitting.chance:
-                    yield self._beside(item, sides), None
+                    at_hand = self._at_hand(item, sides) if fitting.where == "at_hand" else ()
+                    yield chain(at_hand, self._beside(item, sides)), None
         else:
             for opening in self.home.openings:
                 found = _side_of(opening, sides) if self.room.id in opening.room_ids else None
@@ -297,6 +309,19 @@ class _Hanging:
             side, along = behind
             for t in (along - reach, along + reach):
                 yield from _hung(model, side, t, self.fitting.z_m)
+
+    def _at_hand(self, item: ObjectInstance, sides: Sequence[Side]) -> Candidates:
+        """On a wall at the side of a piece, by who sits on it; the nearer wall first."""
+        deep, wide, _ = self.layout.info(item.id).extents_m
+        ahead = deep / 2 - BEHIND_FRONT_M
+        x, y, _, yaw = placed_from(item, ahead, 0.0)
+        found = []
+        for side in sides:
+            along, away = side.measure((x, y))
+            if abs(math.cos(yaw - side.yaw)) < 0.01 and 0 < away - wide / 2 < AT_HAND_M:
+                found.append((away, side, along))
+        for _, side, along in sorted(found, key=lambda one: one[0]):
+            yield from _hung(self.sizes[0], side, along, self.fitting.z_m)
 
 
 def _hung(model: Asset, side: Side, along: float, z: float) -> Iterator[tuple[Asset, PlacedAt]]:

@@ -49,7 +49,9 @@ TABLES = ("dining_table", "kitchen_table")
 SEATS = ("chair", "stool", "ottoman", "armchair", "bench")
 RESTED_AT = ("sofa", "armchair", "desk", "bed", "child_bed")
 GROUPS = (*RESTED_AT, *TABLES, "coffee_table", "toy_box", "bathtub")
-PARTNERS = (*GROUPS, "side_table", "console_table", "bookshelf", "dresser", "wardrobe", "shoe_rack")
+HALL = ("shoe_rack", "coat_rack", "coat_hooks")
+PARTNERS = (*GROUPS, *HALL, "side_table", "console_table", "bookshelf", "dresser", "wardrobe")
+PARTNERS += ("washbasin",)
 
 
 @dataclass

@@ -173,6 +173,41 @@ def vessel_basin(wood: str = "oak", bowl: str = "round", offset: Offset = (0, 0,
     )
 
 
+def hand_basin(colour: str = "#eceae6", offset: Offset = (0, 0, 0)) -> Model:
+    """A small basin for a small room: a ceramic bowl on a narrow cabinet of two drawer fronts."""
+    asm, china, metal = Assembly(), plain("#f4f5f3", 0.012, 8, offset), steel(30)
+    case, dark = finish(colour, 2, offset), plain("#26282b", 0.04)
+    x0, half, top = -0.18, 0.24, 0.85
+    asm.board("body", (x0 + 0.01, -0.19, 0), (0.12, 0.19, 0.08), dark)
+    asm.board("body", (x0, -0.2, 0.08), (0.14, 0.2, top - 0.17), case, 0.003)
+    for low, high in ((0.085, 0.38), (0.386, top - 0.175)):
+        asm.board("body", (0.139, -0.197, low), (0.156, 0.197, high), case, 0.004, solid=False)
+        knob = [(0, 0), (0.006, 0), (0.006, 0.01), (0.013, 0.014), (0, 0.022)]
+        mesh = lathe(knob, 10, mat=metal).turn(ry=math.pi / 2)
+        asm.add("body", mesh.move(0.156, 0, high - 0.07))
+    # a deck at the back for tap and soap, joined to the bowl
+    asm.board("body", (x0, -half, top - 0.06), (x0 + 0.12, half, top), china, 0.014, segments=2)
+    _bowl(asm, 0.03, (0.15, half), (top - 0.17, top), china, 4.0)
+    tap(asm, x0 + 0.06, 0, top, 0.11, 0.13, metal)
+    stream(asm, x0 + 0.17, 0, top + 0.08, top - 0.15, 0.01)
+    switch = switched(asm, "water")
+    name = {"#eceae6": "white", "#8fa3a8": "blue-grey"}.get(colour, colour)
+    return Model(
+        title=f"small washbasin on a narrow {name} cabinet",
+        parts=asm.parts(water={"rgba": WET}),
+        mass=18.0,
+        variants=switch["variants"],
+        states=switch["states"],
+        supports=[
+            surface("top", (x0, 0.05), (x0 + 0.11, half), top, margin=0.006),
+            surface("top_right", (x0, -half), (x0 + 0.11, -0.05), top, margin=0.006),
+            surface("basin_floor", (-0.03, -0.09), (0.09, 0.09), top - 0.146, None, "basin"),
+        ],
+        containers=[Container("basin", (0.03, 0, top - 0.075), (0.22, 2 * half - 0.14, 0.13))],
+        ground_shadow=True,
+    )
+
+
 def oval_tub(
     style: str = "modern", colour: str = "#f4f5f3", length: float = 1.65, offset: Offset = (0, 0, 0)
 ) -> Model:

@@ -10,7 +10,7 @@ from toolkit.model import Container, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, loft, rounded_rectangle, superellipse, tube
 
-from .bath_forms import ceramic_basin, oval_tub, vessel_basin
+from .bath_forms import ceramic_basin, hand_basin, oval_tub, vessel_basin
 from .designs import extend
 from .joinery import (
     Assembly,
@@ -288,6 +288,10 @@ MODELS = {
             (ceramic_basin, {"stand": "legs"}),
             (vessel_basin, {"wood": "oak", "bowl": "round"}),
             (vessel_basin, {"wood": "walnut", "bowl": "square"}),
+            (hand_basin, {"colour": "#eceae6"}),
+            (hand_basin, {"colour": "#8fa3a8"}),
+            (hand_basin, {"colour": "oak"}),
+            (hand_basin, {"colour": "walnut"}),
         ],
     ),
     "bathtub": extend(

@@ -56,8 +56,9 @@ MODELS_TRIED = 4
 NEARLY_AS_LARGE = 0.6
 #: Where one model found no place, none does that is as large in each direction but for so much.
 SAME_M = 0.02
-#: What hangs above a piece may be wider by so much: a hood over a stove of the same nominal width.
-ABOVE_WIDER_M = 0.03
+#: What hangs above a piece may be wider by so much: a hood over a stove of the same nominal width,
+#: a mirror over a small basin.
+ABOVE_WIDER_M = 0.08
 #: At walls furniture keeps so far off the frames of doors where it can.
 EASED_M = 0.25
 #: What stands so far off the middle line of what it faces still stands across from it: by eye.

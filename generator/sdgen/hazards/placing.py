@@ -140,6 +140,7 @@ def _place(
             if (not recipe.rooms or room.type in recipe.rooms)
             and context.shows.anything_on(room.id)
             and not (benign and _beside_itself(asset, context.floor_id(room.id), layout, context))
+            and not (benign and _enough(asset, room.id, layout, context))
         ]
         for gap_m in IN_THE_WAY_M if recipe.zone and not benign else (FLOOR_GAP_M,):
             put = _place_on_floor(candidate, recipe, thing, rooms, layout, context, rng, gap_m)
@@ -171,6 +172,13 @@ def _beside_itself(asset: Asset, target_id: int, layout: Layout, context: HomeCo
         return False
     there = (k for k, intent in layout.intents.items() if intent.target_id == target_id)
     return any(layout.items[k].asset == asset.id for k in there)
+
+
+def _enough(asset: Asset, room_id: int, layout: Layout, context: HomeContext) -> bool:
+    """Whether a room, or the home, has as many of its category as it is given: a mat at the tub."""
+    alike = [item for item in layout.items.values() if item.category == asset.category]
+    in_room = sum(item.room_id == room_id for item in alike)
+    return context.catalog.category(asset.category).at_most.reached(in_room, len(alike))
 
 
 def _thing(

@@ -97,6 +97,7 @@ def ceramic_basin(
         states=switch["states"],
         supports=[
             surface("top", (x0, 0.06), (x0 + 0.12, half), top, margin=0.008),
+            surface("top_right", (x0, -half), (x0 + 0.12, -0.05), top, margin=0.008),
             surface("basin_floor", (-0.05, -0.12), (0.11, 0.12), top - 0.136, None, "basin"),
         ],
         containers=[Container("basin", (0.03, 0, top - 0.07), (0.28, 2 * half - 0.16, 0.13))],

@@ -70,7 +70,7 @@ def washbasin(
     for x in (x0 + 0.03, case_front - 0.05):
         for y in (-half + 0.03, half - 0.06):
             asm.board("body", (x, y, 0), (x + 0.03, y + 0.03, floor), board)
-    sx, sy, cx, cy, rim = 0.28, 0.4, 0.035, 0.0, 0.062
+    sx, sy, cx, cy, rim = 0.28, 0.36, 0.035, 0.0, 0.054
     a, b = cx - sx / 2 - 0.002, cx + sx / 2 + 0.002
     c, d = cy - sy / 2 - 0.002, cy + sy / 2 + 0.002
     for low, high in (
@@ -81,7 +81,7 @@ def washbasin(
     ):
         asm.board("body", (*low, height - SLAB_M), (*high, height), china)
     asm.board("body", (x0, -half, height), (x0 + 0.014, half, height + 0.05), china, 0.004)
-    basin(asm, (cx, cy), (sx, sy), height, 0.13, china, rim, 0.13)
+    basin(asm, (cx, cy), (sx, sy), height, 0.13, china, rim, 0.12)
     tap(asm, x0 + 0.052, cy, height, 0.13, 0.17, metal)
     stream(asm, x0 + 0.182, cy, height + 0.105, height - 0.128, 0.011)
     states, joints, settings = [], {}, {}

@@ -12,12 +12,14 @@ from toolkit.shapes import lathe, spline, tube
 
 from .designs import extend
 from .garments_hung import hang
-from .hall_forms import COAT_RACKS, SHOE_RACKS
+from .hall_forms import COAT_RACKS, SHOE_RACKS, pair
 from .joinery import Assembly, finish, surface
 
 Offset = tuple[float, float, float]
 #: Of a coat rack, round its pole, high and low by turns.
 HOOKS = 6
+#: The pairs on the lower and the upper shelf of a shoe rack.
+SHOES = (("#2f3f55", "#8a5a32"), ("#b8b2a4",))
 
 
 def coat_rack(
@@ -92,9 +94,11 @@ def shoe_rack(
     depth: float = 0.3,
     wood: str = "oak",
     metal_frame: bool = False,
+    shoes: bool = False,
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """An open rack: two slatted shelves and a seat board on top."""
+    """An open rack: two slatted shelves, with or without three pairs of shoes, and a board on
+    top."""
     asm, half, height, t = Assembly(), width / 2, 0.48, 0.022
     x0, x1 = -depth / 2, depth / 2
     boards = finish(wood, 1, offset)
@@ -127,9 +131,11 @@ def shoe_rack(
             )
         asm.solid("body", (x0, -half, z - 0.03), (x1, half, z))
         headroom = (0.24, 0.458)[i] - z - 0.002
-        supports.append(
-            surface(f"shelf_{i + 1}", (x0, -half + thick), (x1, half - thick), z, headroom)
-        )
+        worn = SHOES[i] if shoes else ()
+        for k, colour in enumerate(worn):
+            pair(asm, (0, -half + 0.13 + 0.19 * k, z), colour)
+        low = -half + (0.05 + 0.19 * len(worn) if worn else thick)
+        supports.append(surface(f"shelf_{i + 1}", (x0, low), (x1, half - thick), z, headroom))
     return Model(
         title=f"{wood} shoe rack{' on a metal frame' if metal_frame else ''}",
         parts=asm.parts(),
@@ -180,7 +186,7 @@ MODELS = {
             shoe_rack,
             shoe_rack_random,
             2,
-            [{"wood": "oak", "metal_frame": False}, {"metal_frame": True}],
+            [{"wood": "oak", "metal_frame": False}, {"metal_frame": True, "shoes": True}],
         ),
         SHOE_RACKS,
     ),

@@ -218,7 +218,7 @@ def pair(asm: Assembly, at: tuple[float, float, float], colour: str, sole: str =
 def shoes_metal(
     tiers: int = 4, width: float = 0.62, metal: str = "steel", offset: Offset = (0, 0, 0)
 ) -> Model:
-    """Sloping rods between two side frames, tier over tier; a pair of shoes on the lowest."""
+    """Sloping rods between two side frames, tier over tier; shoes on the lower ones."""
     asm, rod = Assembly(), metal_or(metal)
     half, d = width / 2, 0.28
     height = 0.1 + 0.2 * tiers
@@ -236,11 +236,12 @@ def shoes_metal(
             asm.add("body", tube([(x, -half + 0.012, z), (x, half - 0.012, z)], 0.008, 5, mat=rod))
         asm.solid("body", (-d / 2, -half, z - 0.008), (d / 2, half, z + 0.008))
         name = "top" if k == tiers - 1 else f"shelf_{k + 1}"
-        low = -half + (0.42 if k == 0 else 0.03)
+        worn = TIERS[k] if k < len(TIERS) else ()
+        for n, colour in enumerate(worn):
+            pair(asm, (0, -half + 0.14 + 0.19 * n, z + 0.008), colour)
+        low = -half + (0.04 + 0.19 * len(worn) if worn else 0.03)
         room = 0.18 if k < tiers - 1 else None
         supports.append(surface(name, (-d / 2, low), (d / 2, half - 0.03), z + 0.008, room))
-    pair(asm, (0, -half + 0.14, 0.108), "#c0392b")
-    pair(asm, (0, -half + 0.33, 0.108), "#2f3f55")
     return Model(
         "shoe rack of metal rods with shoes",
         asm.parts(),
@@ -330,16 +331,21 @@ def shoes_ladder(wood: str = "pine", width: float = 0.7, offset: Offset = (0, 0,
             a = x0 + 0.004 + i * 0.074
             case.board((a, a + 0.062), (-half + 0.022, half - 0.022), (z - 0.014, z), case.across)
         name = "top" if k == 3 else f"shelf_{k + 1}"
-        low = -half + (0.24 if k == 0 else 0.03)
+        worn = TIERS[k + 1] if k + 1 < len(TIERS) else ()
+        for n, colour in enumerate(worn):
+            pair(case.asm, (0, -half + 0.14 + 0.19 * n, z), colour)
+        low = -half + (0.05 + 0.19 * len(worn) if worn else 0.03)
         case.supports.append(
             surface(name, (x0, low), (x1, half - 0.03), z, 0.19 if k < 3 else None)
         )
-    pair(case.asm, (0, -half + 0.14, 0.12), "#3a3a3c", "#26221f")
     return case.model("tall shoe rack of slats", 7.0)
 
 
 #: In which pigeonholes (row, column) a pair of what colour is.
 SHOES_IN = {(0, 1): "#2f3f55", (1, 3): "#8a5a32", (2, 0): "#b8b2a4", (3, 2): "#3a3a3c"}
+SHOES_IN |= {(0, 2): "#6e322a", (1, 0): "#c0392b", (2, 1): "#4b5a45", (3, 0): "#7a6a5a"}
+#: The colours of the pairs on each tier of a rack, from below.
+TIERS = (("#c0392b", "#2f3f55"), ("#8a5a32",), ("#3a3a3c", "#b8b2a4"))
 BENT_WORN = (("coat", "#3f5568", "#33465a"), ("scarf", "#c9b48a", "#7a3f35"))
 BLACK_WORN = (
     ("jacket", "#8a4a3a", "#d8cbb0"),

@@ -14,6 +14,7 @@ from toolkit.sampling import noise_offset
 from toolkit.shapes import box, extrude, loft, rounded_rectangle
 
 from makers import textiles
+from makers.large_rugs import LARGE_RUGS, large_rug, woven_picture
 from makers.soft_forms import folds, pad
 from makers.textiles import RUG_TONES, bath_mat_random, rug_pattern, rug_random
 
@@ -95,16 +96,19 @@ def sheepskin(sx: float, sy: float, colour: str, seed: int) -> Model:
 
 
 def rug(form: str, **more) -> Model:
-    """A rug: "oblong", "round", "oval", "runner" (fringed) or "sheepskin"."""
+    """A rug: "oblong", "large", "round", "oval", "runner" (fringed) or "sheepskin"."""
     if form == "oblong":
         return textiles.rug(**more)
+    if form == "large":
+        return large_rug(more["pattern"], more["tones"], more["length"], more["depth"])
     if form == "sheepskin":
         return sheepskin(more["sx"], more["sy"], more["tones"][0], 5)
     sx, sy, tones = more["sx"], more["sy"], more["tones"]
     h = 0.004
     if form in ("round", "oval"):
         outline = _ellipse(sx, sy)
-        face = label(_rings(tones), occlusion=0.0)
+        drawn = woven_picture("braid", tones) if more["sx"] > 2 else _rings(tones)
+        face = label(drawn, occlusion=0.0)
         mesh = pad(outline, h, face, 0.3, mats=(plain(shade(tones[1], 0.8), 0.05), face))
         return _flat(f"{form} rug", mesh, outline, h, round(2.2 * sx * sy, 1))
     picture = rug_pattern(more["pattern"], tones, 320, 110)
@@ -200,7 +204,7 @@ MODELS = {
     "rug": Maker(
         rug,
         rug_any_random,
-        9,
+        9 + len(LARGE_RUGS),
         [
             {"pattern": "border", "tones": RUG_TONES[0], **_A},
             {"pattern": "hexagons", "tones": RUG_TONES[1], **_A},
@@ -217,6 +221,7 @@ MODELS = {
             },
             {"form": "sheepskin", "sx": 1.3, "sy": 1.7, "tones": ("#f0ebe0",)},
             {**_ROUND, "tones": ("#8a9a8f", "#f0ece0", "#3a4a44")},
+            *LARGE_RUGS,
         ],
     ),
     "bath_mat": Maker(

@@ -118,26 +118,21 @@ def table_glass(
     )
 
 
-def table_tiers(
-    radius: float = 0.41,
-    wood: str = "oak",
-    shelf: str = "#3f5a56",
-    offset: Offset = (0, 0, 0),
-) -> Model:
-    """A round top and, between its legs, a smaller round shelf near the floor."""
-    asm, t, height, low = Assembly(), 0.024, 0.43, 0.15
+def table_tiers(radius: float = 0.4, wood: str = "oak", offset: Offset = (0, 0, 0)) -> Model:
+    """A round top and a shelf near the floor, of one wood between four upright legs at the rim, so
+    that it reads as one table."""
+    asm, t, height, low = Assembly(), 0.024, 0.43, 0.16
     supports = []
-    for name, r, z, colour in (("top", radius, height, wood), ("shelf_1", 0.27, low, shelf)):
+    for name, r, z in (("top", radius, height), ("shelf_1", radius - 0.045, low)):
         lid = [(0, z - t), (r - 0.005, z - t), (r, z - t + 0.005), (r, z - 0.004), (r - 0.004, z)]
-        asm.add("body", lathe([*lid, (0, z)], 32, mat=finish(colour, 1, offset), weight=1.3))
+        asm.add("body", lathe([*lid, (0, z)], 32, mat=finish(wood, 1, offset), weight=1.3))
         asm.piece("body", cylinder_piece(r, z - t, z, 14))
-        supports.append(spot(name, 0, 0, r - 0.015, z))
+        supports.append(spot(name, 0, 0, r - 0.02, z))
     supports[1].headroom = height - t - low
     for k in range(4):
         a = math.pi / 4 + k * math.pi / 2
-        c, s = math.cos(a), math.sin(a)
-        foot, head = (0.31 * c, 0.31 * s), (0.255 * c, 0.255 * s)
-        leg(asm, "body", foot, head, (0, height - t), (0.013, 0.02), finish(wood, 2, offset), 8)
+        at = ((radius - 0.04) * math.cos(a), (radius - 0.04) * math.sin(a))
+        leg(asm, "body", at, at, (0, height - t), (0.02, 0.02), finish(wood, 2, offset), 10)
     return Model(
         "round coffee table with a shelf", asm.parts(), 12.0, supports=supports, ground_shadow=True
     )
@@ -254,12 +249,12 @@ def side_nest(
     width: float = 0.5,
     offset: Offset = (0, 0, 0),
 ) -> Model:
-    """Three square tables, one under another, drawn out a little."""
+    """Three tables, one pushed under another."""
     asm = Assembly()
     top, up = finish(wood, 1, offset), finish(wood, 2, offset)
-    supports, d = [], 0.38
+    supports, d = [], 0.42
     for k, (w, h, shift) in enumerate(
-        ((width, 0.56, -0.05), (width - 0.1, 0.47, 0.03), (width - 0.2, 0.38, 0.11))
+        ((width, 0.56, 0.0), (width - 0.1, 0.5, 0.008), (width - 0.2, 0.44, 0.016))
     ):
         half, x0, x1 = w / 2, -d / 2 + shift, d / 2 + shift - 0.02 * k
         asm.board("body", (x0, -half, h - 0.02), (x1, half, h), top, 0.004)

@@ -332,12 +332,6 @@ def on_top(
     return [(*placed_from(target, x, y)[:2], top_m, yaw_of(target.pose.quat_xyzw)) for y in spots]
 
 
-def under(target: ObjectInstance, gap_m: float) -> list[PlacedAt]:
-    """The pose under a piece, ``gap_m`` before its middle."""
-    x, y, _, yaw = placed_from(target, gap_m, 0.0)
-    return [(x, y, 0.0, yaw)]
-
-
 def placed_from(target: ObjectInstance, x: float, y: float, turn: float = 0.0) -> PlacedAt:
     """A pose given in a piece's own frame."""
     yaw = yaw_of(target.pose.quat_xyzw)

@@ -21,12 +21,12 @@ from sdgen.home.islands import with_island
 from sdgen.home.layout import Layout
 from sdgen.home.room_try import (
     RoomTry,
-    bare_floor,
     empty_room,
     free_sides,
     taken_floor,
     with_placed,
 )
+from sdgen.home.rugs import lying
 from sdgen.home.runs import with_row, with_run
 from sdgen.home.walking import passable, walkable
 from sdgen.home.wall_units import with_wall_units
@@ -264,7 +264,7 @@ def _with_one(rule: FurnitureRule, target: int | None, tried: RoomTry) -> RoomTr
     for asset in _candidates(rule, target, tried):
         if any(_as_large(asset, other) for other in failed):
             continue
-        if len(failed) == MODELS_TRIED:
+        if len(failed) == MODELS_TRIED and not rule.largest:
             break
         for off_doors_m in _off_doors(rule, tried):
             walls = _walls(rule, asset, tried, off_doors_m)
@@ -349,9 +349,8 @@ def _poses(
         return anchors.against_walls(walls, size, rule.z_m, rng, reach=reach, centred=centred)
     if rule.where == "corner":
         return anchors.in_corners(tried.sides, size, rng, reach)
-    if target_id is None and asset.extents_m[2] <= FLAT_M:
-        clear = anchors.on_free_floor(bare_floor(tried), size)
-        return clear or anchors.on_free_floor(bare_floor(tried, tucked=True), size)
+    if asset.extents_m[2] <= FLAT_M and rule.where in ("under", "middle"):
+        return lying(asset, target_id, rule.gap_m, tried)
     if target_id is None:
         return anchors.in_middle(tried.outline, taken_floor(tried), rng)
     target, info = layout.items[target_id], layout.info(target_id)
@@ -367,6 +366,4 @@ def _poses(
         return anchors.around(target, info, size, seated, rng, rule.gap_m)
     if rule.where == "above":
         return anchors.above(target, info, size, rule.z_m, tried.sides)
-    if rule.where == "under":
-        return anchors.under(target, rule.gap_m)
     return anchors.opposite(target, tried.sides, size, rng, reach)

@@ -43,10 +43,6 @@ CURTAIN_M = 0.32
 LEAST_STRETCH_M = 0.15
 #: A piece in the middle of a room leaves so much to others: one squeezes past sideways.
 AROUND_M = 0.3
-#: What lies flat in the middle keeps so far off walls and what stands: less looks pushed there.
-FLAT_OFF_M = 0.08
-#: Where that leaves no place it reaches so far under what stands, but leaves it so much beyond.
-FLAT_UNDER_M, BEYOND_M = 0.4, 0.3
 
 #: After so many tries that failed a room is furnished modestly.
 MODEST_FROM = 2
@@ -233,30 +229,6 @@ def taken_floor(tried: RoomTry) -> BaseGeometry:
     fronts = (front for _, front in tried.keep)
     around = (shape.buffer(AROUND_M) for shape in tried.prints.values())
     return unary_union([tried.doors, *fronts, *around])
-
-
-def bare_floor(tried: RoomTry, tucked: bool = False) -> BaseGeometry:
-    """The floor on which nothing stands or lies and no door swings, a little less of it; with
-    ``tucked``, also a strip under what is deep enough: beds, not shelves."""
-    flat = [
-        shapely.polygons(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw)))
-        for item in (tried.layout.items[k] for ids in tried.placed.values() for k in ids)
-        for x, y, z in [item.pose.position_m]
-        for info in [tried.layout.info(item.id)]
-        if info.extents_m[2] <= FLAT_M and z < FLAT_M
-    ]
-    stands = list(tried.prints.values())
-    if tucked:
-        stands = [_beyond_strip(shape, tried.layout.info(k)) for k, shape in tried.prints.items()]
-    grown = unary_union([*flat, *stands]).buffer(FLAT_OFF_M, join_style="mitre")
-    within = tried.outline.buffer(-FLAT_OFF_M, join_style="mitre")
-    return within.difference(unary_union([grown, tried.swings]))
-
-
-def _beyond_strip(shape: Polygon, info: AssetInfo) -> BaseGeometry:
-    """What of a piece's floor nothing flat reaches under."""
-    strip_m = min(FLAT_UNDER_M, (min(info.extents_m[:2]) - BEYOND_M) / 2)
-    return shape.buffer(-max(0.0, strip_m), join_style="mitre")
 
 
 def with_placed(

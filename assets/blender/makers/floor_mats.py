@@ -14,7 +14,7 @@ from toolkit.sampling import noise_offset
 from toolkit.shapes import box, extrude, loft, rounded_rectangle
 
 from makers import textiles
-from makers.large_rugs import LARGE_RUGS, large_rug, woven_picture
+from makers.large_rugs import LARGE_RUGS, SMALL_RUGS, large_rug, woven_picture
 from makers.soft_forms import folds, pad
 from makers.textiles import RUG_TONES, bath_mat_random, rug_pattern, rug_random
 
@@ -204,7 +204,7 @@ MODELS = {
     "rug": Maker(
         rug,
         rug_any_random,
-        9 + len(LARGE_RUGS),
+        9 + len(LARGE_RUGS) + len(SMALL_RUGS),
         [
             {"pattern": "border", "tones": RUG_TONES[0], **_A},
             {"pattern": "hexagons", "tones": RUG_TONES[1], **_A},
@@ -222,6 +222,7 @@ MODELS = {
             {"form": "sheepskin", "sx": 1.3, "sy": 1.7, "tones": ("#f0ebe0",)},
             {**_ROUND, "tones": ("#8a9a8f", "#f0ece0", "#3a4a44")},
             *LARGE_RUGS,
+            *SMALL_RUGS,
         ],
     ),
     "bath_mat": Maker(

@@ -294,7 +294,7 @@ MODELS = {
                 "height": 0.4,
                 "seed": 8,
             },
-            {"kind": "flower", "frame": _GOLD, "width": 0.46, "height": 0.62, "seed": 3},
+            {"kind": "landscape", "frame": _GOLD, "width": 0.46, "height": 0.62, "seed": 9},
         ],
     ),
     "mirror": Maker(

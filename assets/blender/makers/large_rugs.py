@@ -1,4 +1,4 @@
-"""Large rugs, 1.6 to 2.4 m wide: what lies under a sofa's group, a bed or a dining table."""
+"""Large rugs, for under a sofa's group, a bed or a dining table, and small ones of their kind."""
 
 from __future__ import annotations
 
@@ -135,7 +135,8 @@ def large_rug(pattern: str, tones: Tones, length: float, depth: float) -> Model:
     flat = box(depth, length, thickness, (0, 0, 0), side, 0.0, labels={"+z": face})
     asm.add("body", flat, solid=True)
     mass = round(2.2 * length * depth, 1)
-    return Model(f"large rug, {pattern}", asm.parts(), mass, friction=0.8, texture_size=512)
+    size = "large rug" if depth > 1.5 else "rug"
+    return Model(f"{size}, {pattern}", asm.parts(), mass, friction=0.8, texture_size=512)
 
 
 def _large(pattern: str, depth: float, length: float, *tones: str) -> dict:
@@ -151,5 +152,10 @@ LARGE_RUGS = [
     _large("persian", 2.4, 3.4, "#38506c", "#7a3b3a", "#ded3bc", "#b99a66"),
     _large("heather", 1.7, 2.4, "#8d9a8b", "#e0dccf"),
     _large("lattice", 1.7, 2.4, "#d8cdb9", "#8a5c48"),
-    {"form": "round", "sx": 2.3, "sy": 2.3, "tones": ("#c8ad7f", "#8f6f47"), "pattern": "braid"},
+    {"form": "round", "sx": 2.3, "sy": 2.3, "tones": ("#c8ad7f", "#8f6f47")},
+]
+#: For small rooms: before a child's bed, where a door swings.
+SMALL_RUGS = [
+    {"form": "round", "sx": 1.2, "sy": 1.2, "tones": ("#f2d7a6", "#4f8f8f", "#d9776a")},
+    _large("arcs", 1.0, 1.5, "#e8eef0", "#6fa3b5", "#e2a66b", "#8fb58a"),
 ]

@@ -61,8 +61,9 @@ SAME_M = 0.02
 ABOVE_WIDER_M = 0.08
 #: At walls furniture keeps so far off the frames of doors where it can.
 EASED_M = 0.25
-#: What stands so far off the middle line of what it faces still stands across from it: by eye.
-IN_LINE_M = 0.15
+#: What stands so far off the middle line of what it faces still stands across from it, and what
+#: stands further from it is far: by eye.
+IN_LINE_M, FAR_M, MOST_OFF = 0.15, 3.4, 0.9
 
 
 def furnish_by_rules(
@@ -234,25 +235,27 @@ def _follow(
 
 
 def _least(rule: FurnitureRule, targets: Sequence[int | None], tried: RoomTry) -> int:
-    """How many pieces there must be at least: at tables with no room for two side by side, half
-    of what the rule says."""
+    """How many pieces there must be at least: at tables with no room for two side by side, and
+    beside a piece in a room that makes do, half of what the rule says."""
     ids = [k for k in targets if k is not None] if rule.where == "around" else []
     short = all(tried.layout.info(k).extents_m[1] < 2 * anchors.TWO_SEATS_M for k in ids)
-    return (rule.least + 1) // 2 if ids and short else rule.least
+    half = (ids and short) or (rule.where == "beside" and tried.modest)
+    return (rule.least + 1) // 2 if half else rule.least
 
 
 def _off_line(rule: FurnitureRule, tried: RoomTry) -> float:
-    """How far a piece is from right across what it stands opposite to, metres; nobody sees less
-    than ``IN_LINE_M``."""
+    """How far a piece is from right across what it stands opposite to, and beyond ``FAR_M``,
+    metres; nobody sees less than ``IN_LINE_M``. Always less than a piece that is missing."""
     across = tried.layout.items[tried.all([rule.category])[-1]].pose.position_m
     facing = [tried.layout.items[k].pose for k in tried.all(rule.of)]
     offs = []
     for pose in facing:
         yaw = yaw_of(pose.quat_xyzw)
         dx, dy = across[0] - pose.position_m[0], across[1] - pose.position_m[1]
-        offs.append(abs(dy * math.cos(yaw) - dx * math.sin(yaw)))
-    off = min(offs)
-    return off if off > IN_LINE_M else 0.0
+        aside = abs(dy * math.cos(yaw) - dx * math.sin(yaw))
+        far = max(0.0, dx * math.cos(yaw) + dy * math.sin(yaw) - FAR_M)
+        offs.append((aside if aside > IN_LINE_M else 0.0) + far)
+    return min(*offs, MOST_OFF)
 
 
 def _with_one(rule: FurnitureRule, target: int | None, tried: RoomTry) -> RoomTry | None:

@@ -26,9 +26,9 @@ FLAT_OFF_M = 0.08
 FLAT_UNDER_M, BEYOND_M = 0.4, 0.3
 #: Under a piece a rug lies within so much of where the rule has it, metres, in such steps: large
 #: ones would reach under shelves else. Aside it is missed more.
-SHIFT_M, STEP_M, ASIDE_COSTS = 0.75, 0.15, 1.5
+SHIFT_M, STEP_M, ASIDE_COSTS = 0.8, 0.2, 1.5
 #: And so much of it lies beyond the piece, or it is hardly seen.
-SEEN_SHARE = 0.5
+SEEN_SHARE = 0.6
 
 
 def lying(asset: AssetInfo, target_id: int | None, gap_m: float, tried: RoomTry) -> list[PlacedAt]:
@@ -53,26 +53,28 @@ def _under(asset: AssetInfo, target_id: int, gap_m: float, tried: RoomTry) -> li
         for x, y in zip(ahead[order].tolist(), aside[order].tolist(), strict=True)
     ]
     boxes = shapely.polygons([corners_of(asset, x, y, yaw) for x, y, _, yaw in poses])
-    good = _lies_well(boxes, target_id, tried)
-    return [poses[k] for k in np.flatnonzero(good).tolist()]
+    return [poses[k] for k in _lying_well(boxes, target_id, tried)]
 
 
-def _lies_well(boxes: Array, target_id: int, tried: RoomTry) -> Array:
-    """Which of the outlines (N) of a rug under a piece lie well, as far as all else goes."""
+def _lying_well(boxes: Array, target_id: int, tried: RoomTry) -> list[int]:
+    """Numbers of the outlines (N) of a rug under a piece that lie well, as far as all else goes."""
     floor = tried.outline.buffer(-FLAT_OFF_M, join_style="mitre").difference(tried.swings)
     shapely.prepare(floor)
-    under = shapely.area(shapely.intersection(boxes, tried.prints[target_id]))
-    good = shapely.covers(floor, boxes) & (under < (1 - SEEN_SHARE) * shapely.area(boxes))
+    good = np.flatnonzero(shapely.covers(floor, boxes))
+    under = shapely.area(shapely.intersection(boxes[good], tried.prints[target_id]))
+    good = good[under < (1 - SEEN_SHARE) * shapely.area(boxes[good])]
     for k, shape in tried.prints.items():
-        if k == target_id or not good.any():
+        if k == target_id:
             continue
-        fair = ~shapely.intersects(boxes, _beyond_strip(shape, tried.layout.info(k)))
+        left = boxes[good]
+        fair = ~shapely.intersects(left, _beyond_strip(shape, tried.layout.info(k)))
         if "MOVABLE" in tried.catalog.category(tried.layout.items[k].category).properties:
-            fair |= shapely.covers(boxes, shape)
-        good = good & fair
+            fair |= shapely.covers(left, shape)
+        good = good[fair]
     for flat in _flat(tried):
-        good = good & ~shapely.intersects(boxes, flat)
-    return np.asarray(good)
+        good = good[~shapely.intersects(boxes[good], flat)]
+    found: list[int] = good.tolist()
+    return found
 
 
 def _bare_floor(tried: RoomTry, tucked: bool = False) -> BaseGeometry:

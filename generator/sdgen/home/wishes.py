@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sdgen.catalog.records import Category, FurnitureRule
-from sdgen.geometry import Array, yaw_of
+from sdgen.geometry import Array, Vec2, yaw_of
 from sdgen.home.anchors import PlacedAt, Side
 from sdgen.home.crowding import crowding, elbows
 from sdgen.home.room_try import RoomTry
@@ -50,7 +50,8 @@ def by_wishes(
     aligned = [yaw_of(tried.layout.items[k].pose.quat_xyzw) for k in tried.all(rule.aligned)]
     centred = rule.centred and not tried.modest
     # What a room can do without would rather not stand at all than crowd it.
-    most = math.inf if rule.needed or tried.number else CROWDED_M
+    goes_with = rule.needed or rule.where == "opposite"
+    most = math.inf if goes_with or tried.number else CROWDED_M
     fair = np.flatnonzero(crowded <= most).tolist()
     poses, crowded = [poses[k] for k in fair], crowded[fair]
     if not (near or facing or aligned or centred):
@@ -80,11 +81,15 @@ def _crowding(
 ) -> Array:
     """What a piece would crowd in each pose; nothing where it goes with another piece, hangs, or
     the room is glad of any place."""
-    apart = rule.where in ON_THEIR_OWN or (rule.where == "around" and rule.gap_m > 0)
+    apart = rule.where in (*ON_THEIR_OWN, "opposite") or (rule.where == "around" and rule.gap_m > 0)
     if not apart or rule.z_m or tried.modest:
         return np.zeros(len(poses))
+    if rule.where == "opposite" and poses:
+        # Right across comes first: beside that is missed as much as a doorway crowded.
+        aside = np.array([math.dist(pose[:2], poses[0][:2]) for pose in poses])
+        return aside + crowding(poses, _size(asset), tried.mouths, 0.0)
     category = tried.catalog.category(rule.category)
-    seat, size = _has_elbows(category), (asset.extents_m[0], asset.extents_m[1])
+    seat, size = _has_elbows(category), _size(asset)
     if category.sleeps:
         wide = (size[0], size[1] + 2 * BEDSIDE_M)
         found = crowding(poses, wide, tried.mouths, BED_AT_WINDOW)
@@ -98,6 +103,10 @@ def _crowding(
         and (seat or _has_elbows(tried.catalog.category(tried.layout.items[k].category)))
     ]
     return found + elbows(poses, size, others)
+
+
+def _size(asset: AssetInfo) -> Vec2:
+    return asset.extents_m[0], asset.extents_m[1]
 
 
 def _has_elbows(category: Category) -> bool:

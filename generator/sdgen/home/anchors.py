@@ -52,9 +52,11 @@ BEFORE_BESIDE_M = 0.1
 #: stand, in shares of that half.
 TWO_SEATS_M, SEAT_AT = 0.55, 0.5
 #: Opposite: within 26 degrees of right across (a cosine); between a walk past and the end of a
-#: living room, metres; and by eye so far beside right across, nearest first.
+#: living room, metres; and by eye so far beside right across, nearest first, at most this much
+#: where the wall begins or ends there.
 OPPOSITE_COS = 0.9
 OPPOSITE_M = (1.6, 6.0)
+OPPOSITE_MOST_M = 0.8
 OPPOSITE_BESIDE_M = (0.0, 0.15, -0.15, 0.3, -0.3, 0.45, -0.45, 0.6, -0.6)
 #: On top: what is shallower than this share of the piece stands at its back, so far from its edges;
 #: and by eye four spots within this share of the rest of its width.
@@ -283,8 +285,8 @@ def opposite(
         left, right = end_gaps(reach)
         low, high = width / 2 + left, side.length_m - width / 2 - right
         for shift in OPPOSITE_BESIDE_M:
-            if low <= high:
-                spot = min(max(t + first * shift, low), high)
+            spot = min(max(t + first * shift, low), high)
+            if low <= high and abs(spot - t) < OPPOSITE_MOST_M:
                 out.append((*side.at(spot, depth / 2 + back_gap(reach)), 0.0, side.yaw))
     return out
 

@@ -305,15 +305,15 @@ def _candidates(rule: FurnitureRule, target: int | None, tried: RoomTry) -> list
         return sorted(order, key=lambda m: round(wide - m.extents_m[1], 1))
     if rule.z_m:
         return order
+    there = {tried.layout.items[k].asset for k in tried.all([rule.category])}
+    alike = [m for m in order if m.id in there]
+    if alike and rule.where in ("around", "beside"):
+        return alike
     if tried.modest and rule.needed:
         return sorted(order, key=_floor_m2)
     if rule.largest:
         order.sort(key=lambda m: -_floor_m2(m) * tried.rng.uniform(NEARLY_AS_LARGE, 1.0))
         return order
-    there = {tried.layout.items[k].asset for k in tried.all([rule.category])}
-    alike = [m for m in order if m.id in there]
-    if alike and rule.where in ("around", "beside"):
-        return alike
     return [*alike, *(m for m in order if m.id not in there)]
 
 

@@ -282,8 +282,9 @@ class FurnitureRule(Record):
     than ``least`` of them (half as many ``around`` a short table) it has found no place. Smaller
     rooms than ``from_m2`` are not asked for it. ``front_m`` of floor before it is kept free, and
     against a ``wall`` ``gap_m`` beside it; what is ``around`` a table stands ``gap_m`` from it, or
-    pushed under, and what is ``under`` a piece lies so much before its middle. What lies flat in
-    the ``middle`` lies clear of all that stands. ``largest``: large models mostly come first.
+    pushed under, and what is ``under`` a piece lies so much before its middle, or where near there
+    nothing stands half on it. What lies flat in the ``middle`` lies clear of all that stands.
+    ``largest``: large models mostly come first.
 
     A rule begins a group, with those after it that are about a piece of the group; a group that
     misses something is placed anew a few times. Without a ``needed`` piece of it, it does not stand

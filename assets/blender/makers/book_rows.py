@@ -20,6 +20,13 @@ BRIGHT = ("#d8342b", "#f2b632", "#2f7fb8", "#3f9b56", "#7a4a97", "#f0efe9", "#e8
 LEATHER = ("#5b2d22", "#6b3f26", "#3d2a21", "#4a1f22", "#2e3a33", "#71502f")
 GREY = ("#3a3f45", "#6c7178", "#a9adb2", "#e4e4e1", "#24272b", "#5b6b7d")
 BANDS = ("#e9d9a8", "#f2efe6", "#c9a227", "#1f2227")
+PALETTES = {
+    "novels": NOVELS,
+    "pastels": PASTELS,
+    "bright": BRIGHT,
+    "leather": LEATHER,
+    "grey": GREY,
+}
 
 #: Pages end so far inside the boards.
 INSET = 0.004
@@ -55,17 +62,15 @@ def book_row(
     length: float = 0.3,
     height: float = 0.22,
     lean: bool = False,
+    lying: bool = False,
     seed: int = 1,
 ) -> Model:
-    """Books side by side, spines to the front; ``lean``: the last one leans on the others."""
+    """Books side by side, spines to the front; ``lean``: the last one leans on the others;
+    ``lying``: on each other, ``length`` wide and ``height`` high."""
+    if lying:
+        return _stack(colours, length, height, seed)
     rng = np.random.default_rng(seed)
-    palette = {
-        "novels": NOVELS,
-        "pastels": PASTELS,
-        "bright": BRIGHT,
-        "leather": LEATHER,
-        "grey": GREY,
-    }[colours]
+    palette = PALETTES[colours]
     meshes: list[Mesh] = []
     y, front, tops = 0.0, 0.0, []
     end = length - (0.055 if lean else 0.0)
@@ -95,6 +100,33 @@ def book_row(
     body = Part(meshes, collision=pieces)
     mass = round(450 * length * deep * height, 2)
     return Model("row of books", {"body": body}, mass=mass, prune=False)
+
+
+def _stack(colours: str, wide: float, high: float, seed: int) -> Model:
+    """Books that lie on each other, the larger below, spines to the front."""
+    rng, palette = np.random.default_rng(seed), PALETTES[colours]
+    meshes: list[Mesh] = []
+    z, most = 0.0, wide
+    while z < high - 0.012:
+        thick = min(float(rng.uniform(0.02, 0.04)), high - z)
+        tall = most * float(rng.uniform(0.9, 1.0))
+        most = tall
+        askew, aside = rng.normal(0.0, 0.03), rng.uniform(-0.5, 0.5) * (wide - tall)
+        book = _upright(
+            tall * 0.68, thick, tall, pick(rng, palette), pick(rng, BANDS), int(rng.integers(3))
+        )
+        for mesh in book:
+            # Turned about the spine: its height lies along y.
+            mesh = mesh.keep_pattern().move(0, 0, -tall / 2).turn(rx=math.pi / 2)
+            meshes.append(mesh.turn(rz=askew).move(-0.006, aside, z + thick))
+        z += thick + 0.0004
+    low = min(float(mesh.v[:, 2].min()) for mesh in meshes)
+    for mesh in meshes:
+        mesh.move(0, 0, -low)
+    deep = wide * 0.66
+    body = Part(meshes, collision=[box_piece((-deep / 2, 0, z / 2), (deep, wide * 0.9, z))])
+    mass = round(450 * wide * deep * high, 2)
+    return Model("stack of books lying", {"body": body}, mass=mass, prune=False)
 
 
 def book_row_random(rng: np.random.Generator) -> dict:
@@ -138,7 +170,7 @@ MODELS = {
     "book_row": Maker(
         book_row,
         book_row_random,
-        20,
+        26,
         [
             {"colours": "novels", "length": 0.3, "height": 0.22, "seed": 1},
             {"colours": "novels", "length": 0.18, "height": 0.19, "lean": True, "seed": 2},
@@ -160,6 +192,13 @@ MODELS = {
             {"colours": "novels", "length": 0.68, "height": 0.23, "lean": True, "seed": 18},
             {"colours": "pastels", "length": 0.42, "height": 0.18, "seed": 19},
             {"colours": "bright", "length": 0.66, "height": 0.2, "lean": True, "seed": 20},
+            # For boards that are short or low.
+            {"colours": "leather", "length": 0.26, "height": 0.165, "seed": 21},
+            {"colours": "grey", "length": 0.24, "height": 0.165, "lean": True, "seed": 22},
+            {"colours": "pastels", "length": 0.28, "height": 0.165, "seed": 23},
+            {"colours": "bright", "length": 0.25, "height": 0.14, "lying": True, "seed": 24},
+            {"colours": "novels", "length": 0.24, "height": 0.12, "lying": True, "seed": 25},
+            {"colours": "grey", "length": 0.27, "height": 0.1, "lying": True, "seed": 26},
         ],
     ),
     "file_row": Maker(

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from toolkit.materials import plain
 from toolkit.model import Model
-from toolkit.shapes import extrude, tube
+from toolkit.shapes import box, extrude, tube
 
 from .casework import Case, glass, metal_or
 from .joinery import Assembly, finish, surface
@@ -44,11 +45,49 @@ def bookcase_doors(
         right = side == "right"
         case.door(f"door_{side}", x[1], y, (base, middle - t / 2), right, pull_z=middle - 0.12)
         if glazed:
-            case.panel = glass(1.4)
+            case.panel = glass(1.4, "6f7f80", 0.35)
             z = (middle - t / 2, height - 0.032)
             case.door(f"door_top_{side}", x[1], y, z, right, rail=0.05)
             case.panel = None
+            pane = (y[0] + 0.055, y[1] - 0.055)
+            step = (upper[1] - upper[0] + t) / 4
+            boards = [upper[0] + k * step for k in range(4)]
+            _shine_through(case.asm, f"door_top_{side}", x[1] + 0.0135, pane, boards, right)
     return case.model(f"bookcase with {'glass ' if glazed else ''}doors", 42.0)
+
+
+#: What is seen through a pane, in rows: half of an outline in y and z, its colour, how far apart.
+BEHIND = (
+    (((0.08, 0), (0.09, 0.02), (0.09, 0.1), (0.06, 0.115)), ("c9c3b4", "8f5f4c"), 0.2),
+    (((0.03, 0), (0.008, 0.012), (0.008, 0.09), (0.036, 0.11), (0.03, 0.18)), ("b9cbcc",), 0.082),
+    (
+        ((0.075, 0), (0.1, 0.07), (0.105, 0.1), (0.09, 0.1), (0.07, 0.135)),
+        ("d3d0c6", "7d96a0"),
+        0.225,
+    ),
+    (((0.034, 0), (0.038, 0.105)), ("a9bfc2",), 0.088),
+)
+
+
+def _shine_through(
+    asm: Assembly, part: str, x: float, y: tuple[float, float], boards: list[float], right: bool
+) -> None:
+    """Draws on a pane, which is opaque, what stands on the boards behind it."""
+    low, high = y
+    for k, z in enumerate(boards):
+        if k:
+            asm.add(
+                part,
+                box(0.001, high - low, 0.018, (x, (low + high) / 2, z - 0.018), plain("8d8478")),
+            )
+        half, colours, apart = BEHIND[(k + 2 * right) % len(BEHIND)]
+        outline = [*half, *((-u, v) for u, v in half[::-1])]
+        many = int((high - low - 0.02) / apart)
+        first = (low + high - (many - 1) * apart) / 2
+        z = max(z, boards[0] + 0.045)  # the rail hides the lowest board
+        for i in range(many):
+            shape = extrude(outline, 0.001, plain(colours[i % len(colours)]), axis="x")
+            asm.add(part, shape.move(x, first + i * apart, z))
 
 
 def bookcase_cubes(

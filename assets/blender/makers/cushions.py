@@ -26,6 +26,13 @@ def _pleated(colour: str, second: str, pleats: int) -> Material:
     return m
 
 
+def _corduroy(colour: str, second: str) -> Material:
+    """Ribbed cloth: of one colour a heart looks like plastic."""
+    m = Material()
+    wave = m.math("SINE", m.math("MULTIPLY", m.axis(1), 420.0))
+    return m.colour(m.mix(m.remap(wave, -0.4, 0.8, 0, 1), m.mottle(colour, 0.12, 90), second))
+
+
 def _round(size: float, colours: list[str]) -> list[Mesh]:
     r, h = size / 2, 0.13
     cloth, rim = _pleated(colours[0], shade(colours[0], 0.6), 14), plain(colours[1], 0.05)
@@ -109,14 +116,15 @@ def _heart(size: float, colours: list[str]) -> list[Mesh]:
     y = 16 * np.sin(t) ** 3
     x = -(13 * np.cos(t) - 5 * np.cos(2 * t) - 2 * np.cos(3 * t) - np.cos(4 * t)) - 2.5
     p = np.c_[x, y] * size / 33
-    plush = plain(colours[0], 0.1, 140)
     h = 0.15
     rings = [
         np.c_[p * f, np.full(len(p), z)]
         for f, z in ((0.75, 0), (0.95, h * 0.22), (1, h * 0.45), (0.94, h * 0.75), (0.72, h * 0.96),
                      (0.35, h * 1.04))
     ]  # fmt: skip
-    return [loft(rings, plush)]
+    seam = [(*q, h * 0.45) for q in p]
+    piping = tube(seam, 0.006, 5, closed=True, mat=plain(colours[2], 0.08, 120))
+    return [loft(rings, _corduroy(*colours[:2])), piping]
 
 
 def cushion(style: str, size: float, colours: list[str], **more) -> Model:
@@ -157,7 +165,7 @@ MODELS = {
             {"style": "round", "size": 0.4, "colours": ["#d8a03a", "#8a5a20", "#ffffff"]},
             {"style": "bolster", "size": 0.5, "colours": ["#efe8d8", "#3f6a94", "#c8503a"]},
             {"style": "floor", "size": 0.5, "colours": ["#7a6f9a", "#f0e8d8", "#ffffff"]},
-            {"style": "heart", "size": 0.4, "colours": ["#c8303a", "#8a1c28", "#ffffff"]},
+            {"style": "heart", "size": 0.4, "colours": ["#c98b8c", "#a5656a", "#efe6d8"]},
             {
                 "size": 0.55,
                 "aspect": 0.55,

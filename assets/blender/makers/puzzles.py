@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from PIL import Image, ImageDraw
 from toolkit.labels import canvas, gradient, text
@@ -11,7 +9,7 @@ from toolkit.materials import label as printed
 from toolkit.materials import plain
 from toolkit.mesh import Mesh
 from toolkit.model import Maker, Model
-from toolkit.shapes import box, tube
+from toolkit.shapes import box
 
 from makers.choking import loose
 
@@ -102,10 +100,8 @@ def puzzle_box(kind: str, picture: str, paint: str, count: int) -> Model:
     elif kind == "cube":
         word = {"+x": skin, "-x": skin, "+y": skin, "-y": skin, "+z": skin}
         body = box(0.13, 0.16, 0.13, (0, 0, 0), cardboard, 0.002, 1, word)
-        loop = [
-            (0, 0.045 * math.cos(a), 0.13 + 0.035 * math.sin(a)) for a in np.linspace(0, 3.14, 8)
-        ]
-        pieces = [[body, tube(loop, 0.005, 6, mat=plain("#f6f4ee", 0.02))]]
+        # Without a handle: with one it is taken for a lunch box.
+        pieces = [[body]]
     elif kind == "pair":
         under = printed(_lid_print("balloon", "#d8782a", 200))
         low = dict.fromkeys(sides, (under, (0.09, 0.74, 0.7, 0.98))) | {"+z": under}

@@ -38,6 +38,19 @@ def hang(case: Case, y: float, z: float, colour: str, length: float, x: float = 
 CLOTHES = ("#3f5568", "#b9473f", "#d9d3c6", "#5b7355", "#2f3136", "#c99a4b", "#7c9db5", "#8a5a72")
 
 
+def _folded(case: Case, y: Span, z: float, first: int, many: int) -> None:
+    """A pile of jumpers and shirts on a board."""
+    middle, high = (y[0] + y[1]) / 2, 0.036
+    for k in range(many):
+        colour, wide = CLOTHES[(first * 3 + k) % len(CLOTHES)], 0.148 - 0.006 * (k * 5 % 3)
+        aside, front = 0.008 * (k * 3 % 4 - 1.5), 0.15 + 0.008 * (k * 7 % 3)
+        low = (front - 0.36, middle + aside - wide, z + k * high)
+        top = (front, middle + aside + wide, z + (k + 1) * high - 0.002)
+        cloth = fabric(colour, (k, first, 0), 0.08)
+        case.asm.board("body", low, top, cloth, 0.014, solid=False)
+    case.asm.solid("body", (-0.22, middle - 0.16, z), (0.166, middle + 0.16, z + many * high))
+
+
 def three_door(
     width: float = 1.4,
     height: float = 2.02,
@@ -207,6 +220,10 @@ def open_wardrobe(
     )
     right = (split + t / 2, half - t)
     case.bay("", x, right, (base + t, height - t), 4, prefix="right", container=False)
+    levels = [s for s in case.supports if s.name.startswith("right")]
+    for k in (1, 2, 4):
+        case.supports.remove(levels[k])
+        _folded(case, right, levels[k].z, k, 6 if k < 4 else 3)
     return case.model("open wardrobe with clothes on a rail", 60.0)
 
 

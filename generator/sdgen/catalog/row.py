@@ -22,7 +22,8 @@ class Row(Record):
 
     ``same``: all are of one model, as glasses of a set are. ``pile``: so many of one model lie on
     each other. ``over_m``: how far they may reach over the shelf's edge, as shoes do. ``wide``:
-    wide models stand there more often than narrow ones. In what the row leaves over stands one
+    wide models stand there more often than narrow ones. ``at_back``: at the back of the shelf, as
+    on a chest, not at its front edge. In what the row leaves over stands one
     thing of ``beside``, where it is wide enough.
     """
 
@@ -37,4 +38,5 @@ class Row(Record):
     # Past half of a thing it would tip.
     over_m: Annotated[float, between(0.0, 0.1)] = 0.0
     wide: bool = False
+    at_back: bool = False
     beside: OptionalCategories = ()

@@ -50,7 +50,7 @@ PILE_GAP_M = 0.02
 #: Of what is flatter, metres, nobody can say surely that it is INSIDE.
 FLAT_M = 0.012
 #: Surfaces with less of their bounding rectangle than this are no shelves to fill.
-SQUARE_SHARE = 0.9
+SQUARE_SHARE = 0.7
 
 
 def fill_rows(
@@ -75,6 +75,7 @@ def fill_rows(
             on_top = surface.support.headroom_m is None and not row.top
             if elsewhere or on_top or rng.random() >= row.chance:
                 continue
+            shelf.at_back = row.at_back
             choices = abodes.choices(receptacle.category, room, row.of, relation=shelf.relation)
             if choices is not None:
                 choices = shelf.room_for(choices, row.over_m)
@@ -136,6 +137,8 @@ class _Shelf:
         self.next = _models_about(layout, receptacle.id, surface.z_m, NEXT_M)
         # Drawn once a shelf, by category: whether its things are to lie where views show them.
         self._shown: dict[str, bool] = {}
+        #: Whether what is put there stands at the back, not at the front edge.
+        self.at_back = False
 
     def spans(self) -> list[tuple[float, float]]:
         """Where along the shelf nothing stands yet, nor is seen past the row's end."""
@@ -160,6 +163,8 @@ class _Shelf:
         if left + wide > right:
             return None
         out = max(self.front - set_back - deep / 2, self.back + deep / 2)
+        if self.at_back:
+            out = min(self.back + set_back + deep / 2, out)
         point = self._at(out, left + wide / 2)
         # Of what may reach over the edge, the part over the shelf is looked at.
         over = max(0.0, out + deep / 2 - self.front)

@@ -26,7 +26,7 @@ def kitchens():
     """The pieces of some generated kitchens by category."""
     models, options = SplitModels(LIBRARY, "test"), BuildOptions(seed=2, homes="procedural")
     out = []
-    for index in range(16):
+    for index in range(28):
         spec = pick_home(CATALOG, options, index).spec(CATALOG, lane(2, index, "plan"))
         home = furnished_home(spec, CATALOG, LIBRARY, models, count(1), lane(2, index, "furnish"))
         if not isinstance(home, FurnishedHome):

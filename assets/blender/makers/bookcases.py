@@ -9,6 +9,7 @@ from toolkit.materials import plain
 from toolkit.model import Model
 from toolkit.shapes import box, extrude, tube
 
+from .book_rows import book_row
 from .casework import Case, glass, metal_or
 from .joinery import Assembly, finish, surface
 
@@ -211,6 +212,15 @@ def bookcase_frame(
     return case.model("bookshelf of boards in a metal frame", 24.0)
 
 
+#: Books on the boards of a tree, from below; the others are free for what people put there.
+ON_TREE: dict[int, dict] = {
+    0: {"colours": "novels", "length": 0.27, "height": 0.18, "seed": 31},
+    1: {"colours": "bright", "length": 0.25, "height": 0.11, "lying": True, "seed": 32},
+    2: {"colours": "pastels", "length": 0.27, "height": 0.175, "lean": True, "seed": 33},
+    4: {"colours": "grey", "length": 0.24, "height": 0.09, "lying": True, "seed": 34},
+}
+
+
 def bookcase_zigzag(
     width: float = 0.75,
     height: float = 1.78,
@@ -235,6 +245,14 @@ def bookcase_zigzag(
         case.board(x, (end, end + t), (z, z + 0.19), case.wood, 0.002)
         inner = (side[0] + t, side[1]) if k % 2 == 0 else (side[0], side[1] - t)
         room = 0.2
+        if k in ON_TREE:
+            books = book_row(**ON_TREE[k]).parts["body"].meshes
+            left = min(float(mesh.v[:, 1].min()) for mesh in books)
+            for mesh in books:
+                case.asm.add("body", mesh.move(depth / 2 - 0.03, inner[0] + 0.012 - left, z))
+            # Nothing goes behind or beside them.
+            case.asm.solid("body", (x[0], inner[0], z), (x[1] - 0.03, inner[1], z + 0.15))
+            continue
         low, high = (x[0], inner[0]), (x[1], inner[1])
         case.supports.append(surface(f"shelf_{k + 1}", low, high, z, room))
     for name, a, b in (("base_left", -half, -t / 2), ("base_right", t / 2, half)):

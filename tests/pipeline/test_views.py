@@ -28,7 +28,7 @@ OPTIONS = BuildOptions(n=9, seed=7)
 
 @pytest.fixture(scope="module")
 def furnished(catalog, library):
-    return furnish_for(draw_spec(2, catalog, OPTIONS), 0, catalog, library)
+    return furnish_for(draw_spec(3, catalog, OPTIONS), 0, catalog, library)
 
 
 def lane():

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from toolkit.materials import plain
@@ -62,13 +64,9 @@ def book_row(
     length: float = 0.3,
     height: float = 0.22,
     lean: bool = False,
-    lying: bool = False,
     seed: int = 1,
 ) -> Model:
-    """Books side by side, spines to the front; ``lean``: the last one leans on the others;
-    ``lying``: on each other, ``length`` wide and ``height`` high."""
-    if lying:
-        return _stack(colours, length, height, seed)
+    """Books side by side, spines to the front; ``lean``: the last one leans on the others."""
     rng = np.random.default_rng(seed)
     palette = PALETTES[colours]
     meshes: list[Mesh] = []
@@ -102,7 +100,7 @@ def book_row(
     return Model("row of books", {"body": body}, mass=mass, prune=False)
 
 
-def _stack(colours: str, wide: float, high: float, seed: int) -> Model:
+def book_stack(colours: str, wide: float, high: float, seed: int = 1) -> Model:
     """Books that lie on each other, the larger below, spines to the front."""
     rng, palette = np.random.default_rng(seed), PALETTES[colours]
     meshes: list[Mesh] = []
@@ -139,6 +137,36 @@ def book_row_random(rng: np.random.Generator) -> dict:
     }
 
 
+def book_stack_random(rng: np.random.Generator) -> dict:
+    return {
+        "colours": pick(rng, tuple(PALETTES)),
+        "wide": float(rng.uniform(0.21, 0.3)),
+        "high": float(rng.uniform(0.07, 0.18)),
+        "seed": int(rng.integers(1000)),
+    }
+
+
+def with_books(model: Model, boards: Mapping[str, str]) -> Model:
+    """A piece of furniture some of whose boards, by the name of their support, come full of books
+    of a palette: spines in line before the front edge, and nothing else goes there."""
+    body = model.parts["body"]
+    pieces = list(body.collision)
+    for seed, (name, colours) in enumerate(boards.items(), 40):
+        board = next(support for support in model.supports if support.name == name)
+        xs, ys = zip(*board.polygon, strict=True)
+        length, headroom = max(ys) - min(ys) - 0.03, board.headroom or 0.3
+        # Larger boards' books lean at the end; a hand's room stays above.
+        row = book_row(colours, length, min(0.25, headroom - 0.06), length > 0.5, seed)
+        meshes = row.parts["body"].meshes
+        left = min(float(mesh.v[:, 1].min()) for mesh in meshes)
+        x, y = max(xs) - 0.03, min(ys) + 0.012 - left
+        body.meshes += [mesh.keep_pattern().move(x, y, board.z) for mesh in meshes]
+        pieces += [np.add(piece, (x, y, board.z)) for piece in row.parts["body"].collision]
+        model.supports.remove(board)
+    body.collision = pieces
+    return replace(model, mass=model.mass + 9.0 * len(boards))
+
+
 def file_row(colours: str, count: int = 4, seed: int = 1) -> Model:
     """Lever-arch files side by side, their labels to the front."""
     rng = np.random.default_rng(seed)
@@ -170,7 +198,7 @@ MODELS = {
     "book_row": Maker(
         book_row,
         book_row_random,
-        26,
+        23,
         [
             {"colours": "novels", "length": 0.3, "height": 0.22, "seed": 1},
             {"colours": "novels", "length": 0.18, "height": 0.19, "lean": True, "seed": 2},
@@ -196,9 +224,21 @@ MODELS = {
             {"colours": "leather", "length": 0.26, "height": 0.165, "seed": 21},
             {"colours": "grey", "length": 0.24, "height": 0.165, "lean": True, "seed": 22},
             {"colours": "pastels", "length": 0.28, "height": 0.165, "seed": 23},
-            {"colours": "bright", "length": 0.25, "height": 0.14, "lying": True, "seed": 24},
-            {"colours": "novels", "length": 0.24, "height": 0.12, "lying": True, "seed": 25},
-            {"colours": "grey", "length": 0.27, "height": 0.1, "lying": True, "seed": 26},
+        ],
+    ),
+    "book_stack": Maker(
+        book_stack,
+        book_stack_random,
+        8,
+        [
+            {"colours": "bright", "wide": 0.25, "high": 0.14, "seed": 24},
+            {"colours": "novels", "wide": 0.24, "high": 0.12, "seed": 25},
+            {"colours": "grey", "wide": 0.27, "high": 0.1, "seed": 26},
+            {"colours": "pastels", "wide": 0.26, "high": 0.09, "seed": 27},
+            {"colours": "leather", "wide": 0.22, "high": 0.15, "seed": 28},
+            {"colours": "novels", "wide": 0.29, "high": 0.13, "seed": 29},
+            {"colours": "bright", "wide": 0.28, "high": 0.08, "seed": 30},
+            {"colours": "pastels", "wide": 0.23, "high": 0.17, "seed": 31},
         ],
     ),
     "file_row": Maker(

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from toolkit.materials import plain
 from toolkit.model import Model
 from toolkit.shapes import box, extrude, tube
 
-from .book_rows import book_row
+from .book_rows import with_books
 from .casework import Case, glass, metal_or
 from .joinery import Assembly, finish, surface
 
@@ -212,15 +213,6 @@ def bookcase_frame(
     return case.model("bookshelf of boards in a metal frame", 24.0)
 
 
-#: Books on the boards of a tree, from below; the others are free for what people put there.
-ON_TREE: dict[int, dict] = {
-    0: {"colours": "novels", "length": 0.27, "height": 0.18, "seed": 31},
-    1: {"colours": "bright", "length": 0.25, "height": 0.11, "lying": True, "seed": 32},
-    2: {"colours": "pastels", "length": 0.27, "height": 0.175, "lean": True, "seed": 33},
-    4: {"colours": "grey", "length": 0.24, "height": 0.09, "lying": True, "seed": 34},
-}
-
-
 def bookcase_zigzag(
     width: float = 0.75,
     height: float = 1.78,
@@ -245,14 +237,6 @@ def bookcase_zigzag(
         case.board(x, (end, end + t), (z, z + 0.19), case.wood, 0.002)
         inner = (side[0] + t, side[1]) if k % 2 == 0 else (side[0], side[1] - t)
         room = 0.2
-        if k in ON_TREE:
-            books = book_row(**ON_TREE[k]).parts["body"].meshes
-            left = min(float(mesh.v[:, 1].min()) for mesh in books)
-            for mesh in books:
-                case.asm.add("body", mesh.move(depth / 2 - 0.03, inner[0] + 0.012 - left, z))
-            # Nothing goes behind or beside them.
-            case.asm.solid("body", (x[0], inner[0], z), (x[1] - 0.03, inner[1], z + 0.15))
-            continue
         low, high = (x[0], inner[0]), (x[1], inner[1])
         case.supports.append(surface(f"shelf_{k + 1}", low, high, z, room))
     for name, a, b in (("base_left", -half, -t / 2), ("base_right", t / 2, half)):
@@ -384,13 +368,28 @@ def shelf_pegs(
     return Model("wall shelf with a back and pegs", asm.parts(), 4.5, supports=[support])
 
 
+#: Boards that come with books, by number, of what has many small ones.
+CUBES_WITH = {2: "bright", 4: "novels", 8: "pastels", 11: "grey"}
+TREE_WITH = {1: "novels", 3: "pastels", 5: "bright", 6: "grey"}
+
+
+def stocked(of: Callable[..., Model], boards: Mapping[str, str]) -> Callable[..., Model]:
+    """The same piece, some of its boards full of books of a palette."""
+
+    def make(**parameters: object) -> Model:
+        return with_books(of(**parameters), boards)
+
+    make.__name__ = of.__name__
+    return make
+
+
 BOOKSHELVES = [
-    (bookcase_doors, {}),
-    (bookcase_cubes, {}),
-    (bookcase_ladder, {}),
-    (bookcase_frame, {}),
+    (stocked(bookcase_doors, {"shelf_2": "novels", "shelf_4": "grey"}), {}),
+    (stocked(bookcase_cubes, {f"shelf_{k}": c for k, c in CUBES_WITH.items()}), {}),
+    (stocked(bookcase_ladder, {"shelf_2": "pastels"}), {}),
+    (stocked(bookcase_frame, {"shelf_2": "bright"}), {}),
     (bookcase_doors, {"wood": "walnut", "glazed": True}),
-    (bookcase_zigzag, {}),
+    (stocked(bookcase_zigzag, {f"shelf_{k}": c for k, c in TREE_WITH.items()}), {}),
 ]
 WALL_SHELVES = [
     (shelf_cubes, {}),

@@ -7,7 +7,7 @@ from toolkit.model import Container, Joint, Maker, Model
 from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, tube
 
-from .bookcases import BOOKSHELVES
+from .bookcases import BOOKSHELVES, stocked
 from .designs import extend
 from .dressers import NIGHTSTANDS
 from .joinery import (
@@ -338,7 +338,7 @@ def tv_stand_random(rng: np.random.Generator) -> dict:
 MODELS = {
     "bookshelf": extend(
         Maker(
-            bookshelf,
+            stocked(bookshelf, {"shelf_2": "novels", "shelf_4": "pastels"}),
             bookshelf_random,
             3,
             [

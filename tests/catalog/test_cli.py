@@ -124,10 +124,10 @@ def test_validate_tries_what_it_has_read(
             "error: hazard 'mine' is true of furniture (door) in ",
         ),
         (
-            "{category: tv, state: ON}",
-            "{set: tv, state: ON}",
+            "{category: floor_lamp, state: ON}",
+            "{set: floor_lamp, state: ON}",
             0,
-            "warning: hazard 'mine' is true of furniture (tv) in ",
+            "warning: hazard 'mine' is true of furniture (floor_lamp) in ",
         ),
     ],
     ids=["most homes", "some homes"],

@@ -237,7 +237,8 @@ class _Group:
         none of what the target holds."""
         name = member.thing[int(self.rng.integers(len(member.thing)))]
         category, known = self.context.catalog.category(name), self.models.get(name)
-        if self.stock.full(category, self.room.id):
+        mine = sum(self.layout.items[key].category == category.name for key in self.ids)
+        if self.stock.full(category, self.room.id, mine):
             return None
         if known is not None:
             return known

@@ -50,10 +50,12 @@ class Stock:
         """How many of a category there are in all."""
         return self._home[category]
 
-    def full(self, category: Category, room_id: int) -> bool:
-        """True when the room, or the home, has as many of a category as it may."""
+    def full(self, category: Category, room_id: int, more: int = 0) -> bool:
+        """True when the room, or the home, has as many of a category as it may, ``more`` of them
+        not counted yet."""
         name = category.name
-        return category.at_most.reached(self._rooms[room_id, name], self._home[name])
+        in_room, in_home = self._rooms[room_id, name] + more, self._home[name] + more
+        return category.at_most.reached(in_room, in_home)
 
     def enough(self, category: Category, room_id: int, rng: Rng) -> bool:
         """Draws whether one in a room will do: a second clock beside the first looks put there by

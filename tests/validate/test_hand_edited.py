@@ -92,7 +92,7 @@ def through_a_wall(scene: Scene, infos: Infos) -> tuple[int, Changes]:
     item, joint = next(
         (item, joint)
         for item in scene.objects
-        if item.fixed and item.category not in OPENINGS and item.pose.position_m[2] == 0
+        if item.category in ("fridge", "wardrobe")
         for joint in infos[item.asset].joints
         if joint.type == "revolute" and abs(joint.axis[2]) == 1 and joint.upper > 1.4
     )

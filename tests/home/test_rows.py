@@ -165,7 +165,7 @@ def test_shoes_reach_over_the_edge_of_their_rack() -> None:
         item.asset == "shoe_01" for item in _shelved("shoe_rack_01", Row(of=("shoe",)), 1)[2]
     )
     pairs = _shelved("shoe_rack_01", Row(of=("shoe",), filled=(1.0, 1.0), over_m=0.05), 1)[2]
-    assert pairs
+    assert len(pairs) >= 3
 
 
 def test_only_what_lives_there_and_only_in_rooms_of_the_row_s() -> None:

@@ -10,7 +10,6 @@ in turn with our homes and compared by the time of an object. Prints Markdown.
 from __future__ import annotations
 
 import argparse
-import gc
 import statistics
 import subprocess
 import sys
@@ -20,6 +19,7 @@ from collections.abc import Sequence
 
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog
+from sdgen.engines.serve import collect_seldom
 from sdgen.errors import SceneRejected
 from sdgen.home.generate import generate_plan
 from sdgen.home.plan import Plan
@@ -134,8 +134,7 @@ def homes(catalog: Catalog, library: Library, seeds: int, peer: str | None) -> N
     kinds: Counter[str] = Counter()
     # As in a worker of a build: one client for all, and what is loaded is not looked through again.
     client = Client()
-    gc.collect()
-    gc.freeze()
+    collect_seldom()
     for seed in range(seeds):
         start = time.process_time()
         try:

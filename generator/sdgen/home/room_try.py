@@ -208,13 +208,18 @@ def taken_outlines(tried: RoomTry, low_m: float, high_m: float) -> list[Array]:
 
 def free_parts(side: Side, taken: Sequence[Array], deep_m: float) -> Iterator[Side]:
     """The stretches of a side that no outline within ``deep_m`` of it takes."""
-    spans = []
-    for corners in taken:
-        dx, dy = corners[:, 0] - side.start[0], corners[:, 1] - side.start[1]
+    spans: list[tuple[float, float]] = []
+    if taken:
+        # All corners in one go: rooms ask this of every side for every piece.
+        x, y = np.concatenate(taken).T
+        starts = np.cumsum([0, *map(len, taken[:-1])])
+        dx, dy = x - side.start[0], y - side.start[1]
         away = dx * side.inward[0] + dy * side.inward[1]
-        if away.min() < deep_m and away.max() > 0.0:
-            along = dx * side.along[0] + dy * side.along[1]
-            spans.append((float(along.min()), float(along.max())))
+        along = dx * side.along[0] + dy * side.along[1]
+        before = np.minimum.reduceat(away, starts) < deep_m
+        before &= np.maximum.reduceat(away, starts) > 0.0
+        ends = (end.reduceat(along, starts)[before] for end in (np.minimum, np.maximum))
+        spans = list(zip(*(end.tolist() for end in ends), strict=True))
     reached = 0.0
     for low, high in [*sorted(spans), (side.length_m, side.length_m)]:
         free_m = min(low, side.length_m) - reached

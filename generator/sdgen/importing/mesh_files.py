@@ -13,7 +13,7 @@ import struct
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import numpy as np
 
@@ -86,7 +86,7 @@ def _load(raw: bytes, kind: str, path: Path, references: References) -> Any:
         return trimesh.load_scene(
             io.BytesIO(raw),
             file_type=kind[1:],
-            resolver=_Resolver(path.parent, references),
+            resolver=cast(Any, _Resolver(path.parent, references)),
             process=False,
             maintain_order=True,
         )

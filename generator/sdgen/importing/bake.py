@@ -17,8 +17,8 @@ import numpy.typing as npt
 
 from sdgen.geometry import Array
 from sdgen.importing.pictures import opened
-from sdgen.importing.scan import Ints, Paint, Piece
-from sdgen.importing.simplify import Solid, corner_normals
+from sdgen.importing.scan import Ints, Piece
+from sdgen.importing.simplify import Solid, corner_normals, welded
 from sdgen.library.meshes import MeshData
 from sdgen.library.shape import surface_points
 
@@ -55,8 +55,6 @@ def kept(parts: Mapping[str, Sequence[Piece]], doubled: bool, side: int) -> Bake
             return None
     meshes = {}
     for name, group in parts.items():
-        from sdgen.importing.simplify import welded
-
         solid = welded(group)
         corners = np.concatenate([piece.triangles for piece in group])
         uvs = np.concatenate([_of(piece.uvs)[piece.faces] for piece in group])
@@ -189,7 +187,9 @@ def _colours(piece: Piece, faces: Ints, weights: Array, normals: Array, density:
     """Colours of points of a piece, given by face and barycentric weights."""
     tint = np.array(piece.paint.colour[:3])
     if piece.colours is not None:
-        return np.einsum("nk,nkd->nd", weights, piece.colours[piece.faces[faces]]) * tint
+        return np.asarray(
+            np.einsum("nk,nkd->nd", weights, piece.colours[piece.faces[faces]]) * tint
+        )
     if piece.paint.image is None or piece.uvs is None:
         # What has no picture gets the light of the sky, or it would look cut from paper.
         light = 0.82 + 0.18 * (normals[:, 2:] + 1) / 2
@@ -199,7 +199,7 @@ def _colours(piece: Piece, faces: Ints, weights: Array, normals: Array, density:
         uvs = (np.column_stack([uvs, np.ones(len(uvs))]) @ np.array(piece.paint.uv).T)[:, :2]
     pixels = _readable(piece, uvs, density)
     at = np.einsum("nk,nkd->nd", weights, uvs[piece.faces[faces]])
-    return _bilinear(pixels, at) * tint
+    return np.asarray(_bilinear(pixels, at) * tint)
 
 
 def _readable(piece: Piece, uvs: Array, density: float) -> Array:
@@ -315,8 +315,3 @@ def _lanczos() -> Any:
     from PIL import Image
 
     return Image.Resampling.LANCZOS
-
-
-def plain(colour: Paint) -> bool:
-    """True where nothing but one colour is known."""
-    return colour.image is None

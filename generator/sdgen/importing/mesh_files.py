@@ -61,7 +61,7 @@ def read_mesh(path: Path, references: References) -> tuple[tuple[Piece, ...], Up
     except AssetError:
         raise
     except ModuleNotFoundError as error:
-        text = f"{shown}: reading {kind} needs {error.name}: pip install 'sdgen[import]'"
+        text = f"{shown}: reading {kind} needs {error.name}: pip install 'sdgen[assets]'"
         raise AssetError([text]) from None
     except MemoryError:
         raise AssetError([f"{shown}: too large for this machine's memory"]) from None

@@ -51,7 +51,7 @@ def read_sdf(path: Path, references: References) -> Scan:
         pieces = _visual_mesh_beside(references) or pieces
     if not pieces:
         raise AssetError([f"{shown}: nothing of it is drawn"])
-    words = (model.get("name", ""), *_config_words(path, references))
+    words = (model.get("name", ""), *fuel_words(path.parent, references))
     return Scan(tuple(pieces), up="z", mass_kg=mass or None, words=words)
 
 
@@ -141,14 +141,14 @@ def _visual_mesh_beside(references: References) -> list[Piece]:
     return list(pieces)
 
 
-def _config_words(path: Path, references: References) -> tuple[str, ...]:
-    """Name and description of model.config, and of Fuel's metadata.pbtxt."""
+def fuel_words(folder: Path, references: References) -> tuple[str, ...]:
+    """Name and description of model.config, description and classes of Fuel's metadata.pbtxt."""
     out: list[str] = []
-    config = path.parent / "model.config"
+    config = folder / "model.config"
     if config.is_file():
         root = parse_xml(references.bytes_of(config, 1_000_000), references.shown(config))
         out += [" ".join(root.findtext(tag, "").split()) for tag in ("name", "description")]
-    metadata = path.parent / "metadata.pbtxt"
+    metadata = folder / "metadata.pbtxt"
     if metadata.is_file():
         text = references.bytes_of(metadata, 1_000_000).decode("utf-8", "replace")
         out += re.findall(

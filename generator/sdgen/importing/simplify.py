@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -74,12 +75,14 @@ def outward(solid: Solid) -> Solid:
     """The mesh with faces of one shell wound alike, closed ones outwards."""
     import trimesh
 
+    repair: Any = trimesh.repair
+    graph: Any = trimesh.graph
     mesh = trimesh.Trimesh(solid.vertices, solid.faces, process=False)
     if not mesh.is_winding_consistent and len(solid.faces) < 60_000:
-        trimesh.repair.fix_winding(mesh)
+        repair.fix_winding(mesh)
     faces = np.asarray(mesh.faces, dtype=np.int64)
     if len(faces) < 60_000:
-        labels = trimesh.graph.connected_component_labels(mesh.face_adjacency, len(faces))
+        labels = graph.connected_component_labels(mesh.face_adjacency, len(faces))
         for label in range(int(labels.max(initial=-1)) + 1):
             shell = faces[labels == label]
             if len(shell) > 3 and _signed_volume(solid.vertices[shell]) < 0:

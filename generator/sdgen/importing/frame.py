@@ -13,7 +13,7 @@ from sdgen.catalog.records import Catalog, Category
 from sdgen.errors import AssetError
 from sdgen.geometry import Array, Vec3, vec3
 from sdgen.importing.categorise import Choice, categorise
-from sdgen.importing.scan import Scan
+from sdgen.importing.scan import Scan, Up
 from sdgen.importing.sizes import misfit, misfit_as_it_stands
 from sdgen.importing.table import Axis, Table
 
@@ -26,6 +26,8 @@ _UPS: dict[Axis, Array] = {
     "+x": np.array([[0, 0, -1.0, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]]),
     "-x": np.array([[0, 0, 1.0, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]]),
 }
+#: Which axes may be up, likeliest first, by what a file says.
+_AXES: dict[Up, tuple[Axis, ...]] = {"y": ("+y",), "z": ("+z",), "unknown": ("+z", "+y")}
 #: Turns about Z that bring an axis to +X, by the axis's name.
 _TURNS = {"+x": 0.0, "+y": -math.pi / 2, "-x": math.pi, "-y": math.pi / 2}
 #: No thing of a home is longer or shorter than this, metres.
@@ -44,11 +46,7 @@ def stand(
     row = table.row(name)
     if row is not None and row.scale is not None:
         scan = scaled(scan, row.scale)
-    ups: tuple[Axis, ...]
-    if row is not None and row.up is not None:
-        ups = (row.up,)
-    else:
-        ups = {"y": ("+y",), "z": ("+z",), "unknown": ("+z", "+y")}[scan.up]
+    ups = _AXES[scan.up] if row is None or row.up is None else (row.up,)
     tried = [_chosen(scan.moved(_UPS[up]), name, table, catalog) for up in ups]
     best = min(range(len(tried)), key=lambda k: (tried[k][0], k))
     if ups[best] == "+y" and len(ups) > 1:

@@ -129,7 +129,7 @@ def _transform(path: Path, references: References) -> Array:
     even = np.isfinite(matrix).all() and scales.min() > 0.9 * scales.max() > 1e-6
     if not even or abs(np.linalg.det(matrix[:3, :3])) < 1e-12:
         raise AssetError([f"{shown}: transform: is no rotation with one scale"])
-    return matrix
+    return np.asarray(matrix)
 
 
 def _json(path: Path, references: References) -> dict[str, Any]:

@@ -1,1 +1,1 @@
-"""Other people's models and scenes, brought into libraries and homes of ours."""
+"""Turns downloads of others, scanned models and furnished scenes, into libraries and homes."""

@@ -26,7 +26,7 @@ def misfit(extents_m: Vec3, category: Category) -> float:
 
     1 when all are within. ``extents_m``: deep, wide, high, metres.
     """
-    return min(_misfit(turned, category) for turned in _yaws(extents_m))
+    return min(misfit_as_it_stands(turned, category) for turned in _yaws(extents_m))
 
 
 def fits(extents_m: Vec3, category: Category, factor: float = PLAUSIBLE) -> bool:
@@ -38,7 +38,7 @@ def turned(extents_m: Vec3, category: Category, factor: float = PLAUSIBLE) -> bo
     """True when it would be as large as such things are if another side were up."""
     sides = permutations(extents_m)
     return not fits(extents_m, category, factor) and any(
-        _misfit((deep, wide, high), category) <= factor for deep, wide, high in sides
+        misfit_as_it_stands((deep, wide, high), category) <= factor for deep, wide, high in sides
     )
 
 
@@ -63,7 +63,7 @@ def scaled(extents_m: Vec3, by: float) -> Vec3:
 
 def difference(extents_m: Vec3, category: Category) -> str:
     """What is outside the category's range, and what would mend it; empty when nothing is."""
-    best = min(_yaws(extents_m), key=lambda yaw: _misfit(yaw, category))
+    best = min(_yaws(extents_m), key=lambda yaw: misfit_as_it_stands(yaw, category))
     sides = [
         f"{value:.3g} m {side} ({category.name}: {least:g} to {most:g} m)"
         for side, (value, least, most) in zip(_SIDES, _limits(best, category), strict=True)
@@ -91,7 +91,7 @@ def _limits(extents_m: Vec3, category: Category) -> Iterator[tuple[float, float,
     return zip(extents_m, category.extents_min_m, category.extents_max_m, strict=True)
 
 
-def _misfit(extents_m: Vec3, category: Category) -> float:
+def misfit_as_it_stands(extents_m: Vec3, category: Category) -> float:
     return max(_off(value, least, most) for value, least, most in _limits(extents_m, category))
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from sdgen.cli.assets_fetch import fetch_assets
+from sdgen.cli.assets_import import import_assets
 from sdgen.cli.bar import bar
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.library import Library, load_library
@@ -27,13 +28,14 @@ EXTRA = click.option(
 
 @click.group()
 def assets() -> None:
-    """List, show, draw, check and fetch models.
+    """List, show, draw, check, fetch and import models.
 
     Example: sdgen assets list --json
     """
 
 
 assets.add_command(fetch_assets)
+assets.add_command(import_assets)
 
 
 @assets.command("list")

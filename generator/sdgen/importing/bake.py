@@ -214,26 +214,32 @@ def _readable(piece: Piece, uvs: Array, density: float) -> Array:
     area = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0]).sum() / 2
     surface = _area(Solid(piece.vertices, piece.faces))
     own = float(np.sqrt(area * width * height / max(surface, 1e-12)))
-    factor = int(own / max(density * _FINER, 1e-9))
-    if factor < 2:
-        return np.asarray(picture, dtype=np.float64) / 255.0
-    factor = min(factor, 32, min(width, height) // 4 or 1)
-    repeated = corners.min() < -_OUTSIDE or corners.max() > 1 + _OUTSIDE
-    if repeated or factor < 2:
-        return np.asarray(picture.reduce(max(factor, 1)), dtype=np.float64) / 255.0
+    factor = min(int(own / max(density * _FINER, 1e-9)), 32, min(width, height) // 4)
+    factor = max(factor, 1)
+    if corners.min() < -_OUTSIDE or corners.max() > 1 + _OUTSIDE:  # it repeats: all of it shows
+        return np.asarray(picture.reduce(factor), dtype=np.float64) / 255.0
     mask = Image.new("L", picture.size, 0)
     draw = ImageDraw.Draw(mask)
     scaled = corners * (width, -height) + (0, height)
     for a, b, c in scaled.tolist():
-        draw.polygon([tuple(a), tuple(b), tuple(c)], fill=255, outline=255)
-    shown = Image.composite(picture, Image.new("RGB", picture.size), mask).reduce(factor)
-    share = np.asarray(mask.reduce(factor), dtype=np.float64)[..., None] / 255.0
-    whole = np.asarray(shown, dtype=np.float64) / 255.0
-    pixels = np.where(share > 0.02, whole / np.maximum(share, 0.02), 0.0)
+        draw.polygon([tuple(a), tuple(b), tuple(c)], fill=255)
+    pixels = np.asarray(picture.reduce(factor), dtype=np.float64) / 255.0
+    return _without_ground(pixels, np.asarray(mask.reduce(factor)) > 250)
+
+
+def _without_ground(pixels: Array, shown: npt.NDArray[np.bool_]) -> Array:
+    """The picture with the ground between its islands, and the outermost texels of these, in the
+    colour of what is nearest: scans have dark rims there, which would show as cracks."""
     from scipy import ndimage
 
-    _, nearest = ndimage.distance_transform_edt(share[..., 0] <= 0.02, return_indices=True)
-    return np.asarray(np.clip(pixels[tuple(nearest)], 0, 1))
+    if not shown.any():
+        return pixels
+    inner = ndimage.binary_erosion(shown)
+    # Islands too thin to have an inside stay as they are.
+    off = ndimage.distance_transform_edt(~inner) if inner.any() else np.full(shown.shape, np.inf)
+    inner |= shown & (off > 2.0)
+    _, nearest = ndimage.distance_transform_edt(~inner, return_indices=True)
+    return np.asarray(pixels[tuple(nearest)])
 
 
 def _bilinear(pixels: Array, uvs: Array) -> Array:

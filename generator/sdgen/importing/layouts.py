@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 from xml.etree.ElementTree import ParseError, iterparse
@@ -32,12 +32,19 @@ _PREFERRED = (".glb", ".gltf", ".obj", ".dae", ".ply", ".stl")
 
 @dataclass(frozen=True)
 class Candidate:
-    """A model found: its name in its source, how to read it, its file and its own folder."""
+    """A model found: its name in its source, how to read it, its file and its own folder, and the
+    folder that was looked through."""
 
     name: str
     kind: Kind
     entry: Path
     folder: Path
+    root: Path = Path()
+
+    @property
+    def place(self) -> str:
+        """Its file as seen from the folder that was looked through."""
+        return self.entry.relative_to(self.root).as_posix()
 
 
 def find_models(source: str, root: Path) -> list[Candidate]:
@@ -47,7 +54,7 @@ def find_models(source: str, root: Path) -> list[Candidate]:
         name, number = candidate.name, 2
         while name in found:  # of two folders of one name
             name, number = f"{candidate.name}_{number}", number + 1
-        found[name] = Candidate(name, candidate.kind, candidate.entry, candidate.folder)
+        found[name] = replace(candidate, name=name, root=root)
     if not found:
         raise AssetError([f"{root}: no model of {source} here; {_EXPECTED[source]}"])
     return [found[name] for name in sorted(found)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -18,6 +18,7 @@ from sdgen.errors import (
     os_error_in_words,
 )
 from sdgen.geometry import Array, vec3
+from sdgen.importing.archives import is_archive, unpack
 from sdgen.importing.frame import stand
 from sdgen.importing.layouts import Candidate, find_models
 from sdgen.importing.licences import Terms, nearer, terms_of
@@ -30,6 +31,7 @@ from sdgen.importing.tree import References
 from sdgen.library.licences import NON_COMMERCIAL
 from sdgen.library.meshes import check_extents, read_glb, read_hulls
 from sdgen.rejection import causes_in_words
+from sdgen.scratch import scratch_folder
 
 #: Raised when models come out otherwise: a library's older ones are made anew.
 VERSION = 1
@@ -80,16 +82,13 @@ def import_models(
     the tables or the library cannot be read at all.
     """
     table = load_table(asked.source, catalog, asked.tables)
-    with opened_source(asked.root) as root, held(asked.library):
-        found = find_models(asked.source, root)
-        if names:
-            found = _wanted(found, names)
-        terms = terms_of(asked.source, root, asked.licence, asked.attribution)
+    with opened_source(asked.root) as (roots, refused), held(asked.library):
+        found = _found(asked, roots, names)
+        terms = terms_of(asked.source, roots[0], asked.licence, asked.attribution)
         before = origins(asked.library)
-        work = (asked, root, found, table, catalog, terms, before)
+        work = (asked, found, table, catalog, terms, before)
         made: list[Origin] = []
         kept: list[Origin] = []
-        refused: list[Refused] = []
         with closing(in_order(_Importer, work, len(found), workers)) as outcomes:
             for outcome in outcomes:
                 name = found[outcome.job].name
@@ -110,12 +109,45 @@ def import_models(
 
 
 @contextmanager
-def opened_source(path: Path) -> Iterator[Path]:
-    """The folder of a download; an archive is unpacked for as long as it is needed."""
-    if path.is_dir():
-        yield path.resolve()
-        return
-    raise AssetError([f"{path}: no such folder"])
+def opened_source(path: Path) -> Iterator[tuple[list[Path], list[Refused]]]:
+    """Folders of a download, and archives of it that are broken.
+
+    Archives, also those that lie in the folder or the archive itself (Fuel packs each model), are
+    unpacked for as long as they are needed.
+    """
+    with scratch_folder() as scratch:
+        roots: list[Path] = []
+        refused: list[Refused] = []
+        if path.is_dir():
+            roots.append(path.resolve())
+        else:
+            roots.append(unpack(path, scratch / _bare(path), shown=path.name).resolve())
+        for number, entry in enumerate(sorted(roots[0].iterdir())):
+            if entry.is_file() and is_archive(entry):
+                try:
+                    place = scratch / f"{number}" / _bare(entry)
+                    roots.append(unpack(entry, place, shown=entry.name).resolve())
+                except AssetError as error:
+                    refused.append(Refused(entry.name, "; ".join(error.problems[:3])))
+        yield roots, refused
+
+
+def _bare(path: Path) -> str:
+    return path.name.split(".")[0] or "archive"
+
+
+def _found(asked: Import, roots: Sequence[Path], names: Sequence[str]) -> list[Candidate]:
+    """The models of all roots. Raises AssetError when there are none, or not those of ``names``."""
+    found: list[Candidate] = []
+    for root in roots:
+        try:
+            found += find_models(asked.source, root)
+        except AssetError:
+            if len(roots) == 1:
+                raise
+    if not found:
+        raise AssetError([f"{asked.root}: no model of {asked.source} here, nor in its archives"])
+    return _wanted(found, names) if names else found
 
 
 def _wanted(found: Sequence[Candidate], names: Sequence[str]) -> list[Candidate]:
@@ -132,7 +164,6 @@ class _Importer:
     def __init__(
         self,
         asked: Import,
-        root: Path,
         found: Sequence[Candidate],
         table: Table,
         catalog: Catalog,
@@ -140,13 +171,12 @@ class _Importer:
         before: dict[str, Origin],
     ) -> None:
         self._asked = asked
-        self._root = root
         self._found = found
         self._table = table
         self._catalog = catalog
         self._terms = terms
         self._before = before
-        self._ids = _ids(asked.source, found)
+        self._ids = _ids(asked.source, found, before)
 
     def __call__(self, job: int) -> Refused | tuple[bool, Origin]:
         candidate = self._found[job]
@@ -163,7 +193,7 @@ class _Importer:
         """Nothing to let go of."""
 
     def _import(self, candidate: Candidate, asset_id: str) -> Refused | tuple[bool, Origin]:
-        references = References(self._root, candidate.folder)
+        references = References(candidate.root, candidate.folder)
         row = self._table.row(candidate.name)
         if row is not None and row.skip:
             return Refused(candidate.name, f"left out: {row.skip}")
@@ -199,7 +229,7 @@ class _Importer:
             source=self._asked.source,
             name=candidate.name,
             kind=candidate.kind,
-            entry=references.shown(candidate.entry),
+            entry=candidate.place,
             root=str(self._asked.root),
             digest=digest,
             how=choice.how,
@@ -236,13 +266,13 @@ def _of_a_size(extents_m: Array, category: Category) -> bool:
     return category.kind != "opening" and fits(vec3(extents_m), category, off)
 
 
-def _ids(source: str, found: Sequence[Candidate]) -> list[str]:
-    """An id for each model, different ones for names that look alike as ids."""
+def _ids(source: str, found: Sequence[Candidate], before: Mapping[str, Origin]) -> list[str]:
+    """An id for each model: the one it had, else one that no other model has."""
     out: list[str] = []
     for candidate in found:
         base = f"{source.replace('-', '_')}_{slug(candidate.name)}"
         name, number = base, 2
-        while name in out:
+        while name in out or (name in before and before[name].entry != candidate.place):
             name, number = f"{base}_{number}", number + 1
         out.append(name)
     return out

@@ -88,7 +88,6 @@ def _load(raw: bytes, kind: str, path: Path, references: References) -> Any:
             file_type=kind[1:],
             resolver=cast(Any, _Resolver(path.parent, references)),
             process=False,
-            maintain_order=True,
         )
 
 

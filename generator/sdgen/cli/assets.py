@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.assets_retexture import retexture_model
 from sdgen.cli.bar import bar
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.library import Library, load_library
@@ -30,6 +31,9 @@ def assets() -> None:
 
     Example: sdgen assets list --json
     """
+
+
+assets.add_command(retexture_model)
 
 
 @assets.command("list")

@@ -62,7 +62,7 @@ def spots_of(vertices, faces, size: float, rng: np.random.Generator) -> np.ndarr
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a)
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
-    weight = weight * (0.35 + np.maximum(normal[:, 2], 0))
+    weight = weight * np.interp(normal[:, 2], [-0.7, -0.2, 0.3, 1], [0.01, 0.5, 0.7, 1])
     pick = rng.choice(len(faces), 60 * count, p=weight / weight.sum())
     u, v = rng.uniform(0, 1, (2, len(pick), 1))
     u, v = np.where(u + v > 1, 1 - u, u), np.where(u + v > 1, 1 - v, v)
@@ -73,6 +73,16 @@ def spots_of(vertices, faces, size: float, rng: np.random.Generator) -> np.ndarr
         chosen.append(points[near.argmax()])
         near = np.minimum(near, np.linalg.norm(points - chosen[-1], axis=1))
     return np.array(chosen)
+
+
+def bottom_of(vertices, faces) -> np.ndarray:
+    """The point that looks up nearest to the middle: the bottom of a bowl, the middle of a lid."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    middle = (a + b + c) / 3
+    off = np.linalg.norm((middle - (vertices.min(0) + vertices.max(0)) / 2)[:, :2], axis=1)
+    normal = np.cross(b - a, c - a)
+    looks_up = normal[:, 2] > 0.7 * np.linalg.norm(normal, axis=1)
+    return middle[np.where(looks_up, off, off + 100).argmin()]
 
 
 def unrolled(faces: np.ndarray, uvs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -177,6 +187,7 @@ def main(job: str, result: str, look: str, kind: str, seed: int) -> None:
         kind=kind,
         size=size,
         spots=spots,
+        bottom=bottom_of(vertices, faces),
         light=float(texture[covered].mean()),
         rng=rng,
     )

@@ -14,7 +14,9 @@ import numpy as np
 from makers.spoilage import bruise, decay
 from toolkit.materials import Material
 
-SAUCES = ("a02c14", "6a3a16", "c8921c", "4f5a1e")
+# remains of food that stand out from a light and from a dark dish; the second one runs down
+ON_LIGHT = ("a02c14", "6a3a16", "c8921c", "4f5a1e")
+ON_DARK = ("e6d8b4", "b98a4e", "d8a722", "7d8a3a")
 LIGHT = (0.35, -0.25, 0.9)  # where painted relief is lit from
 DUST_OF_DARK, DUST_OF_LIGHT = "bdb6aa", "857d71"
 
@@ -26,7 +28,8 @@ class Surface:
     colour   socket of its colour so far
     kind     what it is made of: "produce", "bread", "meat", "ware" or "thing"
     size     how large a spot on it is, metres (the radius of a fruit)
-    spots    (N, 3) points of the skin, far from one another, the best seen ones first
+    spots    (N, 3) points of the skin, far from one another, most of them seen from above
+    bottom   the point of it that looks up nearest to the middle: of a plate, where the food was
     light    mean brightness of the texture, 0..1
     """
 
@@ -35,6 +38,7 @@ class Surface:
     kind: str
     size: float
     spots: np.ndarray
+    bottom: np.ndarray
     light: float
     rng: np.random.Generator
 
@@ -88,15 +92,15 @@ def _over(m: Material, mask, colour, top, amount: float = 1.0):
 def _colonies(s: Surface, colour, reach: float, core: str, middle: str, rim: str):
     """Round patches of mould that begin at the spots: dark inside, woolly and pale at the rim."""
     m, a = s.m, s.size
-    scales = s.rng.uniform(0.55, 1.15, len(s.spots))
-    near = _near(s, s.spots, scales)
-    edge = m.math("ADD", near, _signed(s, 4.0 / a, a * 0.55, 5))
-    fluff = m.math("ADD", near, _signed(s, 11.0 / a, a * 0.5, 5))
-    colour = _over(m, m.remap(edge, a * reach * 1.0, a * reach * 1.25, 1, 0), colour, rim, 0.55)
-    colour = _over(m, m.remap(fluff, a * reach * 0.78, a * reach * 0.98, 1, 0), colour, rim, 0.95)
-    colour = _over(m, m.remap(fluff, a * reach * 0.5, a * reach * 0.68, 1, 0), colour, middle, 0.95)
-    dark = m.math("ADD", near, _signed(s, 7.0 / a, a * 0.35, 4))
-    return _over(m, m.remap(dark, a * reach * 0.14, a * reach * 0.34, 1, 0), colour, core, 0.85)
+    near = _near(s, s.spots, s.rng.uniform(0.4, 1.2, len(s.spots)))
+    r = a * reach
+    edge = m.math("ADD", near, _signed(s, 3.5 / a, a * 0.45, 5))
+    fluff = m.math("ADD", near, _signed(s, 9.0 / a, a * 0.4, 5))
+    dark = m.math("ADD", near, _signed(s, 6.0 / a, a * 0.3, 4))
+    colour = _over(m, m.remap(edge, r * 1.0, r * 1.3, 1, 0), colour, rim, 0.35)
+    colour = _over(m, m.remap(fluff, r * 0.82, r * 0.98, 1, 0), colour, rim, 0.95)
+    colour = _over(m, m.remap(fluff, r * 0.6, r * 0.76, 1, 0), colour, middle, 0.95)
+    return _over(m, m.remap(dark, r * 0.2, r * 0.45, 1, 0), colour, core, 0.85)
 
 
 def _specks(s: Surface, colour, cell: float, width: float, top: str, amount: float = 1.0):
@@ -106,27 +110,34 @@ def _specks(s: Surface, colour, cell: float, width: float, top: str, amount: flo
     return _over(m, m.remap(dots, width * 0.6, width * 0.85, 1, 0), colour, top, amount)
 
 
+def _where(s: Surface, first: float, second: float, scale: float, detail=4.0, stretch=(1, 1, 1)):
+    """1 where noise is above the second limit, 0 below the first."""
+    return s.m.remap(s.m.noise(scale, detail, 0.6, 0, s.offset(), stretch), first, second)
+
+
 # ---- looks
 def expired(s: Surface):
     """Rotten: browned, sunken and mouldy produce; green mould on the rest; grey-green meat."""
     m, a = s.m, s.size
     if s.kind == "produce":
-        half = [(*map(float, p), float(k)) for p, k in zip(s.spots[:5], s.rng.uniform(0.7, 1, 5))]
-        colour = decay(m, s.colour, a, half, s.offset(), amount=0.5)
+        scale = s.rng.uniform(0.8, 1.25, len(s.spots))
+        spots = [(*map(float, p), float(k)) for p, k in zip(s.spots[:6], scale, strict=False)]
+        colour = decay(m, s.colour, a, spots, s.offset(), amount=0.55)
         return _relief(s, colour, 2.6 / a, 3.0, (1, 1, 2.2))
     if s.kind == "meat":
-        grey = m.remap(m.noise(1.6 / a, 4, offset=s.offset()), 0.36, 0.56)
-        colour = m.mix(0.55, s.colour, "6e6a4c")
-        colour = _over(m, grey, colour, "4e5a34", 0.8)
-        brown = m.remap(m.noise(2.2 / a, 4, offset=s.offset()), 0.5, 0.62)
-        colour = _over(m, brown, colour, "2f2415", 0.8)
-        return _relief(s, _colonies(s, colour, 0.55, "56694a", "9fae8d", "e4e4d6"), 5 / a, 2.0)
-    stale = "b3a684" if s.kind == "bread" else "8d7f5c"
-    colour = m.mix(0.3, s.colour, stale)
-    blotch = m.remap(m.noise(1.5 / a, 4, offset=s.offset()), 0.5, 0.64)
-    colour = _over(m, blotch, colour, "6f6a45", 0.55)
-    colour = _specks(s, colour, a * 0.35, 0.34, "46584a", 0.9)
-    return _relief(s, _colonies(s, colour, 0.95, "26382f", "55806c", "e2e6da"), 6 / a, 1.6)
+        colour = m.mix(0.4, s.colour, "6e6a4c")
+        colour = _over(m, _where(s, 0.5, 0.62, 1.6 / a), colour, "4e5a34", 0.6)
+        colour = _over(m, _where(s, 0.54, 0.64, 2.2 / a), colour, "2f2415", 0.8)
+        return _relief(s, _colonies(s, colour, 0.36, "4a5a48", "8fa37c", "e0e0d2"), 5 / a, 2.0)
+    if s.kind == "bread":
+        colour = m.mix(0.2, s.colour, "a39a78")
+        colour = _specks(s, colour, a * 0.4, 0.36, "3f5545", 0.9)
+        return _relief(s, _colonies(s, colour, 0.62, "26382f", "55806c", "e2e6da"), 6 / a, 1.6)
+    # what comes in a pack: it has leaked through, and there the mould is
+    colour = _over(m, _where(s, 0.46, 0.58, 1.2 / a), s.colour, "6b5a30", 0.7)
+    near = m.math("ADD", _near(s, s.spots, [1.0] * len(s.spots)), _signed(s, 2.4 / a, a * 0.8))
+    colour = _over(m, m.remap(near, a * 0.6, a * 0.75, 1, 0), colour, "4a3d20", 0.75)
+    return _relief(s, _colonies(s, colour, 0.5, "26382f", "55806c", "e2e6da"), 6 / a, 1.6)
 
 
 def overripe(s: Surface):
@@ -136,86 +147,103 @@ def overripe(s: Surface):
 
 def dirty(s: Surface):
     """Dried sauce, runs, a greasy film and crumbs on ware; mud and grime on all else."""
-    m, a, rng = s.m, s.size, s.rng
     if s.kind != "ware":
         return _grimy(s)
-    film = m.remap(m.noise(1.2 / a, 4, offset=s.offset()), 0.4, 0.65)
-    colour = _over(m, film, s.colour, "b08a4e", 0.45)
-    groups = np.array_split(rng.permutation(len(s.spots)), len(SAUCES))
-    for sauce, group in zip(SAUCES, groups, strict=True):
-        if not len(group):
-            continue
-        stretch = rng.uniform(0.55, 1.5, (len(group), 3))
-        near = _near(s, s.spots[group], rng.uniform(0.7, 1.25, len(group)), stretch)
-        edge = m.math("ADD", near, _signed(s, 2.2 / a, a * 0.9, 4))
-        streaks = m.noise(3.0 / a, 4, offset=s.offset(), stretch=(3, 1, 1))
-        body = m.math("MULTIPLY", m.remap(edge, a * 0.5, a * 0.58, 1, 0),
-                      m.remap(streaks, 0.3, 0.5, 0.5, 1))  # fmt: skip
-        colour = _over(m, body, colour, sauce, 0.95)
-        rim = m.math("MULTIPLY", m.remap(edge, a * 0.4, a * 0.48, 0, 1),
-                     m.remap(edge, a * 0.52, a * 0.58, 1, 0))  # fmt: skip
-        colour = _over(m, rim, colour, "2e1a0c", 0.55)
-    colour = _specks(s, colour, a * 0.3, 0.26, "7a4a1e")
-    return _specks(s, colour, a * 0.22, 0.2, "3a220e")
+    m, a, rng = s.m, s.size, s.rng
+    film, sauces = ("a8824a", ON_LIGHT) if s.light > 0.4 else ("5a3c20", ON_DARK)
+    colour = _over(m, _where(s, 0.46, 0.62, 1.4 / a), s.colour, film, 0.35)
+    sides = m.remap(m.math("ABSOLUTE", s.up()), 0.5, 0.8, 1, 0)
+    runs = _where(s, 0.56, 0.59, 2.6 / a, 2, (1, 1, 0.16))
+    broken = _where(s, 0.36, 0.46, 1.6 / a, 3)
+    runs = m.math("MULTIPLY", m.math("MULTIPLY", runs, sides), broken)
+    colour = _over(m, runs, colour, sauces[1], 0.85)
+    some = [s.bottom, *s.spots[: max(4, len(s.spots) * 2 // 3)]]
+    for k, spot in enumerate(some):
+        stretch = rng.uniform(0.6, 1.5, (1, 3))
+        near = _near(s, [spot], [1.5 if k == 0 else float(rng.uniform(0.45, 1.0))], stretch)
+        edge = m.math("ADD", near, _signed(s, 2.6 / a, a * 0.7, 5))
+        inside = m.remap(edge, a * 0.46, a * 0.52, 1, 0)
+        thick = _where(s, 0.35, 0.55, 4.0 / a, 4, (2.5, 1, 1))
+        body = m.math("MULTIPLY", inside, m.remap(thick, 0, 1, 0.7, 1))
+        colour = _over(m, body, colour, sauces[k % len(sauces)], 0.95)
+        crust = m.math("MULTIPLY", inside, m.remap(edge, a * 0.36, a * 0.46, 0, 1))
+        colour = _over(m, crust, colour, "2e1a0c", 0.6)
+    colour = _specks(s, colour, min(a * 0.3, 0.02), 0.22, "7a4a1e")
+    return _specks(s, colour, min(a * 0.22, 0.014), 0.18, "3a220e")
 
 
 def _grimy(s: Surface):
     m, a = s.m, s.size
-    film = m.remap(m.noise(0.9 / a, 5, offset=s.offset()), 0.36, 0.6)
-    colour = _over(m, film, s.colour, "6b5c44", 0.65)
-    splash = m.remap(m.noise(2.2 / a, 5, 0.65, offset=s.offset()), 0.53, 0.6)
-    colour = _over(m, splash, colour, "46351f", 0.9)
+    colour = _over(m, _where(s, 0.4, 0.6, 0.9 / a, 5), s.colour, "6b5c44", 0.6)
+    colour = _over(m, _where(s, 0.54, 0.61, 2.2 / a, 5), colour, "46351f", 0.9)
     near = _near(s, s.spots, s.rng.uniform(0.6, 1.2, len(s.spots)))
     edge = m.math("ADD", near, _signed(s, 2.4 / a, a * 0.9, 5))
-    colour = _over(m, m.remap(edge, a * 0.5, a * 0.6, 1, 0), colour, "3a2b18", 0.95)
+    colour = _over(m, m.remap(edge, a * 0.42, a * 0.52, 1, 0), colour, "3a2b18", 0.95)
     return _specks(s, colour, a * 0.25, 0.24, "2c2013")
 
 
 def wet(s: Surface):
-    """Darker, with a sheen where it looks up, and drops with a light and a dark side."""
+    """Darker and glossier, covered with drops lit from one side, trickles on the sides."""
     m, a = s.m, s.size
-    colour = m.mix(1.0, s.colour, "b4bcc6" if s.light > 0.7 else "9098a2", "MULTIPLY")
-    soaked = m.remap(m.noise(1.1 / a, 4, offset=s.offset()), 0.42, 0.58)
-    colour = m.mix(
-        m.math("MULTIPLY", soaked, 0.75), colour, m.mix(1.0, colour, "8a919c", "MULTIPLY")
-    )
-    runs = m.noise(3.2 / a, 3, offset=s.offset(), stretch=(1, 1, 0.22))
-    colour = _over(m, m.remap(runs, 0.6, 0.63), colour, "ffffff", 0.35)
-    for cell in (a * 0.42, a * 0.23):
-        colour = _drops(s, colour, min(max(cell, 0.003), 0.016))
+    colour = m.mix(1.0, s.colour, "c4cad4" if s.light > 0.6 else "d4d8dc", "MULTIPLY")
+    soaked = _where(s, 0.46, 0.54, 0.8 / a, 3)
+    colour = m.mix(soaked, colour, m.mix(1.0, colour, "b8c0cc", "MULTIPLY"))
+    pools = m.math("MULTIPLY", soaked, m.remap(s.up(), 0.75, 0.9))
+    colour = _over(m, pools, colour, "b4c4d8", 0.3)  # the sky in what stands on level places
+    sides = m.remap(m.math("ABSOLUTE", s.up()), 0.5, 0.7, 1, 0)
+    trickle = m.noise(2.4 / a, 2, 0.4, offset=s.offset(), stretch=(1, 1, 0.08))
+    dark = m.math("MULTIPLY", m.remap(trickle, 0.585, 0.6), sides)
+    lit = m.math("MULTIPLY", m.remap(trickle, 0.66, 0.675), sides)
+    colour = m.mix(dark, colour, m.mix(1.0, colour, "8a929e", "MULTIPLY"))
+    colour = _over(m, lit, colour, "f4f8ff", 0.55)
+    for cell in (a * 0.8, a * 0.5, a * 0.32):
+        colour = _drops(s, colour, min(max(cell, 0.006), 0.035))
     return colour
 
 
 def _drops(s: Surface, colour, cell: float):
-    m, o = s.m, np.array(s.offset())
-    scale = 1 / cell
-    middle = m.voronoi(scale, tuple(o))
-    size = m.remap(m.noise(1.3 / cell, 1, offset=s.offset()), 0.35, 0.65, 0.16, 0.4)
-    inside = m.math("DIVIDE", middle, size)  # 1 at the drop's edge
-    # the same drops seen from a step towards the light: their far side is dark, their near side lit
-    step = np.array(LIGHT) * cell * 0.2
-    lit = m.math("DIVIDE", m.voronoi(scale, tuple(o - step)), size)
-    shaded = m.math("DIVIDE", m.voronoi(scale, tuple(o + step)), size)
-    mask = m.remap(inside, 0.92, 1.0, 1, 0)
-    body = m.mix(1.0, colour, "c9d2dc", "MULTIPLY")
-    body = _over(m, m.remap(shaded, 0.75, 0.35, 0, 1), body, "20242a", 0.0)
-    body = _over(m, m.remap(inside, 0.6, 0.98, 0, 1), body, "14181e", 0.6)
-    body = _over(m, m.remap(lit, 0.42, 0.62, 1, 0), body, "ffffff", 0.95)
-    return m.mix(mask, colour, body)
+    """Drops of water, at most one a cell (metres): a shadow, a dark and a light side, a glint."""
+    m, o, scale = s.m, np.array(s.offset()), 1 / cell
+    size = m.remap(m.noise(0.9 / cell, 1, offset=s.offset()), 0.42, 0.6, 0.2, 0.38)
+
+    def shape(step: float):
+        """How far from a drop's middle, 1 at its brim, if it lay a step (in cells) to the light."""
+        moved = m.voronoi(scale, tuple(o - np.array(LIGHT) * step * cell))
+        return m.math("DIVIDE", moved, size)
+
+    inside, glint = shape(0.0), shape(0.13)
+    shadow = m.remap(shape(-0.09), 0.85, 1.1, 1, 0)
+    colour = m.mix(shadow, colour, m.mix(1.0, colour, "6e747e", "MULTIPLY"))
+    # what is seen through a drop is brighter, most on its far side; of a dark thing it stays dark
+    white = float(np.interp(s.light, [0.5, 0.8], [0.012, 0.5]))
+    far = m.mix(white, m.mix(1.0, colour, (2.2, 2.2, 2.2), "MULTIPLY"), "ffffff")
+    near = m.mix(1.0, colour, "7c8088", "MULTIPLY")
+    body = m.mix(1.0, colour, (1.2, 1.2, 1.2), "MULTIPLY")
+    body = m.mix(m.remap(shape(-0.2), 0.5, 1.3, 1, 0), body, far)
+    body = m.mix(m.remap(shape(0.2), 0.4, 1.0, 0.5, 0), body, near)
+    body = _over(m, m.remap(glint, 0.22, 0.32, 1, 0), body, "ffffff", 1.0)
+    return m.mix(m.remap(inside, 0.93, 1.0, 1, 0), colour, body)
 
 
 def dusty(s: Surface):
-    """A grey film on what looks up, thinner on the sides, with fluff and lint."""
+    """A grey film on what looks up, thin on the sides, with lint, and wiped off by a finger."""
     m, a = s.m, s.size
-    dust = DUST_OF_LIGHT if s.light > 0.45 else DUST_OF_DARK
-    cover = m.remap(s.up(), -0.15, 0.75, 0.28, 0.9)
-    patchy = m.remap(m.noise(2.0 / a, 5, 0.65, offset=s.offset()), 0.3, 0.62, 0.45, 1)
-    colour = m.mix(m.math("MULTIPLY", cover, patchy), s.colour, dust)
-    grain = m.remap(m.noise(30 / a, 3, offset=s.offset()), 0.4, 0.62, 0, 0.35)
-    colour = m.mix(grain, colour, "d8d3ca" if dust == DUST_OF_DARK else "5f584e")
+    dust, grains = (DUST_OF_LIGHT, "5f584e") if s.light > 0.45 else (DUST_OF_DARK, "d8d3ca")
+    sides = 0.35 if s.light > 0.45 else 0.12
+    cover = m.remap(s.up(), -0.2, 0.8, sides, 0.96)
+    patchy = m.remap(m.noise(2.0 / a, 5, 0.65, offset=s.offset()), 0.3, 0.6, 0.6, 1)
+    cover = m.math("MULTIPLY", cover, patchy)
+    wide = min(0.012, a * 0.3)
+    for k, spot in enumerate(s.spots[:3]):
+        stretch = [(0.22, 1, 1), (1, 0.22, 1), (0.3, 1, 1)][k]
+        wiped = m.math("ADD", _near(s, [spot], [1.0], [stretch]), _signed(s, 4 / wide, wide * 0.3))
+        cover = m.math("MULTIPLY", cover, m.remap(wiped, wide * 0.9, wide * 1.15, 0.08, 1))
+    colour = m.mix(cover, s.colour, dust)
+    grain = m.math("MULTIPLY", _where(s, 0.45, 0.62, 30 / a, 3), cover)
+    colour = _over(m, grain, colour, grains, 0.4)
     lint = m.noise(6 / a, 2, distortion=2.5, offset=s.offset())
     thread = m.math("ABSOLUTE", m.math("SUBTRACT", lint, 0.5))
-    return _over(m, m.remap(thread, 0.006, 0.014, 1, 0), colour, "efece6", 0.45)
+    return _over(m, m.remap(thread, 0.004, 0.01, 1, 0), colour, "efece6", 0.4)
 
 
 LOOKS: dict[str, Callable[[Surface], object]] = {

@@ -1,1 +1,1 @@
-"""Models and scenes of others, and what is made of them: asset folders that builds can use."""
+"""Turns downloads of others, scanned models and furnished scenes, into libraries and homes."""

@@ -188,12 +188,15 @@ def wet(s: Surface):
     colour = m.mix(1.0, s.colour, "c4cad4" if s.light > 0.6 else "d4d8dc", "MULTIPLY")
     soaked = _where(s, 0.46, 0.54, 0.8 / a, 3)
     colour = m.mix(soaked, colour, m.mix(1.0, colour, "b8c0cc", "MULTIPLY"))
-    pools = m.math("MULTIPLY", soaked, m.remap(s.up(), 0.75, 0.9))
-    colour = _over(m, pools, colour, "b4c4d8", 0.3)  # the sky in what stands on level places
+    pools = m.math("MULTIPLY", _where(s, 0.5, 0.66, 1.1 / a, 2), m.remap(s.up(), 0.8, 0.95))
+    colour = _over(m, pools, colour, "b4c4d8", 0.16)  # the sky in what stands on level places
     sides = m.remap(m.math("ABSOLUTE", s.up()), 0.5, 0.7, 1, 0)
-    trickle = m.noise(2.4 / a, 2, 0.4, offset=s.offset(), stretch=(1, 1, 0.08))
+    o, stretch = np.array(s.offset()), (1, 1, 0.08)
+    trickle = m.noise(2.4 / a, 2, 0.4, offset=tuple(o), stretch=stretch)
+    beside = tuple(o + np.array([LIGHT[0], LIGHT[1], 0]) * a * 0.12)
+    slope = m.math("SUBTRACT", trickle, m.noise(2.4 / a, 2, 0.4, offset=beside, stretch=stretch))
     dark = m.math("MULTIPLY", m.remap(trickle, 0.585, 0.6), sides)
-    lit = m.math("MULTIPLY", m.remap(trickle, 0.66, 0.675), sides)
+    lit = m.math("MULTIPLY", m.remap(slope, 0.02, 0.032), dark)
     colour = m.mix(dark, colour, m.mix(1.0, colour, "8a929e", "MULTIPLY"))
     colour = _over(m, lit, colour, "f4f8ff", 0.55)
     for cell in (a * 0.8, a * 0.5, a * 0.32):

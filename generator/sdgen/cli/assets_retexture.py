@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from sdgen.cli.shared_options import ASSETS
-from sdgen.importing.worn import WORN
+from sdgen.importing.retexture.looks import WORN
 from sdgen.options import MAX_SEED
 
 
@@ -56,7 +56,7 @@ def retexture_model(
     Example: sdgen assets retexture ycb_banana --as expired --assets my_assets
     Example: sdgen assets retexture mug_01 --as dirty --out my_assets
     """
-    from sdgen.importing.retexture import retexture
+    from sdgen.importing.retexture.run import retexture
 
     done = retexture(model, word, assets, out, seed, overwrite)
     for note in done.notes:

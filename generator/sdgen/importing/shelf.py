@@ -75,8 +75,17 @@ def put(library: Path, origin: Origin, files: Mapping[str, bytes]) -> None:
     """Write a model's files, then its record."""
     for name, data in files.items():
         write_output(library / name, data)
-    text = origin.model_dump_json(indent=1, exclude_defaults=True) + "\n"
-    write_output(library / FOLDER / f"{origin.asset.id}.json", text.encode())
+    write_output(library / record_name(origin.asset.id), record_bytes(origin))
+
+
+def record_name(asset_id: str) -> str:
+    """Where a model's record lies in its library."""
+    return f"{FOLDER}/{asset_id}.json"
+
+
+def record_bytes(origin: Origin) -> bytes:
+    """A record as it is written."""
+    return (origin.model_dump_json(indent=1, exclude_defaults=True) + "\n").encode()
 
 
 def write_manifest(library: Path, found: Sequence[Origin]) -> None:

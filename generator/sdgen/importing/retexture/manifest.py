@@ -15,8 +15,19 @@ from sdgen.yaml_source import parse_yaml
 
 #: Keys of a record in the order that ``assets/README.md`` tells them.
 _ORDER = (
-    *("id", "category", "suite", "tags", "title", "licence", "source", "extents_m", "mass_kg"),
-    *("friction", "mesh", "hulls", "texture", "parts", "joints", "variants", "states"),
+    *("id", "category", "suite", "tags", "title", "licence", "source", "attribution"),
+    *(
+        "extents_m",
+        "mass_kg",
+        "friction",
+        "mesh",
+        "hulls",
+        "texture",
+        "parts",
+        "joints",
+        "variants",
+        "states",
+    ),
     *("supports", "containers", "resting"),
 )
 _LISTS = ("parts", "joints", "states", "supports", "containers", "resting")
@@ -26,7 +37,7 @@ _DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 def entry_of(asset: Asset) -> dict[str, Any]:
     """A record as the manifest has it: plain values, without those that may be left out."""
     plain = asset.model_dump(mode="json", exclude_defaults=True)
-    return {key: plain[key] for key in _ORDER if key in plain}
+    return {key: plain[key] for key in (*_ORDER, *plain) if key in plain}
 
 
 def with_entry(raw: bytes | None, name: str, asset: Asset) -> bytes:

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from sdgen.dataset.output_file import write_output
-from sdgen.errors import AssetError, SdgenError, UsageError, did_you_mean
-from sdgen.importing import baking
+from sdgen.errors import AssetError, UsageError, did_you_mean
 from sdgen.importing.blender import Blender, find_blender
-from sdgen.importing.manifest_text import folder_manifest, with_entry
-from sdgen.importing.variants import (
+from sdgen.importing.retexture import texture
+from sdgen.importing.retexture.looks import WORN, kind_of, oddity, worn_word
+from sdgen.importing.retexture.manifest import folder_manifest, with_entry
+from sdgen.importing.retexture.variants import (
     glb_with_nodes,
     hulls_with_parts,
     renamed,
     with_variant,
     worn_parts,
 )
-from sdgen.importing.worn import WORN, kind_of, oddity, worn_word
+from sdgen.importing.shelf import held, origins, record_bytes, record_name
 from sdgen.library import Library
 from sdgen.library.manifest import read_manifest
 from sdgen.library.meshes import check_extents, read_glb, read_hulls
@@ -27,12 +27,11 @@ from sdgen.library.plausible import inconsistencies
 from sdgen.library.raw import file_bytes
 from sdgen.library.records import Asset
 from sdgen.library.unpack import check_texture
-from sdgen.locks import FileLock
 from sdgen.resources import data_path
 from sdgen.scratch import scratch_folder
 from sdgen.yaml_source import show_path
 
-_LOCK, _MANIFEST = ".lock", "manifest.yaml"
+_MANIFEST = "manifest.yaml"
 
 
 @dataclass(frozen=True)
@@ -84,8 +83,7 @@ def retexture(
         return Retextured(place.asset.id, place.source, state, word, (), notes)
     blender = find_blender()
     files = _baked(place, word, seed, blender)
-    place.folder.mkdir(parents=True, exist_ok=True)
-    with _locked(place.folder):
+    with held(place.folder):
         # Anew: others may have changed the folder meanwhile.
         place = _place(model, folders, out)
         if _to_do(place, word, overwrite):
@@ -127,19 +125,6 @@ def _place(model: str, folders: Sequence[Path], out: Path | None) -> _Place:
 
 def _same(a: Path, b: Path) -> bool:
     return a.resolve() == b.resolve()
-
-
-@contextmanager
-def _locked(folder: Path) -> Iterator[None]:
-    path = folder / _LOCK
-    lock = FileLock.take(path)
-    if lock is None:
-        raise SdgenError(f"{folder}: another command is changing it; try again when it is done")
-    try:
-        yield
-    finally:
-        path.unlink(missing_ok=True)
-        lock.release()
 
 
 def _texture_names(place: _Place, word: str) -> dict[str, str]:
@@ -201,14 +186,14 @@ def _baked(place: _Place, word: str, seed: int, blender: Blender) -> dict[str, b
         parts = [part for part, name in texture_of.items() if name == target]
         old = source / (asset.part(parts[0]).texture or asset.texture)
         check_texture(old)
-        texture = baking.read_texture(file_bytes(old))
+        before = texture.read_texture(file_bytes(old))
         shown = [meshes[part] for part in parts]
         with scratch_folder() as scratch:
             try:
-                pixels = baking.bake(blender, shown, texture, WORN[word].look, kind, seed, scratch)
-            except baking.BakeError as error:
-                raise baking.BakeError(f"{asset.id} as {word}: {error}") from None
-        files[target] = baking.jpeg(pixels)
+                pixels = texture.bake(blender, shown, before, WORN[word].look, kind, seed, scratch)
+            except texture.BakeError as error:
+                raise texture.BakeError(f"{asset.id} as {word}: {error}") from None
+        files[target] = texture.jpeg(pixels)
     return files
 
 
@@ -238,6 +223,10 @@ def _variant_files(place: _Place, word: str, baked: Mapping[str, bytes]) -> dict
     files[after.hulls] = hulls_with_parts(raw_hulls, names)
     read_glb(place.source / place.asset.mesh, after, files[after.mesh])
     read_hulls(place.source / place.asset.hulls, after, files[after.hulls])
+    origin = origins(place.folder).get(after.id)
+    if origin is not None:  # or the next import would make the manifest without the variant
+        noted = origin.model_copy(update={"asset": after})
+        files[record_name(after.id)] = record_bytes(noted)
     files[_MANIFEST] = with_entry(folder_manifest(place.folder), str(path), after)
     return files
 

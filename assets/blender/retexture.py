@@ -24,8 +24,9 @@ except ModuleNotFoundError:  # Debian's Blender comes without
     sys.path.append(os.environ.get("SDGEN_SITE_PACKAGES", ""))
     try:
         import numpy as np
-    except ImportError:
-        raise SystemExit("this Blender finds no NumPy: install python3-numpy") from None
+    except ImportError as error:
+        why = str(error).strip().split("\n")[0]
+        raise SystemExit(f"this Blender has no NumPy: install python3-numpy ({why})") from None
 
 OLDEST = (3, 4, 0)
 SAMPLES = 4  # each at another place of the texel: drawn edges are smooth
@@ -176,8 +177,9 @@ def main(job: str, result: str, look: str, kind: str, seed: int) -> None:
     obj = build(vertices, given["normals"], *unrolled(faces, given["uvs"]))
 
     covered = bake(obj, Material("ffffff"), width, height, seed, 1)[..., 0] > 0.5
-    if not covered.any():
-        raise SystemExit("nothing of the mesh lies on its texture: its UVs are no surface")
+    if not covered.any():  # its UVs are no surface
+        np.savez(result, texture=given["texture"], covered=covered)
+        return
     m = Material()
     node = m._node("ShaderNodeTexImage", interpolation="Closest")
     node.image = picture("texture", width, height, linear(texture))

@@ -174,12 +174,13 @@ def dirty(s: Surface):
 
 def _grimy(s: Surface):
     m, a = s.m, s.size
-    colour = _over(m, _where(s, 0.4, 0.6, 0.9 / a, 5), s.colour, "6b5c44", 0.6)
-    colour = _over(m, _where(s, 0.54, 0.61, 2.2 / a, 5), colour, "46351f", 0.9)
+    less = 0.07 if a > 0.07 else 0.0  # furniture is never dirty all over
+    colour = _over(m, _where(s, 0.4 + less, 0.6 + less, 0.9 / a, 5), s.colour, "6b5c44", 0.6)
+    colour = _over(m, _where(s, 0.54 + less, 0.61 + less, 2.2 / a, 5), colour, "46351f", 0.9)
     near = _near(s, s.spots, s.rng.uniform(0.6, 1.2, len(s.spots)))
     edge = m.math("ADD", near, _signed(s, 2.4 / a, a * 0.9, 5))
     colour = _over(m, m.remap(edge, a * 0.42, a * 0.52, 1, 0), colour, "3a2b18", 0.95)
-    return _specks(s, colour, a * 0.25, 0.24, "2c2013")
+    return _specks(s, colour, min(a * 0.25, 0.012), 0.22, "2c2013")
 
 
 def wet(s: Surface):

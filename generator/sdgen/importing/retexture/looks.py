@@ -20,6 +20,7 @@ _WORDS: tuple[tuple[Kind, tuple[str, ...]], ...] = (
     ("bread", ("pizza", "pie", "cheese", "butter", "sandwich", "leftovers")),
     ("thing", ("box", "carton", "bottle", "can", "canned", "jar", "pack", "bag", "tub", "cup")),
     ("ware", ("plate", "bowl", "mug", "glass", "dish", "pot", "pan", "tray", "teapot", "pitcher")),
+    ("ware", ("kettle", "toaster", "microwave", "blender")),
     ("ware", ("fork", "knife", "spoon", "spatula", "ladle", "colander", "cutter", "peeler")),
     ("ware", ("placemat", "coaster", "table", "counter", "stove", "board")),
     ("produce", ("fruit", "vegetable", "vegetables", "pepper")),

@@ -88,7 +88,7 @@ def retexture(
         place = _place(model, folders, out)
         if _to_do(place, word, overwrite):
             if state not in place.asset.state_names:
-                files |= _variant_files(place, word, files)
+                files |= _variant_files(place, word, tuple(files))
             _write(place, files)
     return Retextured(place.asset_id, place.folder, state, word, tuple(files), notes, blender.name)
 
@@ -197,7 +197,7 @@ def _baked(place: _Place, word: str, seed: int, blender: Blender) -> dict[str, b
     return files
 
 
-def _variant_files(place: _Place, word: str, baked: Mapping[str, bytes]) -> dict[str, bytes]:
+def _variant_files(place: _Place, word: str, textures: Sequence[str]) -> dict[str, bytes]:
     """All further files of the model with its new variant, and the manifest that names them.
 
     Until the manifest is written, last, all is as the old one says: the mesh only has more nodes,
@@ -223,12 +223,26 @@ def _variant_files(place: _Place, word: str, baked: Mapping[str, bytes]) -> dict
     files[after.hulls] = hulls_with_parts(raw_hulls, names)
     read_glb(place.source / place.asset.mesh, after, files[after.mesh])
     read_hulls(place.source / place.asset.hulls, after, files[after.hulls])
+    _check_free(place, [*textures, *(name for name in files if name != before.mesh)])
     origin = origins(place.folder).get(after.id)
     if origin is not None:  # or the next import would make the manifest without the variant
         noted = origin.model_copy(update={"asset": after})
         files[record_name(after.id)] = record_bytes(noted)
     files[_MANIFEST] = with_entry(folder_manifest(place.folder), str(path), after)
     return files
+
+
+def _check_free(place: _Place, names: Sequence[str]) -> None:
+    """Raises AssetError when another model of the folder has a file of one of these names."""
+    raw = folder_manifest(place.folder)
+    taken: dict[str, str] = {}
+    for asset in read_manifest(place.folder, raw).assets if raw is not None else ():
+        if asset.id != place.asset_id:
+            owned = (asset.mesh, asset.hulls, asset.texture, *(p.texture for p in asset.parts))
+            taken |= {name: asset.id for name in owned if name}
+    clash = [f"{place.folder / n}: {taken[n]} has it already" for n in names if n in taken]
+    if clash:
+        raise AssetError(clash)
 
 
 def _copied(place: _Place, files: dict[str, bytes]) -> Asset:
@@ -245,7 +259,7 @@ def _copied(place: _Place, files: dict[str, bytes]) -> Asset:
         return moved[old]
 
     name = place.asset_id
-    texture = move(asset.texture, f"textures/{name}")
+    whole = move(asset.texture, f"textures/{name}")
     parts = tuple(
         part.model_copy(update={"texture": move(part.texture, f"textures/{name}_{part.name}")})
         if part.texture
@@ -256,19 +270,28 @@ def _copied(place: _Place, files: dict[str, bytes]) -> Asset:
     files[mesh] = file_bytes(place.source / asset.mesh)
     files[hulls] = file_bytes(place.source / asset.hulls)
     return asset.model_copy(
-        update={
-            "id": name,
-            "texture": texture,
-            "parts": parts,
-            "mesh": mesh,
-            "hulls": hulls,
-        }
+        update={"id": name, "texture": whole, "parts": parts, "mesh": mesh, "hulls": hulls}
     )
 
 
 def _write(place: _Place, files: Mapping[str, bytes]) -> None:
-    """Write files, the manifest last; then take away pieces that no record names any more."""
-    for name in sorted(files, key=lambda name: name == _MANIFEST):
+    """Write files, those that name others last; then take away pieces that nobody names any more.
+
+    When the disk is full, what was new is taken away again.
+    """
+    naming = [name for name in (record_name(place.asset_id), _MANIFEST) if name in files]
+    made: list[Path] = []
+    try:
+        for name in files:
+            if name not in naming:
+                path = place.folder / name
+                made += [] if path.exists() else [path]
+                write_output(path, files[name])
+    except BaseException:
+        for path in made:
+            path.unlink(missing_ok=True)
+        raise
+    for name in naming:
         write_output(place.folder / name, files[name])
     if _MANIFEST in files and place.folder == place.source:
         named = set(read_manifest(place.folder, files[_MANIFEST]).files())

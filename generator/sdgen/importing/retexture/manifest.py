@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,21 @@ _ORDER = (
     *("supports", "containers", "resting"),
 )
 _LISTS = ("parts", "joints", "states", "supports", "containers", "resting")
-_DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+_BASE: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+#: What we read as a number although YAML 1.1 does not: ``1e3``.
+_NUMBER_LIKE = re.compile(r"[-+]?[.0-9][-+.0-9eE]*")
+
+
+class _Dumper(_BASE):  # type: ignore[misc]
+    """Writes text so that our reader takes it for text again."""
+
+
+def _text_node(dumper: Any, value: str) -> Any:
+    style = '"' if _NUMBER_LIKE.fullmatch(value) else None
+    return dumper.represent_scalar("tag:yaml.org,2002:str", value, style=style)
+
+
+_Dumper.add_representer(str, _text_node)
 
 
 def entry_of(asset: Asset) -> dict[str, Any]:
@@ -100,7 +115,7 @@ def _entry_lines(entry: Mapping[str, Any]) -> list[str]:
 def _flow(value: Any) -> str:
     text: str = yaml.dump(
         value,
-        Dumper=_DUMPER,
+        Dumper=_Dumper,
         default_flow_style=True,
         width=10**9,
         sort_keys=False,

@@ -10,7 +10,7 @@ from sdgen.dataset.output_file import write_output
 from sdgen.errors import AssetError, UsageError, did_you_mean
 from sdgen.importing.blender import Blender, find_blender
 from sdgen.importing.retexture import texture
-from sdgen.importing.retexture.looks import WORN, kind_of, oddity, worn_word
+from sdgen.importing.retexture.looks import WORN, Kind, kind_of, oddity, worn_word
 from sdgen.importing.retexture.manifest import folder_manifest, with_entry
 from sdgen.importing.retexture.variants import (
     glb_with_nodes,
@@ -78,11 +78,14 @@ def retexture(
     word = worn_word(word)
     state = WORN[word].state
     place = _place(model, folders, out)
-    notes = _notes(place.asset, word)
+    category = place.asset.category
+    food, known = _in_catalogue(category)
+    odd = oddity(WORN[word], category, food, known)
+    notes = () if odd is None else (odd,)
     if not _to_do(place, word, overwrite):
         return Retextured(place.asset.id, place.source, state, word, (), notes)
     blender = find_blender()
-    files = _baked(place, word, seed, blender)
+    files = _baked(place, word, kind_of(category, food), seed, blender)
     with held(place.folder):
         # Anew: others may have changed the folder meanwhile.
         place = _place(model, folders, out)
@@ -158,12 +161,6 @@ def _to_do(place: _Place, word: str, overwrite: bool) -> bool:
     return True
 
 
-def _notes(asset: Asset, word: str) -> tuple[str, ...]:
-    food, known = _in_catalogue(asset.category)
-    odd = oddity(WORN[word], asset.category, food, known)
-    return () if odd is None else (odd,)
-
-
 def _in_catalogue(category: str) -> tuple[bool, bool]:
     """Whether a category is food, and whether the shipped catalogue knows it at all."""
     from sdgen.catalog.load import load_catalog
@@ -174,13 +171,12 @@ def _in_catalogue(category: str) -> tuple[bool, bool]:
     return False, False
 
 
-def _baked(place: _Place, word: str, seed: int, blender: Blender) -> dict[str, bytes]:
+def _baked(place: _Place, word: str, kind: Kind, seed: int, blender: Blender) -> dict[str, bytes]:
     """The new textures' bytes by file."""
     texture_of = _texture_names(place, word)
     asset, source = place.asset, place.source
     meshes = read_glb(source / asset.mesh, asset)
     check_extents(source / asset.mesh, asset, meshes)
-    kind = kind_of(asset.category, _in_catalogue(asset.category)[0])
     files = {}
     for target in dict.fromkeys(texture_of.values()):
         parts = [part for part, name in texture_of.items() if name == target]

@@ -138,9 +138,9 @@ def _sized(image: Image) -> Image:
 
 
 def jpeg(pixels: Pixels) -> bytes:
-    """Full colour resolution, or red letters on white would blur."""
+    """Full colour resolution, or red letters on white would blur. (``optimize`` fails on noise.)"""
     from PIL import Image
 
     out = io.BytesIO()
-    Image.fromarray(pixels).save(out, "JPEG", quality=_QUALITY, subsampling=0, optimize=True)
+    Image.fromarray(pixels).save(out, "JPEG", quality=_QUALITY, subsampling=0)
     return out.getvalue()

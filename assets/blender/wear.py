@@ -18,7 +18,7 @@ from toolkit.materials import Material
 ON_LIGHT = ("a02c14", "6a3a16", "c8921c", "4f5a1e")
 ON_DARK = ("e6d8b4", "b98a4e", "d8a722", "7d8a3a")
 LIGHT = (0.35, -0.25, 0.9)  # where painted relief is lit from
-DUST_OF_DARK, DUST_OF_LIGHT = "bdb6aa", "857d71"
+DUST_OF_DARK, DUST_OF_LIGHT = "bdb6aa", "776d5f"
 
 
 @dataclass
@@ -233,7 +233,7 @@ def dusty(s: Surface):
     """A grey film on what looks up, thin on the sides, with lint, and wiped off by a finger."""
     m, a = s.m, s.size
     dust, grains = (DUST_OF_LIGHT, "5f584e") if s.light > 0.45 else (DUST_OF_DARK, "d8d3ca")
-    sides = 0.35 if s.light > 0.45 else 0.12
+    sides = 0.45 if s.light > 0.45 else 0.12
     cover = m.remap(s.up(), -0.2, 0.8, sides, 0.96)
     patchy = m.remap(m.noise(2.0 / a, 5, 0.65, offset=s.offset()), 0.3, 0.6, 0.6, 1)
     cover = m.math("MULTIPLY", cover, patchy)

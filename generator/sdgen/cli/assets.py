@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.assets_fetch import fetch_assets
 from sdgen.cli.assets_retexture import retexture_model
 from sdgen.cli.bar import bar
 from sdgen.errors import UsageError, did_you_mean
@@ -27,12 +28,13 @@ EXTRA = click.option(
 
 @click.group()
 def assets() -> None:
-    """List, show, draw and check the models.
+    """List, show, draw, check and fetch models.
 
     Example: sdgen assets list --json
     """
 
 
+assets.add_command(fetch_assets)
 assets.add_command(retexture_model)
 
 

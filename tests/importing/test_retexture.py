@@ -215,8 +215,13 @@ def test_the_next_import_keeps_the_variant(library: Path, fake: Callable[..., Pa
     )
     shelf.put(library, origin, {})
     retexture("mug_a", "dirty", [library])
+    retexture("mug_01", "wet", out=library)
     shelf.write_manifest(library, list(shelf.origins(library).values()))
-    assert load_library([library]).assets["mug_a"].state_names == ("DIRTY",)
+    after = load_library([library]).assets
+    assert after["mug_a"].state_names == ("DIRTY",)
+    # Models that were never imported stay, too.
+    assert "WET" in after["mug_01_copy"].state_names
+    assert "cupboard" in after
 
 
 # ---- what is refused

@@ -9,6 +9,7 @@ import click
 
 from sdgen.cli.assets_fetch import fetch_assets
 from sdgen.cli.assets_import import import_assets
+from sdgen.cli.assets_retexture import retexture_model
 from sdgen.cli.bar import bar
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.library import Library, load_library
@@ -28,7 +29,7 @@ EXTRA = click.option(
 
 @click.group()
 def assets() -> None:
-    """List, show, draw, check, fetch and import models.
+    """List, show, draw, check, fetch, import and retexture models.
 
     Example: sdgen assets list --json
     """
@@ -36,6 +37,7 @@ def assets() -> None:
 
 assets.add_command(fetch_assets)
 assets.add_command(import_assets)
+assets.add_command(retexture_model)
 
 
 @assets.command("list")

@@ -6,6 +6,7 @@ all; the manifest is made from these records. Nothing else in the folder is touc
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -17,9 +18,11 @@ from pydantic import ValidationError
 from sdgen.dataset.output_file import write_output
 from sdgen.errors import AssetError, InputError
 from sdgen.files import read_plain
+from sdgen.library.manifest import MAX_BYTES, MAX_VALUES, manifest_bytes
 from sdgen.library.records import Asset
 from sdgen.locks import FileLock
 from sdgen.scene import Record
+from sdgen.yaml_source import parse_yaml
 
 FOLDER = "imports"
 _HEAD = (
@@ -75,15 +78,30 @@ def put(library: Path, origin: Origin, files: Mapping[str, bytes]) -> None:
     """Write a model's files, then its record."""
     for name, data in files.items():
         write_output(library / name, data)
-    text = origin.model_dump_json(indent=1, exclude_defaults=True) + "\n"
-    write_output(library / FOLDER / f"{origin.asset.id}.json", text.encode())
+    write_output(library / record_name(origin.asset.id), record_bytes(origin))
+
+
+def record_name(asset_id: str) -> str:
+    """Where a model's record lies in its library."""
+    return f"{FOLDER}/{asset_id}.json"
+
+
+def record_bytes(origin: Origin) -> bytes:
+    """A record as it is written."""
+    return (origin.model_dump_json(indent=1, exclude_defaults=True) + "\n").encode()
 
 
 def write_manifest(library: Path, found: Sequence[Origin]) -> None:
-    """``manifest.yaml`` of all models, and whom to name for them."""
-    assets = [origin.asset for origin in sorted(found, key=lambda o: o.asset.id)]
+    """``manifest.yaml`` of all models, and whom to name for them.
+
+    Models that were not imported (made by hand, copied to be retextured) stay in it.
+    """
+    assets = [origin.asset for origin in found] + _not_imported(library)
+    assets.sort(key=lambda asset: asset.id)
     write_output(library / "manifest.yaml", manifest_text(assets).encode())
-    write_output(library / "ATTRIBUTION.md", _attribution(assets).encode())
+    write_output(
+        library / "ATTRIBUTION.md", _attribution([a for a in assets if a.attribution]).encode()
+    )
 
 
 def manifest_text(assets: Sequence[Asset]) -> str:
@@ -104,6 +122,24 @@ def manifest_text(assets: Sequence[Asset]) -> str:
             lead = "  "
     lines.append("surfaces: []")
     return "\n".join(lines) + "\n"
+
+
+def _not_imported(library: Path) -> list[Asset]:
+    """The models of the manifest that is there which have no record of an import."""
+    path = library / "manifest.yaml"
+    if not path.exists():
+        return []
+    value = parse_yaml(manifest_bytes(library), str(path), MAX_BYTES, MAX_VALUES).value
+    entries = value.get("assets") if isinstance(value, dict) else None
+    out = []
+    for entry in entries if isinstance(entries, list) else []:
+        try:
+            asset = Asset.model_validate_json(json.dumps(entry))
+        except ValidationError:
+            continue
+        if not (library / record_name(asset.id)).exists() and _files_there(library, asset):
+            out.append(asset)
+    return out
 
 
 def _attribution(assets: Sequence[Asset]) -> str:

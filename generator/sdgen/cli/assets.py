@@ -133,7 +133,7 @@ def show_asset(extra: tuple[str, ...], as_json: bool, asset_id: str) -> None:
     show_default=True,
     help="What draws the models.",
 )
-@click.argument("words", metavar="[ID|CATEGORY]...", nargs=-1)
+@click.argument("words", metavar="[LIBRARY|ID|CATEGORY]...", nargs=-1)
 def sheet(
     extra: tuple[str, ...],
     out: Path,
@@ -146,12 +146,17 @@ def sheet(
 ) -> None:
     """Draw models alone on a floor, as scenes draw them, with their names.
 
+    LIBRARY is a folder that 'assets import' filled: each of its models as it was in its source, as
+    far as that is still there, and beside it as it came out.
+
     \b
     Example: sdgen assets sheet -o mugs.png mug --states
     Example: sdgen assets sheet -o library.jpg
+    Example: sdgen assets sheet -o imported.jpg my_models
     """
     from PIL import Image
 
+    from sdgen.cli.before_tile import before_tile
     from sdgen.dataset.output_file import check_output, output_file
     from sdgen.gallery.sheet import contact_sheet, pages
     from sdgen.render import open_renderer
@@ -162,9 +167,13 @@ def sheet(
     if not out.parent.is_dir():
         raise UsageError(f"{out.parent}: no such folder")
     check_output(out)
-    library = _library(extra)
+    folders = [Path(word) for word in words if (Path(word) / "manifest.yaml").is_file()]
+    words = tuple(word for word in words if Path(word) not in folders)
+    library = _library((*extra, *map(str, folders)))
+    chosen = list(select(library, words)) if words or not folders else []
+    chosen += [name for name in library.assets if library.folder_of(name) in folders]
     wanted = []
-    for asset_id in select(library, words):
+    for asset_id in dict.fromkeys(chosen):
         looks = looks_of(library.info(asset_id))
         for look in looks if states else looks[:1]:
             label = asset_id if look.name == "default" else f"{asset_id} {look.name}"
@@ -175,6 +184,8 @@ def sheet(
             tiles = []
             for k in page:
                 asset_id, look, label = wanted[k]
+                if look.name == "default" and library.folder_of(asset_id) in folders:
+                    tiles += before_tile(drawn_by, library, asset_id, size)
                 tiles.append((label, portrait(drawn_by, library, asset_id, look, size)))
                 if on_model is not None:
                     on_model(k + 1, len(wanted))

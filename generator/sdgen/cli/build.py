@@ -127,6 +127,16 @@ def eye_height(text: str) -> float:
     help="Shipped extension packs to switch on; none is shipped yet.",
 )
 @ASSETS
+@click.option(
+    "--assets-only",
+    is_flag=True,
+    help="Small things of the --assets folders alone, of every category that these have.",
+)
+@click.option(
+    "--non-commercial",
+    is_flag=True,
+    help="Use models whose licence allows no trade; the data set's does not either, then.",
+)
 @click.option("--twins", is_flag=True, help="Also write each scene's benign twin.")
 @click.option(
     "--draw",
@@ -175,6 +185,8 @@ def build(
     catalogs: tuple[Path, ...],
     extensions: tuple[str, ...],
     assets: tuple[Path, ...],
+    assets_only: bool,
+    non_commercial: bool,
     twins: bool,
     draw: Literal["balanced", "iid"],
     workers: int | None,
@@ -196,6 +208,8 @@ def build(
     """
     if ray_address is not None and engine != "ray":
         raise UsageError("--ray-address goes with --engine ray")
+    if assets_only and not assets:
+        raise UsageError("--assets-only goes with --assets")
     options = BuildOptions(
         n=n,
         seed=seed,
@@ -213,6 +227,7 @@ def build(
         renderer=renderer,
         eye_height_m=eye_height,
         twins=twins,
+        assets_only=assets_only,
     )
     first, end = index_range if index_range is not None else (0, n)
     check_index_range(first, end, n)
@@ -224,7 +239,7 @@ def build(
     line = disk_line(out, bytes_needed(options, todo))
     if not quiet:
         click.echo(line, err=True)
-    where = Where(out, (first, end), overwrite, workers, engine, ray_address)
+    where = Where(out, (first, end), overwrite, workers, engine, ray_address, non_commercial)
     _close(_run(options, where, catalogs, assets, quiet), as_json)
 
 
@@ -238,6 +253,7 @@ class Where:
     workers: int | None
     engine: str
     address: str | None
+    non_commercial: bool
 
 
 def _present(out: Path, first: int, end: int) -> int:
@@ -274,6 +290,7 @@ def _run(
             overwrite=where.overwrite,
             on_event=on_event,
             engine=EngineOptions(where.engine, where.address),
+            non_commercial=where.non_commercial,
         )
 
 

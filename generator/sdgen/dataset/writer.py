@@ -19,6 +19,7 @@ from sdgen.dataset.disk import remove_tree, replace_file
 from sdgen.dataset.origin import build_of, differences, refuse_foreign
 from sdgen.dataset.output_file import refuse_data_set
 from sdgen.dataset.records import (
+    LICENCE,
     SCENE_ID,
     TOP_FILES,
     Build,
@@ -38,6 +39,7 @@ from sdgen.dataset.text import line_bytes, read_lines, read_record, record_bytes
 from sdgen.dataset.versions import package_versions
 from sdgen.dataset.vocabularies import vocabularies
 from sdgen.errors import InputError, SdgenError
+from sdgen.library.licences import narrowest
 from sdgen.library.records import AssetInfo
 from sdgen.locks import FileLock
 from sdgen.options import BuildOptions
@@ -175,10 +177,10 @@ class DatasetWriter(Closing):
         entries = tuple(self.done[key] for key in sorted(self.done, key=_order))
         never_made = {**self._failed, **(failed or {})}
         words = words or vocabularies(self.catalog, self.infos)
+        used = [self.infos[name] for name in sorted(self._assets) if name in self.infos]
         info = self._info(
             entries, words, {k: v for k, v in never_made.items() if k not in self.done}
-        )
-        used = [self.infos[name] for name in sorted(self._assets) if name in self.infos]
+        ).model_copy(update={"licence": narrowest([LICENCE, *(one.licence for one in used)])})
         files = {
             "catalogue.json": record_bytes(self.catalog),
             "assets.jsonl": b"".join(line_bytes(asset) for asset in used),

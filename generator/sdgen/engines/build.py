@@ -18,10 +18,11 @@ from sdgen.engines.registry import ENGINES, EngineOptions, check_engine
 from sdgen.engines.report import BuildReport, Note, OnEvent, ignore_event
 from sdgen.engines.tally import Tally
 from sdgen.engines.worker import SceneResult, WorkerSetup
-from sdgen.errors import InputError, SdgenError, WorkerFault
+from sdgen.errors import AssetError, InputError, SdgenError, WorkerFault
 from sdgen.hazards.draw import check_range
 from sdgen.library import Library
 from sdgen.library.cache import usable_cache
+from sdgen.library.licences import NON_COMMERCIAL
 from sdgen.options import BuildOptions, check_index_range
 from sdgen.render import Choice, choose_renderer
 
@@ -39,6 +40,7 @@ def build(
     overwrite: bool = False,
     on_event: OnEvent = ignore_event,
     engine: EngineOptions | None = None,
+    non_commercial: bool = False,
 ) -> BuildReport:
     """Build scenes ``index_range`` (all by default) of a data set into ``out``, or go on with it.
 
@@ -47,12 +49,15 @@ def build(
     nowhere or that most homes hold, a renderer that does not start, a full disk. A scene whose
     attempts are spent is in ``failed``, never silently missing. ``workers`` processes (None: as
     many as there is room for), by the engine that ``engine`` names (this machine when None).
+    ``non_commercial``: models may be used whose licence allows no trade; else they are refused.
     """
     start = time.monotonic()
     engine = engine or EngineOptions()
     check_engine(engine)
     first, end = index_range if index_range is not None else (0, options.n)
     check_index_range(first, end, options.n)
+    if not non_commercial:
+        _check_licences(library)
     begun = (out / "scenes").exists() and not overwrite
     _check(options, catalog, library, begun, on_event)
     wanted = {f"{index:06d}": index for index in range(first, end)}
@@ -129,6 +134,20 @@ def _run(
                 f"{vain}; mend it and start anew with --overwrite "
                 f"({tally.made + tally.resumed} scenes are kept in {out})"
             )
+
+
+def _check_licences(library: Library) -> None:
+    """Raise AssetError for models that a data set for everyone cannot have."""
+    closed = [asset for asset in library.assets.values() if asset.licence in NON_COMMERCIAL]
+    if closed:
+        one = closed[0]
+        raise AssetError(
+            [
+                f"{library.folder_of(one.id)}: {len(closed)} models may be used for no trade "
+                f"({one.id}: {one.licence}), nor may a data set with them: say so by "
+                "--non-commercial, or leave them out"
+            ]
+        )
 
 
 def _check(

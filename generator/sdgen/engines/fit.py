@@ -18,7 +18,7 @@ from sdgen.engines.early_stop import none_left
 from sdgen.engines.untouched import Untouched
 from sdgen.hazards.certify import facts_of
 from sdgen.hazards.inject import ALREADY_SET, inject
-from sdgen.hazards.splits import SplitModels
+from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
@@ -125,7 +125,8 @@ def _home(
     spec = pick_home(catalog, options, index).spec(catalog, rng)
     if isinstance(spec, Rejection):
         return spec
-    return furnished_home(spec, catalog, library, SplitModels(library, "test"), ids, rng)
+    models = SplitModels(library, "test", small_categories(catalog) if options.assets_only else ())
+    return furnished_home(spec, catalog, library, models, ids, rng)
 
 
 def _try(

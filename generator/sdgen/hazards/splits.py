@@ -6,10 +6,11 @@ val and test show things and situations never seen in training.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from functools import cache
 from typing import Literal
 
-from sdgen.catalog.records import UniqueAnomaly
+from sdgen.catalog.records import Catalog, UniqueAnomaly
 from sdgen.library import Asset, Library
 from sdgen.seeding import unit_hash
 
@@ -53,13 +54,33 @@ def withheld_anomaly(anomaly: UniqueAnomaly) -> bool:
     return anomaly.target is not None and unit_hash("anomaly", *key) < WITHHELD_ANOMALIES
 
 
-class SplitModels:
-    """The models a split may show: ``models(category)``."""
+def _own(models: tuple[Asset, ...], library: Library) -> tuple[Asset, ...]:
+    """Models of further folders than the first, and those of it whose states they lack."""
+    theirs = [m for m in models if library.folder_of(m.id) != library.folders[0]]
+    if not theirs:
+        return models
+    states = {state for model in theirs for state in model.state_names}
+    return tuple(m for m in models if m in theirs or set(m.state_names) - states)
 
-    def __init__(self, library: Library, split: Split) -> None:
+
+def small_categories(catalog: Catalog) -> frozenset[str]:
+    """Categories of small things; furniture is planned with the sizes that ours has."""
+    return frozenset(c.name for c in catalog.categories if c.kind in ("small", "hazard_only"))
+
+
+class SplitModels:
+    """The models a split may show: ``models(category)``.
+
+    Of the categories ``own`` only models of further folders are shown where there are some; of ours
+    those stay that can be in a state that none of these can.
+    """
+
+    def __init__(self, library: Library, split: Split, own: Collection[str] = ()) -> None:
         self._models: dict[str, tuple[Asset, ...]] = {}
         for category in library.categories:
             models = library.by_category(category)
+            if category in own:
+                models = _own(models, library)
             barred = _withheld(tuple((m.id, m.suite) for m in models)) if split == "train" else ()
             self._models[category] = tuple(m for m in models if m.id not in barred)
 

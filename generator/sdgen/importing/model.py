@@ -86,11 +86,11 @@ def make_model(
     side = budget.texture_px
     if size.max() < _TINY_M:
         side = min(side, _TINY_TEXTURE)
-    groups = _by_link(scan)
-    look = _light_and_painted(groups, faces, side, notes)
+    groups = by_link(scan)
+    look = painted(groups, faces, side, notes)
     broken: Baked | None = None
     if scan.broken:
-        broken = _light_and_painted({"broken": scan.broken}, faces, side, notes)
+        broken = painted({"broken": scan.broken}, faces, side, notes)
         broken = _laid_down(broken)
     meshes = _snapped(look.meshes, size if not scan.joints else None)
     joints = _joints(scan, category)
@@ -138,11 +138,11 @@ def make_model(
     drawn = {**meshes, **(broken.meshes if broken is not None else {})}
     files = {
         asset.mesh: model_glb(drawn, f"../textures/{asset_id}.jpg"),
-        asset.hulls: _hulls_text(pieces),
-        asset.texture: _jpeg(look),
+        asset.hulls: hulls_text(pieces),
+        asset.texture: jpeg(look),
     }
     if broken is not None:
-        files[f"textures/{asset_id}_broken.jpg"] = _jpeg(broken)
+        files[f"textures/{asset_id}_broken.jpg"] = jpeg(broken)
     return Made(asset, files)
 
 
@@ -151,7 +151,7 @@ def slug(name: str) -> str:
     return _NAME.sub("_", name).strip("_.-") or "model"
 
 
-def _by_link(scan: Scan) -> dict[str, list[Piece]]:
+def by_link(scan: Scan) -> dict[str, list[Piece]]:
     """Pieces by part: the body first, then what each joint moves."""
     groups: dict[str, list[Piece]] = {"body": []}
     names = {joint.name: slug(joint.name) for joint in scan.joints}
@@ -162,9 +162,10 @@ def _by_link(scan: Scan) -> dict[str, list[Piece]]:
     return groups
 
 
-def _light_and_painted(
+def painted(
     groups: Mapping[str, Sequence[Piece]], faces: int, side: int, notes: list[str]
 ) -> Baked:
+    """Pieces by part as meshes of at most so many faces, and their one texture."""
     solids = {name: welded(group) for name, group in groups.items()}
     if any(len(solid.faces) == 0 for solid in solids.values()):
         raise AssetError(["its triangles have no area"])
@@ -319,7 +320,8 @@ def _mass(
     return round(float(min(max(guess, low * 1.02, least), high * 0.98)), 4)
 
 
-def _hulls_text(pieces: Mapping[str, Sequence[Array]]) -> bytes:
+def hulls_text(pieces: Mapping[str, Sequence[Array]]) -> bytes:
+    """The hulls file of pieces by part."""
     listed = [
         {"part": part, "vertices_m": np.round(points, 4).tolist()}
         for part, group in pieces.items()
@@ -328,7 +330,8 @@ def _hulls_text(pieces: Mapping[str, Sequence[Array]]) -> bytes:
     return (json.dumps({"pieces": listed}, separators=(",", ":")) + "\n").encode()
 
 
-def _jpeg(look: Baked) -> bytes:
+def jpeg(look: Baked) -> bytes:
+    """The texture as JPEG."""
     from PIL import Image
 
     out = io.BytesIO()

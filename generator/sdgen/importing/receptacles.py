@@ -53,7 +53,9 @@ def open_hollow(meshes: Sequence[MeshData], part: str) -> Container | None:
     """The largest hollow that is open above, as a box; None when there is none."""
     heights, low, cell = height_map(corners_of(meshes))
     level = flooded(heights)
-    depth = np.where(np.isfinite(heights), level - heights, 0.0)
+    solid = np.isfinite(heights)
+    depth = np.zeros_like(heights)
+    depth[solid] = level[solid] - heights[solid]
     top = float(np.max(heights[np.isfinite(heights)]))
     wet = depth > max(_DEEP_M, _DEEP_SHARE * top)
     region = _largest(wet)

@@ -15,7 +15,7 @@ from collections import Counter
 
 from sdgen.catalog.records import Catalog
 from sdgen.errors import SceneRejected
-from sdgen.hazards.splits import SplitModels
+from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
@@ -116,7 +116,7 @@ def furnish_for(
         home,
         catalog,
         library,
-        SplitModels(library, spec.split),
+        SplitModels(library, spec.split, small_categories(catalog) if spec.assets_only else ()),
         node_ids(spec.lane(f"ids:{home_attempt}")),
         spec.lane(f"furnish:{home_attempt}"),
         spec.tenants,

@@ -29,6 +29,7 @@ class SceneSpec:
     split: Split
     household: Household
     tenants: Tenants
+    assets_only: bool = False
 
     def lane(self, name: str) -> Rng:
         """A generator of this scene's own."""
@@ -71,6 +72,7 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
             tuple(catalog.hazard(name) for name in hazards),
             float(lane(options.seed, index, "tidiness").uniform(*template.tidiness)),
         ),
+        assets_only=options.assets_only,
     )
 
 

@@ -1,4 +1,4 @@
-"""A model as its source has it, every face and a large texture, to be shown beside what was made."""
+"""A model as its source has it, with every face and a large texture, to be shown beside ours."""
 
 from __future__ import annotations
 

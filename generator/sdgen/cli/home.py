@@ -46,7 +46,7 @@ def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
 
 @click.group()
 def home() -> None:
-    """List base homes, draw one home, or write it as YAML or GLB.
+    """List base homes, draw one home, or write it as YAML, GLB or MJCF.
 
     Example: sdgen home show 7
     """
@@ -136,36 +136,49 @@ def show_home(
     type=click.Path(dir_okay=False, path_type=Path),
     required=True,
     metavar="FILE",
-    help="FILE.yaml (rooms, openings, furniture by model) or FILE.glb (all of it).",
+    help="FILE.yaml (rooms, openings, furniture by model), FILE.glb or FILE.xml (all of it).",
 )
 def export_home(
     which: str, seed: int, catalogs: tuple[Path, ...], assets: tuple[Path, ...], out: Path
 ) -> None:
-    """Write one home as a YAML file to edit, or as a GLB for other tools.
+    """Write one home as a YAML file to edit, or as GLB or MJCF for other tools.
 
     The YAML has the plan and every piece of furniture with its model and place; small things are
-    drawn anew by every seed. The GLB has the small things too: textured, in metres, Y up.
+    drawn anew by every seed. The GLB has the small things too: textured, in metres, Y up. So has
+    the MJCF (FILE.xml, for MuJoCo), with collision pieces, masses and joints; its meshes and
+    textures are in the folder FILE_assets beside it.
 
     \b
     Example: sdgen home export 7 -o my_homes/homes/my_flat.yaml
     Example: sdgen home export apartment_1 -o flat.glb
+    Example: sdgen home export apartment_1 -o flat.xml
     """
     from sdgen.catalog.words import NOT_A_NAME, WORD
     from sdgen.dataset.output_file import check_output, write_output
+    from sdgen.export.beside import check_beside, folder_beside, written_beside
     from sdgen.export.home_glb import home_glb
+    from sdgen.export.home_mjcf import write_home_mjcf
     from sdgen.export.home_yaml import home_yaml
 
-    if out.suffix not in (*_YAML, ".glb"):
-        raise UsageError(f"{out}: expected a name that ends in .yaml or .glb")
+    if out.suffix not in (*_YAML, ".glb", ".xml"):
+        raise UsageError(f"{out}: expected a name that ends in .yaml, .glb or .xml")
     if out.suffix in _YAML and not WORD.fullmatch(out.stem):
         raise UsageError(f"{out}: a home is called as its file, and {out.stem!r} {NOT_A_NAME}")
     check_output(out)
+    if out.suffix == ".xml":
+        check_beside(out)
     made, library = _make(which, catalogs, assets, BuildOptions(seed=seed, views=0))
+    scene, title = made.bundle.scene, made.spec.title
     if out.suffix == ".glb":
-        data = home_glb(made.bundle.scene, library)
+        write_output(out, home_glb(scene, library, title))
+    elif out.suffix == ".xml":
+        beside = folder_beside(out)
+        with written_beside(out) as folder:
+            data = write_home_mjcf(scene, library, folder, beside.name, title)
+        write_output(out, data)
+        click.echo(str(beside))
     else:
-        data = home_yaml(out.stem, made.spec, made.furnished).encode()
-    write_output(out, data)
+        write_output(out, home_yaml(out.stem, made.spec, made.furnished).encode())
     click.echo(str(out))
 
 

@@ -1,0 +1,1 @@
+"""Turns downloads of others, scanned models and furnished scenes, into libraries and homes."""

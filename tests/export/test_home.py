@@ -93,13 +93,14 @@ def test_glb_has_every_object_where_it_stands() -> None:
 
 
 def test_glb_says_what_no_shape_tells() -> None:
-    scene = made("3").bundle.scene
-    raw = home_glb(scene, LIBRARY, "Mine")
+    one = made("3")
+    scene = one.bundle.scene
+    raw = home_glb(scene, LIBRARY, one.spec)
     size = int.from_bytes(raw[12:16], "little")
     nodes = {node["name"]: node for node in json.loads(raw[20 : 20 + size])["nodes"]}
     home = nodes[scene.home.id]["extras"][KEY]
-    assert home["title"] == "Mine"
-    assert home["rooms"] == {room.name: room.type for room in scene.home.rooms}
+    assert home["title"] == one.spec.title
+    assert list(home["rooms"].items()) == [(room.name, room.type) for room in one.spec.rooms]
     for item in scene.objects:
         said = nodes[f"{item.category}_{item.id}"]["extras"][KEY]
         assert (said["model"], said["category"]) == (item.asset, item.category)

@@ -31,7 +31,9 @@ def scene() -> Scene:
 def model(scene: Scene, tmp_path_factory: pytest.TempPathFactory) -> Any:
     folder = tmp_path_factory.mktemp("mjcf")
     (folder / "my home_assets").mkdir()
-    text = write_home_mjcf(scene, LIBRARY, folder / "my home_assets", "my home_assets", "Studio")
+    text = write_home_mjcf(
+        scene, LIBRARY, folder / "my home_assets", "my home_assets", made(WHICH).spec
+    )
     (folder / "my home.xml").write_bytes(text)
     return mujoco.MjModel.from_xml_path(str(folder / "my home.xml"))
 
@@ -108,8 +110,9 @@ def test_notes_say_what_no_shape_tells(scene: Scene, model: Any) -> None:
     kind = mujoco.mjtObj.mjOBJ_TEXT
     said = {mujoco.mj_id2name(model, kind, k): _text(model, k) for k in range(model.ntext)}
     home = json.loads(said[KEY])
-    assert home["title"] == "Studio"
-    assert home["rooms"] == {room.name: room.type for room in scene.home.rooms}
+    spec = made(WHICH).spec
+    assert home["title"] == spec.title
+    assert list(home["rooms"].items()) == [(room.name, room.type) for room in spec.rooms]
     for item in scene.objects:
         assert json.loads(said[f"{item.category}_{item.id}"])["model"] == item.asset
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from sdgen.catalog.records import HomeSpec
 from sdgen.geometry import Array
 from sdgen.home.notes import KEY, HomeNote, ThingNote, home_note, thing_notes
 from sdgen.library import Library, MeshData
@@ -22,15 +23,15 @@ _GLTF_FROM_OURS = np.array(
 )
 
 
-def home_glb(scene: Scene, library: Library, title: str = "") -> bytes:
+def home_glb(scene: Scene, library: Library, spec: HomeSpec | None = None) -> bytes:
     """The scene as a GLB. Its root is the home; below it are a node for each structure and, named
     by category and id, for each object, with its drawn parts below that, where joints put them.
 
     A model's meshes are in the file once, however often it stands there. ``extras`` of the home's
-    and the objects' nodes say what no shape tells (:mod:`sdgen.home.notes`); ``title`` is the
-    home's, for people.
+    and the objects' nodes say what no shape tells (:mod:`sdgen.home.notes`); ``spec`` is
+    what the home was made from, where it is at hand.
     """
-    made = _Made(library, scene.home.id, home_note(scene, title))
+    made = _Made(library, scene.home.id, home_note(scene, spec))
     names = {room.id: room.name for room in scene.home.rooms}
     for structure in scene.home.structures:
         made.structure(structure, names[structure.room_id])

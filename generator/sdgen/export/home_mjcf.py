@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from sdgen.catalog.records import HomeSpec
 from sdgen.geometry import Array, quat_from_matrix
 from sdgen.home.notes import KEY, home_note, thing_notes
 from sdgen.library import Library, MeshData
@@ -34,11 +35,13 @@ _GRAVITY = 9.81
 _TYPES = {"revolute": "hinge", "prismatic": "slide"}
 
 
-def write_home_mjcf(scene: Scene, library: Library, folder: Path, assets: str, title: str) -> bytes:
+def write_home_mjcf(
+    scene: Scene, library: Library, folder: Path, assets: str, spec: HomeSpec | None = None
+) -> bytes:
     """The XML of a scene; meshes and textures are written into ``folder``, which the XML knows as
-    ``assets`` beside it. ``title`` is the home's, for people."""
+    ``assets`` beside it. ``spec`` is what the home was made from, where it is at hand."""
     made = _Made(library, folder, assets, scene.home.id)
-    note = home_note(scene, title)
+    note = home_note(scene, spec)
     made.text(KEY, note.model_dump(mode="json"))
     names = {room.id: room.name for room in scene.home.rooms}
     for structure in scene.home.structures:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from pydantic import Field
 
+from sdgen.catalog.records import HomeSpec
 from sdgen.geometry import Coordinate
 from sdgen.scene import ObjectInstance, Record, Scene
 
@@ -28,7 +29,7 @@ class HomeNote(Record):
     style: str = ""
     height_m: float = Field(gt=0)
     rooms: dict[str, str]
-    """Name of each room to its type."""
+    """Name of each room to its type, in the order in which the home is drawn."""
 
 
 class ThingNote(Record):
@@ -42,14 +43,16 @@ class ThingNote(Record):
     fixed: bool = False
 
 
-def home_note(scene: Scene, title: str) -> HomeNote:
-    """The note of a scene's home."""
+def home_note(scene: Scene, spec: HomeSpec | None = None) -> HomeNote:
+    """The note of a scene's home; its title, and the order of its rooms, are those of ``spec``."""
     home = scene.home
+    types = {room.name: room.type for room in home.rooms}
+    names = [room.name for room in (home.rooms if spec is None else spec.rooms)]
     return HomeNote(
-        title=title or home.id,
+        title=home.id if spec is None else spec.title,
         style=home.style,
         height_m=max(room.height_m for room in home.rooms),
-        rooms={room.name: room.type for room in home.rooms},
+        rooms={name: types[name] for name in names},
     )
 
 

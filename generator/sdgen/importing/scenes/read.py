@@ -1,0 +1,107 @@
+"""A furnished scene of somebody as a base home: the formats, and the way through."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from sdgen.catalog.home_text import home_text
+from sdgen.catalog.records import Catalog, HomeSpec
+from sdgen.errors import InputError, UsageError, did_you_mean
+from sdgen.home.drawing_check import drawing_problems
+from sdgen.importing.scenes.found import FoundScene
+from sdgen.importing.scenes.gltf import read_gltf
+from sdgen.importing.scenes.mjcf import read_mjcf
+from sdgen.importing.scenes.naming import Namer
+from sdgen.importing.scenes.to_home import Imported, to_home
+from sdgen.library import Library
+from sdgen.yaml_source import show_path
+
+#: ``(path, catalogue, namer)`` -> what was found. Raises InputError for what cannot be read.
+Reader = Callable[[Path, Catalog, Namer], FoundScene]
+FORMATS: Mapping[str, Reader] = {
+    "gltf": read_gltf,
+    "mjcf": read_mjcf,
+}
+#: Characters of a line that is told.
+_LONGEST = 300
+#: What is left out may bear others: so often a drawing is looked at again.
+_LOOKS = 5
+
+
+def import_home(
+    format_: str, path: Path, name: str, catalog: Catalog, library: Library, namer: Namer
+) -> Imported:
+    """The scene of a file as a base home called ``name``, which builds as it is.
+
+    Raises UsageError for a format nobody knows, InputError for a file that cannot be read or has
+    no room.
+    """
+    if format_ not in FORMATS:
+        raise UsageError(f"no format {format_!r}{did_you_mean(format_, list(FORMATS))}")
+    scene = FORMATS[format_](path, catalog, namer)
+    imported = to_home(scene, name, catalog, library, namer)
+    return _in_plain_words(_without_what_is_drawn_wrong(imported, catalog, library))
+
+
+def text_of(imported: Imported, format_: str, path: Path) -> str:
+    """The YAML of an imported home; its head says where it is from and what is not in it."""
+    lead = [
+        f"Written by sdgen home import from {path.name} ({format_}): change what you like.",
+        f"Check it with: sdgen catalog validate {imported.spec.id}.yaml",
+        *(f"Assumed: {text}" for text in imported.told),
+        *(f"Left out: {text}" for text in imported.unresolved),
+    ]
+    return home_text(imported.spec, [_plain(line) for line in lead])
+
+
+def _in_plain_words(imported: Imported) -> Imported:
+    """The same, its words on a line each: names of strangers hold anything."""
+    title = _plain(imported.spec.title) or imported.spec.id
+    return replace(
+        imported,
+        spec=imported.spec.model_copy(update={"title": title}),
+        told=tuple(map(_plain, imported.told)),
+        unresolved=tuple(map(_plain, imported.unresolved)),
+        guessed=tuple(map(_plain, imported.guessed)),
+    )
+
+
+def _plain(text: str) -> str:
+    printable = "".join(one if one.isprintable() else " " for one in text)
+    return " ".join(printable.split())[:_LONGEST]
+
+
+def _without_what_is_drawn_wrong(
+    imported: Imported, catalog: Catalog, library: Library
+) -> Imported:
+    """The home without pieces that a check of drawings refuses, such as what hangs in the air."""
+    spec, unresolved = imported.spec, list(imported.unresolved)
+    for _ in range(_LOOKS):
+        wrong: dict[tuple[int, int], str] = {}
+        for path, text in drawing_problems(spec, catalog, library):
+            match path:
+                case ("rooms", int(room), "furniture", int(piece)):
+                    wrong.setdefault((room, piece), text)
+                case _:
+                    raise InputError([f"{spec.id}: {show_path(path)}: {text}"])
+        if not wrong:
+            break
+        for (room, piece), text in sorted(wrong.items()):
+            item = spec.rooms[room].furniture[piece]
+            unresolved.append(f"{item.category} in {spec.rooms[room].name}: {text}")
+        spec = _without(spec, wrong)
+    counts = {**imported.counts, "furniture": sum(len(room.furniture) for room in spec.rooms)}
+    return replace(imported, spec=spec, unresolved=tuple(unresolved), counts=counts)
+
+
+def _without(spec: HomeSpec, gone: Mapping[tuple[int, int], str]) -> HomeSpec:
+    rooms = []
+    for r, room in enumerate(spec.rooms):
+        kept = tuple(item for k, item in enumerate(room.furniture) if (r, k) not in gone)
+        left = [item.category for item in kept]
+        # What stood on a piece that went hangs in the air now.
+        kept = tuple(item for item in kept if item.on is None or item.on in left)
+        rooms.append(room.model_copy(update={"furniture": kept}))
+    return spec.model_copy(update={"rooms": tuple(rooms)})

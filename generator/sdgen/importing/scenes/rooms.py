@@ -36,6 +36,8 @@ _THICKEST_M = 0.45
 _DOORWAY_M = 1.4
 #: What begins higher, metres, is over a door.
 _LINTEL_M = 1.7
+#: A room is wider than twice this everywhere, metres.
+_HAIR_M = 0.1
 #: Floors within this of each other, metres, are of one storey.
 _STOREY_M = 0.8
 #: A wall that covers less, square metres, is a face alone; so near to a wall it is that wall's.
@@ -153,8 +155,10 @@ def rooms_of(scene: FoundScene) -> list[FoundRoom]:
     taken: list[tuple[str, str | None, BaseGeometry]] = []
     before: BaseGeometry = Polygon()
     for name, kind, inner in floors:
-        # Where floors overlap, the earlier one has it.
-        outline = inner.buffer(HALF_WALL_M, join_style="mitre").difference(before)
+        # Hairs between pieces of wall would become spikes. Where floors overlap, the earlier one
+        # has it.
+        plain = inner.buffer(-_HAIR_M, join_style="mitre")
+        outline = plain.buffer(_HAIR_M + HALF_WALL_M, join_style="mitre").difference(before)
         parts = [p for p in shapely.get_parts(outline) if p.area > LEAST_ROOM_M2]
         if not parts:
             scene.unresolved.append(f"floor {name!r}: leaves no room of {LEAST_ROOM_M2} m2")

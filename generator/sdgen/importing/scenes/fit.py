@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 
 import numpy as np
@@ -21,7 +21,7 @@ from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec
 from sdgen.errors import InputError
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, unreachable_rooms
-from sdgen.geometry import Vec3, rotation_matrix, round_position, yaw_of
+from sdgen.geometry import Vec3, rotation_matrix, round_position, vec3, yaw_of
 from sdgen.home.anchors import BACK_GAP_M
 from sdgen.home.furnish import clashing, drawn_at, fill_openings, put_piece, top_of
 from sdgen.home.layout import IN_WALL_M, Intent, Layout
@@ -37,13 +37,28 @@ from sdgen.zones import doorway_blocked, floor_obstacles, swing_blocked
 #: A piece whose back is no further from a wall than this stood against it, metres.
 _AGAINST_M = 0.3
 #: What stands so near below a piece, up or down, carries it, metres.
-_CARRIES_M = 0.04
+_CARRIES_M = 0.12
+#: What ends lower above the floor stands on it, metres.
+_ON_FLOOR_M = 0.15
 #: Models tried for a piece, and how far aside it may be put, metres.
 _MODELS = 5
 _ASIDE_M = (0.0, 0.05, 0.1, 0.2, 0.3, 0.4)
 #: A model more than so many times as large or small as the piece, along its most different side,
 #: is another piece.
 _UNLIKE = 2.0
+#: Sides thinner than this are alike, metres; of heights so much counts.
+_THIN_M, _OF_HEIGHT = 0.12, 0.6
+#: What stands in rows: of these, so many of our own stand for one piece that is so many times
+#: longer than our longest, at most, each as like a part of it as this.
+_ROWS = (
+    "bathroom_cabinet",
+    "bookshelf",
+    "kitchen_counter",
+    "wall_cabinet",
+    "wall_shelf",
+    "wardrobe",
+)
+_IN_A_ROW, _LONGER, _ROW_LIKE = 8, 1.4, 0.35
 #: As like as this (a logarithm), it stands where the piece stood.
 _SAME = 0.03
 #: Off the axes by less than this, degrees, a piece stands along them.
@@ -113,13 +128,10 @@ class Fitter:
         return why
 
     def _models(self, wanted: Wanted) -> list[Asset]:
+        if wanted.model is None:
+            return models_like(wanted.category, wanted.piece.extents_m, self._library)
         known = self._library.by_category(wanted.category)
-        if wanted.model is not None:
-            return [model for model in known if model.id == wanted.model]
-        scored = [(_unlike(model.extents_m, wanted.piece.extents_m), model) for model in known]
-        near = [pair for pair in scored if pair[0] < math.log(_UNLIKE)]
-        near.sort(key=lambda pair: (pair[0], pair[1].id))
-        return [model for _, model in near[:_MODELS]]
+        return [model for model in known if model.id == wanted.model]
 
     # --- where -----------------------------------------------------------------------------------
 
@@ -132,10 +144,12 @@ class Fitter:
         yaw = yaw_of(piece.quat_xyzw)
         if not exact:
             yaw = math.remainder(self._heading(wanted, asset, room), 2 * math.pi)
-            if _unlike(asset.extents_m, piece.extents_m) > _SAME:
+            if unlike(asset.extents_m, piece.extents_m) > _SAME:
                 x, y = self._backed(piece, asset, yaw, room)
-            z = max(0.0, z if z > 0.05 else 0.0)
         on = self._carrier(wanted, (x, y, z))
+        if not exact and on is None:
+            z = 0.0 if z < _ON_FLOOR_M else z
+            z = max(0.0, min(z, room.height_m - asset.extents_m[2]))
         for aside in (0.0,) if exact else _ASIDE_M:
             ways = ((0, 0),) if not aside else ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1))
             for dx, dy in ways:
@@ -162,8 +176,8 @@ class Fitter:
         if piece.front:
             return yaw
         deep, wide, _ = piece.extents_m
-        straight = _unlike(asset.extents_m, piece.extents_m, turned=False)
-        across = _unlike(asset.extents_m, (wide, deep, piece.extents_m[2]), turned=False)
+        straight = unlike(asset.extents_m, piece.extents_m, turned=False)
+        across = unlike(asset.extents_m, (wide, deep, piece.extents_m[2]), turned=False)
         turns = [0, 1, 2, 3]
         if abs(straight - across) > 0.1:
             turns = [0, 2] if straight < across else [1, 3]
@@ -222,12 +236,25 @@ class Fitter:
         if at[2] < 0.05:
             return None
         point = Point(at[:2])
+        if wanted.model is None:
+            return self._carrier_found(wanted, point, at[2])
         for category, ids in self._placed[wanted.room].items():
             for key in ids:
                 under = any(b.shape.distance(point) < 1e-6 for b in self.layout.space_of(key))
-                near = _CARRIES_M if wanted.model is None else 1e-3
-                if under and abs(top_of(self.layout, key) - at[2]) < near:
+                if under and abs(top_of(self.layout, key) - at[2]) < 1e-3:
                     return category
+        return None
+
+    def _carrier_found(self, wanted: Wanted, point: Point, z: float) -> str | None:
+        """The same of what was found: its carrier may have another height here."""
+        for other in self.fitted:
+            if other.room != wanted.room or other.wanted.piece is wanted.piece:
+                continue
+            under = any(
+                b.shape.distance(point) < 1e-6 for b in self.layout.space_of(other.object_id)
+            )
+            if under and abs(other.wanted.piece.top_m - z) < _CARRIES_M:
+                return other.item.category
         return None
 
     # --- whether ---------------------------------------------------------------------------------
@@ -323,12 +350,50 @@ class Fitter:
         return [room.name for room in unreachable_rooms(self.home, free)]
 
 
-def _unlike(model: Vec3, found: Vec3, turned: bool = True) -> float:
+def unlike(model: Vec3, found: Vec3, turned: bool = True) -> float:
     """How different two boxes are along their most different side (a logarithm), the found one
-    turned by a quarter where that is better."""
-    logs = np.abs(np.log(np.maximum(model, 0.02)) - np.log(np.maximum(found, 0.02)))
-    straight = float(logs.max())
+    turned by a quarter where that is better. Half as much of their heights: what a bed's board or
+    a lamp's cord makes of it."""
+    logs = np.abs(np.log(np.maximum(model, _THIN_M)) - np.log(np.maximum(found, _THIN_M)))
+    straight = float(max(logs[0], logs[1], logs[2] * _OF_HEIGHT))
     if not turned:
         return straight
     deep, wide, high = found
-    return min(straight, _unlike(model, (wide, deep, high), turned=False))
+    return min(straight, unlike(model, (wide, deep, high), turned=False))
+
+
+def models_like(category: str, extents_m: Vec3, library: Library) -> list[Asset]:
+    """The models of a category that are about so large, the nearest first."""
+    scored = [
+        (unlike(model.extents_m, extents_m), model) for model in library.by_category(category)
+    ]
+    near = [pair for pair in scored if pair[0] < math.log(_UNLIKE)]
+    near.sort(key=lambda pair: (pair[0], pair[1].id))
+    return [model for _, model in near[:_MODELS]]
+
+
+def side_by_side(piece: FoundPiece, category: str, library: Library) -> list[FoundPiece]:
+    """A long piece of what stands in rows as several of our own beside each other; itself where a
+    model is about as long, or none is as deep and high."""
+    if category not in _ROWS or models_like(category, piece.extents_m, library):
+        return [piece]
+    axis = 0 if piece.extents_m[0] > piece.extents_m[1] else 1
+    widest = max((model.extents_m[1] for model in library.by_category(category)), default=0.0)
+    for number in range(2, _IN_A_ROW + 1) if piece.extents_m[axis] > _LONGER * widest else ():
+        sides = list(piece.extents_m)
+        sides[axis] /= number
+        part = (sides[0], sides[1], sides[2])
+        if not any(unlike(m.extents_m, part) < _ROW_LIKE for m in library.by_category(category)):
+            continue
+        way = rotation_matrix(piece.quat_xyzw)[:, axis]
+        steps = (np.arange(number) - (number - 1) / 2) * sides[axis]
+        return [
+            replace(
+                piece,
+                name=f"{piece.name} ({k} of {number})",
+                position_m=vec3(np.array(piece.position_m) + way * step),
+                extents_m=part,
+            )
+            for k, step in enumerate(steps.tolist(), start=1)
+        ]
+    return [piece]

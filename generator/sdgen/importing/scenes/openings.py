@@ -20,7 +20,7 @@ from sdgen.catalog.records import OpeningSpec, RoomSpec
 from sdgen.geometry import rotation_matrix
 from sdgen.importing.scenes.found import FoundOpening, FoundPiece, FoundScene, footprint
 from sdgen.importing.scenes.naming import OpeningWord
-from sdgen.vocabulary import DOORS, HALF_WALL_M, OPENINGS
+from sdgen.vocabulary import DOORS, HALF_WALL_M, INNER_DOORS, OPENINGS
 
 #: A door or window is of a wall no further away than this, metres.
 _NEAR_M = 0.7
@@ -108,9 +108,10 @@ class _Plan:
     def take(self, found: FoundOpening) -> None:
         """Take an opening to the wall it is in."""
         kinds = [found.kind, *_NARROWER[found.kind]]
-        if found.kind == "door" and not any(o.kind == "front_door" for o in self.openings):
+        fronted = any(o.kind == "front_door" for o in self.openings)
+        if found.kind in INNER_DOORS and not fronted:
             kinds.append("front_door")
-        elif any(o.kind == "front_door" for o in self.openings) and kinds == ["front_door"]:
+        elif found.kind == "front_door" and fronted:
             kinds = ["door"]
         for kind in kinds:
             for wall in self._near(found, kind):

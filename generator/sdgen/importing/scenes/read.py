@@ -15,6 +15,7 @@ from sdgen.importing.scenes.gltf import read_gltf
 from sdgen.importing.scenes.mjcf import read_mjcf
 from sdgen.importing.scenes.naming import Namer
 from sdgen.importing.scenes.to_home import Imported, to_home
+from sdgen.importing.scenes.virtualhome import read_virtualhome
 from sdgen.library import Library
 from sdgen.yaml_source import show_path
 
@@ -23,6 +24,7 @@ Reader = Callable[[Path, Catalog, Namer], FoundScene]
 FORMATS: Mapping[str, Reader] = {
     "gltf": read_gltf,
     "mjcf": read_mjcf,
+    "virtualhome": read_virtualhome,
 }
 #: Characters of a line that is told.
 _LONGEST = 300

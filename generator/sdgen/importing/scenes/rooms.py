@@ -36,6 +36,8 @@ _THICKEST_M = 0.45
 _DOORWAY_M = 1.4
 #: What begins higher, metres, is over a door.
 _LINTEL_M = 1.7
+#: Tiles of one floor with no more between them than twice this, metres, are one floor.
+_SEAM_M = 0.02
 #: A room is wider than twice this everywhere, metres.
 _HAIR_M = 0.1
 #: Floors within this of each other, metres, are of one storey.
@@ -153,20 +155,16 @@ def rooms_of(scene: FoundScene) -> list[FoundRoom]:
         return _as_drawn(scene)
     floors = list(_inner_floors(scene, _closed(scene)))
     taken: list[tuple[str, str | None, BaseGeometry]] = []
-    before: BaseGeometry = Polygon()
     for name, kind, inner in floors:
-        # Hairs between pieces of wall would become spikes. Where floors overlap, the earlier one
-        # has it.
+        # Hairs between pieces of wall would become spikes.
         plain = inner.buffer(-_HAIR_M, join_style="mitre")
-        outline = plain.buffer(_HAIR_M + HALF_WALL_M, join_style="mitre").difference(before)
-        parts = [p for p in shapely.get_parts(outline) if p.area > LEAST_ROOM_M2]
-        if not parts:
+        parts = shapely.get_parts(plain.buffer(_HAIR_M + HALF_WALL_M, join_style="mitre"))
+        shape = max(parts, key=lambda part: part.area, default=Polygon())
+        if shape.area > LEAST_ROOM_M2:
+            taken.append((name, kind, shape))
+        else:
             scene.unresolved.append(f"floor {name!r}: leaves no room of {LEAST_ROOM_M2} m2")
-            continue
-        shape = max(parts, key=lambda part: part.area)
-        before = before.union(shape)
-        taken.append((name, kind, shape))
-    drawn = _snapped([rectangles_of(shape) for _, _, shape in taken])
+    drawn = _apart(_snapped([rectangles_of(shape) for _, _, shape in taken]))
     rooms: list[FoundRoom] = []
     for (name, kind, _), rectangles in zip(taken, drawn, strict=True):
         room = FoundRoom(_fresh(name, rooms), kind, rectangles)
@@ -176,6 +174,21 @@ def rooms_of(scene: FoundScene) -> list[FoundRoom]:
         else:
             rooms.append(mended)
     return rooms
+
+
+def _apart(rooms: Sequence[tuple[Rect, ...]]) -> list[tuple[Rect, ...]]:
+    """The rooms without what an earlier one has already."""
+    before: BaseGeometry = Polygon()
+    out = []
+    for room in rooms:
+        shape = joined(room)
+        out.append(
+            room
+            if shape.intersection(before).area < 1e-6
+            else rectangles_of(shape.difference(before))
+        )
+        before = before.union(shape)
+    return out
 
 
 def _as_drawn(scene: FoundScene) -> list[FoundRoom]:
@@ -232,7 +245,8 @@ def _inner_floors(
 ) -> Iterator[tuple[str, str | None, BaseGeometry]]:
     """What is walked on in each room: its name, its type where that is known, and its shape."""
     for floor in scene.floors:
-        inner = floor.shape.difference(walls)
+        whole = floor.shape.buffer(_SEAM_M, join_style="mitre")
+        inner = whole.buffer(-_SEAM_M, join_style="mitre").difference(walls)
         # What floor lies under a door is no part of the room, nor is what is left beyond walls.
         parts = [p for p in shapely.get_parts(inner) if p.area > LEAST_ROOM_M2]
         if not parts:

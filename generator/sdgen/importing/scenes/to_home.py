@@ -14,7 +14,7 @@ from shapely.geometry import Point
 from sdgen.catalog.home_shape import inner_ring, rooms_beside
 from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec
 from sdgen.errors import InputError
-from sdgen.importing.scenes.fit import Fitter, Wanted
+from sdgen.importing.scenes.fit import Fitter, Wanted, side_by_side
 from sdgen.importing.scenes.found import FoundPiece, FoundScene
 from sdgen.importing.scenes.naming import Named, Namer
 from sdgen.importing.scenes.openings import LEAST_HEIGHT_M, openings_of
@@ -198,8 +198,16 @@ def _furnished(
                 continue
             if category.name in fitted or loose or (category.kind != "furniture" and loose is None):
                 small[category.name] += 1
-            else:
+            elif _model_of(one, library) is not None:
                 furniture.append(one)
+            else:
+                parts = side_by_side(one.piece, category.name, library)
+                furniture += [replace(one, piece=part) for part in parts]
+                if len(parts) > 1:
+                    wide = max(one.piece.extents_m[:2])
+                    scene.told.append(
+                        f"{one.piece.name}: {wide:.2f} m wide: {len(parts)} of ours side by side"
+                    )
         # What carries others first; of those in the order of the source.
         furniture.sort(key=lambda one: one.piece.position_m[2] > 0.05)
         for one in furniture:

@@ -71,12 +71,14 @@ _DIGITS = 4
 
 @dataclass(frozen=True)
 class Wanted:
-    """A piece of furniture to be: what was found, its category, and the model that it must be."""
+    """A piece of furniture to be: what was found, its category, and the model that it must be.
+    ``exact``: just as it was found, as we had it."""
 
     piece: FoundPiece
     category: str
     room: int
     model: str | None = None
+    exact: bool = False
 
 
 @dataclass(frozen=True)
@@ -118,7 +120,7 @@ class Fitter:
         models = self._models(wanted)
         if not models:
             return f"the library has no {wanted.category} of about its size"
-        exact = wanted.model is not None
+        exact = wanted.exact
         for asset in models:
             for item in self._draws(wanted, asset, room, exact):
                 told = self._put(item, asset, wanted)
@@ -236,7 +238,7 @@ class Fitter:
         if at[2] < 0.05:
             return None
         point = Point(at[:2])
-        if wanted.model is None:
+        if not wanted.exact:
             return self._carrier_found(wanted, point, at[2])
         for category, ids in self._placed[wanted.room].items():
             for key in ids:
@@ -271,7 +273,7 @@ class Fitter:
             return why
         if not put_piece(thing, asset, self.layout, intent, room, self._catalog):
             return "what opens of it, or of another beside it, has no room to"
-        if intent is None and wanted.model is not None:
+        if intent is None and wanted.exact:
             z = thing.pose.position_m[2]
             if abs(z - wanted.piece.position_m[2]) > 0.01:
                 item = item.model_copy(update={"on": None})

@@ -14,6 +14,7 @@ from sdgen.importing.scenes.found import FoundScene
 from sdgen.importing.scenes.gltf import read_gltf
 from sdgen.importing.scenes.mjcf import read_mjcf
 from sdgen.importing.scenes.naming import Namer
+from sdgen.importing.scenes.replicacad import read_replicacad
 from sdgen.importing.scenes.to_home import Imported, to_home
 from sdgen.importing.scenes.virtualhome import read_virtualhome
 from sdgen.library import Library
@@ -24,6 +25,7 @@ Reader = Callable[[Path, Catalog, Namer], FoundScene]
 FORMATS: Mapping[str, Reader] = {
     "gltf": read_gltf,
     "mjcf": read_mjcf,
+    "replicacad": read_replicacad,
     "virtualhome": read_virtualhome,
 }
 #: Characters of a line that is told.

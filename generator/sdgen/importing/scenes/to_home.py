@@ -5,6 +5,7 @@ Nothing is dropped without a word: what is left out stands in ``unresolved`` wit
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -14,14 +15,15 @@ from shapely.geometry import Point
 from sdgen.catalog.home_shape import inner_ring, rooms_beside
 from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec
 from sdgen.errors import InputError
+from sdgen.geometry import quat_from_matrix, quat_from_yaw, rotation_matrix
 from sdgen.importing.scenes.fit import Fitter, Wanted, side_by_side
 from sdgen.importing.scenes.found import FoundPiece, FoundScene
 from sdgen.importing.scenes.naming import Named, Namer
 from sdgen.importing.scenes.openings import LEAST_HEIGHT_M, openings_of
 from sdgen.importing.scenes.rectangles import joined
 from sdgen.importing.scenes.rooms import FoundRoom, level_and_square, rooms_of
-from sdgen.library import Library
-from sdgen.vocabulary import OPENINGS
+from sdgen.library import Asset, Library
+from sdgen.vocabulary import OPENINGS, Facing
 
 #: Heights of rooms that a base home may have, metres, and that of one whose nobody knows.
 _HIGHEST_M, _USUAL_M = 6.0, 2.6
@@ -30,11 +32,11 @@ _BESIDE_M = 0.6
 #: What a room is, by what stands in it: the first that does says it.
 _TELLING: Sequence[tuple[str, tuple[str, ...]]] = (
     ("bathroom", ("bathtub", "shower")),
-    ("kitchen", ("stove", "fridge", "sink_cabinet", "dishwasher", "kitchen_counter")),
     ("toilet", ("toilet",)),
     ("child_room", ("crib", "child_bed", "bunk_bed")),
     ("bedroom", ("bed", "nightstand", "wardrobe")),
     ("living_room", ("sofa", "tv_stand", "armchair", "coffee_table", "tv")),
+    ("kitchen", ("stove", "fridge", "sink_cabinet", "dishwasher", "kitchen_counter")),
     ("dining_room", ("dining_table", "kitchen_table")),
     ("office", ("desk", "filing_cabinet")),
     ("laundry", ("washing_machine", "dryer")),
@@ -64,7 +66,7 @@ def to_home(
     scene = level_and_square(scene)
     height_m = _height(scene)
     found = rooms_of(scene)
-    pieces = [_Sorted(piece, _named(piece, namer, library)) for piece in scene.pieces]
+    pieces = [_sorted(piece, namer, library) for piece in scene.pieces]
     by_room = _housed(found, pieces, scene)
     rooms = tuple(
         room.spec(_type_of(room, [p.category for p in by_room[k]], catalog))
@@ -136,12 +138,33 @@ def _height(scene: FoundScene) -> float:
     return fitting
 
 
-def _named(piece: FoundPiece, namer: Namer, library: Library) -> Named:
+def _sorted(piece: FoundPiece, namer: Namer, library: Library) -> _Sorted:
+    """A piece with its category: as it says, as the library's model of it, as it is called."""
     if piece.note is not None:
-        return Named(piece.note.category, "it says so")
-    if piece.category is not None:
-        return Named(piece.category, "it says so")
-    return namer(piece)
+        return _Sorted(piece, Named(piece.note.category, "it says so"))
+    named = namer(piece)
+    model = None if piece.source is None else _from_source(piece.source, library)
+    if model is not None:
+        named = replace(named, category=model.category, why=f"it is {model.id}", guessed=False)
+    elif piece.category is not None:
+        named = replace(named, category=piece.category, why="it says so", guessed=False)
+    if named.front is not None and not piece.front:
+        piece = _fronted(piece, named.front)
+    return _Sorted(piece, named)
+
+
+def _from_source(source: str, library: Library) -> Asset | None:
+    """The library's model that was made from this one of a source."""
+    return next((model for model in library.assets.values() if model.source == source), None)
+
+
+def _fronted(piece: FoundPiece, front: Facing) -> FoundPiece:
+    """The piece with its front along its own +x, of one whose front looks along ``front``."""
+    turn = {"+x": 0.0, "+y": 0.5, "-x": 1.0, "-y": -0.5}[front] * math.pi
+    deep, wide, high = piece.extents_m
+    swapped = (deep, wide, high) if front in ("+x", "-x") else (wide, deep, high)
+    turned = rotation_matrix(piece.quat_xyzw) @ rotation_matrix(quat_from_yaw(turn))
+    return replace(piece, quat_xyzw=quat_from_matrix(turned), extents_m=swapped, front=True)
 
 
 def _housed(
@@ -211,10 +234,11 @@ def _furnished(
         # What carries others first; of those in the order of the source.
         furniture.sort(key=lambda one: one.piece.position_m[2] > 0.05)
         for one in furniture:
-            model = _model_of(one, library)
-            told = fitter.fit(Wanted(one.piece, one.category or "", k, model))
+            model, name = _model_of(one, library), one.category or ""
+            exact = model is not None and one.piece.note is not None
+            told = fitter.fit(Wanted(one.piece, name, k, model, exact))
             if told is not None and model is not None:
-                told = fitter.fit(Wanted(replace(one.piece, note=None), one.category or "", k))
+                told = fitter.fit(Wanted(replace(one.piece, note=None), name, k))
             if told is not None:
                 scene.unresolved.append(
                     f"{one.piece.name}: no place for this {one.category}: {told}"
@@ -245,5 +269,5 @@ def _model_of(one: _Sorted, library: Library) -> str | None:
         return note.model
     if one.piece.source is None:
         return None
-    wanted = one.piece.source
-    return next((key for key, model in known.items() if model.source == wanted), None)
+    model = _from_source(one.piece.source, library)
+    return None if model is None else model.id

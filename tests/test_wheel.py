@@ -61,6 +61,7 @@ def test_wheel_holds_the_data_and_no_litter(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     for wanted in (
         "sdgen/py.typed",
+        "sdgen/importing/addresses.yaml",
         "sdgen/_data/assets/manifest.yaml",
         "sdgen/_data/assets/LICENSES/CC-BY-4.0.txt",
     ):

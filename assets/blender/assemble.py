@@ -20,7 +20,7 @@ import numpy as np
 import trimesh
 import yaml
 from compact import compact
-from scipy.spatial import ConvexHull, QhullError
+from sdgen.importing.convex import simplify_hull
 from sdgen.library.meshes import read_glb
 from sdgen.library.poses import resting_poses
 from sdgen.library.records import Asset
@@ -28,9 +28,6 @@ from sdgen.library.shape import centre_of_mass, corners_of
 
 ASSETS = Path(__file__).resolve().parent.parent
 RECORDS = ASSETS.parent / "build" / "assets"
-MAX_VERTICES = 32
-#: A corner that stands out of the hull of the others by less is not needed, metres.
-STANDS_OUT_M = 0.0003
 HEAD = "# Written by blender/assemble.py; see README.md for the fields.\n"
 
 
@@ -111,29 +108,6 @@ def part_mesh(glb: Path, name: str) -> trimesh.Trimesh:
     mesh = trimesh.Trimesh(p, faces, process=True)
     mesh.merge_vertices(merge_tex=True, merge_norm=True)
     return mesh
-
-
-def simplify_hull(points: np.ndarray, steep: float = 1.0) -> np.ndarray:
-    """The corners of the convex hull, thinned to those that carry its shape; heights count
-    ``steep`` times as much."""
-    full = trimesh.convex.convex_hull(np.asarray(points, float)).vertices
-    if len(full) <= MAX_VERTICES:
-        return full
-    hull = full * (1.0, 1.0, steep)
-    ends = [pick for axis in hull.T for pick in (int(axis.argmin()), int(axis.argmax()))]
-    first = np.linalg.norm(hull - hull[ends[0]], axis=1).argsort()[::-1]
-    chosen = list(dict.fromkeys([*ends, *first[:2].tolist()]))
-    while len(chosen) < MAX_VERTICES:  # the one that stands out most of the hull of those before
-        try:
-            planes = ConvexHull(hull[chosen]).equations
-        except QhullError:  # flat so far
-            chosen.append(next(k for k in first.tolist() if k not in chosen))
-            continue
-        out = (hull @ planes[:, :3].T + planes[:, 3]).max(axis=1)
-        if out.max() < STANDS_OUT_M:
-            break
-        chosen.append(int(out.argmax()))
-    return full[sorted(chosen)]
 
 
 def decompose(mesh: trimesh.Trimesh) -> list[np.ndarray]:

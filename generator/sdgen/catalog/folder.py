@@ -28,6 +28,9 @@ _ORDER = (
 #: What a file was called before, when a plan meant two things.
 _RENAMED = {"plans": "mixes"}
 _SUFFIXES = (".yaml", ".yml")
+#: Folders of the shipped catalogue that are not read with it: packs when they are asked for, and
+#: what other people's models are (see ``sdgen.importing.table``).
+_APART = ("extensions", "sources")
 
 
 @dataclass
@@ -70,6 +73,8 @@ def open_folder(root: Path, pack: str, shown: str) -> Folder:
                     )
         elif path.stem in FILES and _is_yaml(path):
             out.add(path.stem, path, name)
+        elif path.name in _APART and (pack == "core" or path.name != "sources"):
+            continue
         elif problem := _misplaced(path):
             out.problems.append(f"{name}: {problem}")
     return out
@@ -93,8 +98,10 @@ def _misplaced(path: Path) -> str:
             return f"is called {_RENAMED[path.stem]}.yaml now: rename it"
         near = did_you_mean(path.name, [f"{name}.yaml" for name in FILES])
         return f"no file of a catalogue{near}"
-    if not path.is_dir() or path.name == "extensions":
+    if not path.is_dir():
         return ""
+    if path.name == "sources":
+        return "tables of models are given to 'sdgen assets import' with --table: move it out"
     known = (*FOLDERS, "extensions")
     if nearest(path.name, known) or any(map(_is_yaml, path.iterdir())):
         return f"no folder of a catalogue{did_you_mean(path.name, known)}"

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.assets_fetch import fetch_assets
 from sdgen.cli.bar import bar
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.library import Library, load_library
@@ -26,10 +27,13 @@ EXTRA = click.option(
 
 @click.group()
 def assets() -> None:
-    """List, show, draw and check the models.
+    """List, show, draw, check and fetch models.
 
     Example: sdgen assets list --json
     """
+
+
+assets.add_command(fetch_assets)
 
 
 @assets.command("list")

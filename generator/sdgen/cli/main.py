@@ -118,9 +118,9 @@ def run(args: Sequence[str] | None = None) -> int:
 
 
 def _resumable(args: Sequence[str] | None) -> bool:
-    """True for a command that goes on where it was stopped: a build."""
-    words = sys.argv[1:] if args is None else args
-    return next((word for word in words if not word.startswith("-")), "") == "build"
+    """True for a command that goes on where it was stopped: a build, a download."""
+    words = [word for word in (sys.argv[1:] if args is None else args) if word[:1] != "-"]
+    return words[:1] == ["build"] or words[:2] == ["assets", "fetch"]
 
 
 def describe(error: Exception) -> str:

@@ -20,7 +20,14 @@ from sdgen.library.records import Asset, Surface
 from sdgen.scene import Record
 
 #: What decides whether a manifest is good, and what its records are.
-_CODE = ("manifest.py", "plausible.py", "records.py", "../strict.py", "../yaml_source.py")
+_CODE = (
+    "licences.py",
+    "manifest.py",
+    "plausible.py",
+    "records.py",
+    "../strict.py",
+    "../yaml_source.py",
+)
 
 
 class _Kept(Record):

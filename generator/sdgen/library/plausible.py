@@ -13,12 +13,10 @@ from itertools import chain
 from shapely.geometry import Polygon
 
 from sdgen.errors import did_you_mean
+from sdgen.library.licences import LICENCES, NON_COMMERCIAL
 from sdgen.library.records import Asset
 from sdgen.yaml_source import Path_
 
-#: Licences (SPDX) under which models may be passed on in a data set, with a credit where they ask
-#: for one: assets.jsonl names each model's licence and source. None forbids changes or trade.
-LICENCES = ("Apache-2.0", "BSD-3-Clause", "CC-BY-3.0", "CC-BY-4.0", "CC0-1.0", "MIT")
 #: Mass per volume of the bounding box, kg/m3. Steel is 7,850 and no household thing is a full box
 #: of it; paper and wire frames have a few (shipped: 1.3, an open umbrella, to 2,040, a fork).
 DENSITY_KG_M3 = (0.5, 8000.0)
@@ -40,8 +38,8 @@ def inconsistencies(asset: Asset) -> Found:
 
 
 def _body(asset: Asset) -> Found:
-    if asset.licence not in LICENCES:
-        known = f"one of: {', '.join(LICENCES)}"
+    if asset.licence not in (*LICENCES, *NON_COMMERCIAL):
+        known = f"one of: {', '.join((*LICENCES, *NON_COMMERCIAL))}"
         yield ("licence",), f"{asset.licence!r} lets nobody pass a data set on ({known})"
     if not all(0 < size < _LONGEST_M for size in asset.extents_m):
         yield ("extents_m",), f"{asset.extents_m} is not a size in metres"

@@ -101,7 +101,8 @@ class AssetInfo(Record):
 
     ``outlines_m`` are outermost points of the visual mesh of every part (joints at 0), of each of
     its pieces that lie apart: where the object touches and what it covers from above follow from
-    those of the drawn parts, where its joints put them, however it lies.
+    those of the drawn parts, where its joints put them, however it lies. ``attribution`` says whom
+    to name for it where the licence asks for that.
     """
 
     id: str = Field(pattern=NAME)
@@ -109,6 +110,7 @@ class AssetInfo(Record):
     title: str = ""
     licence: str
     source: str
+    attribution: str = ""
     extents_m: Vec3
     outlines_m: dict[str, tuple[tuple[Vec3, ...], ...]] = Field(default_factory=dict)
     mass_kg: float = Field(gt=0)

@@ -1,0 +1,56 @@
+"""Pictures of strangers: looked at before they are unpacked."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from typing import Any
+
+from sdgen.errors import AssetError
+
+#: Suffixes of pictures that models bring along.
+PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tga", ".tif", ".tiff", ".webp", ".gif")
+_FORMATS = ("PNG", "JPEG", "BMP", "TGA", "TIFF", "WEBP", "GIF")
+#: Pixels unpacked at once: 8192 x 8192 RGB take 200 MB. JPEGs are unpacked smaller.
+MAX_PIXELS = 8192 * 8192
+_MAX_SIDE = 65_000
+
+
+def checked_picture(data: bytes, shown: str) -> Any:
+    """A Pillow image, not yet unpacked. Raises AssetError, located, for what is none or too large.
+
+    A JPEG of more than ``MAX_PIXELS`` is set to be unpacked at a half, a quarter or an eighth.
+    """
+    from PIL import Image
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            image = Image.open(io.BytesIO(data), formats=_FORMATS)
+    except Image.DecompressionBombError:
+        raise AssetError([f"{shown}: a texture too large to be unpacked"]) from None
+    except (OSError, SyntaxError, ValueError):
+        raise AssetError([f"{shown}: is no picture"]) from None
+    width, height = image.size
+    if width * height > MAX_PIXELS and image.format == "JPEG" and max(image.size) <= _MAX_SIDE:
+        image.draft("RGB", (width // 2, height // 2))
+        width, height = image.size
+    if width * height > MAX_PIXELS:
+        text = f"a texture of {width} x {height} pixels, at most {MAX_PIXELS} in all"
+        raise AssetError([f"{shown}: {text}; make it smaller"])
+    return image
+
+
+def opened(image: Any, shown: str) -> Any:
+    """The image unpacked as RGB over white where it is transparent. Raises AssetError for a broken
+    one."""
+    from PIL import Image
+
+    try:
+        if image.mode in ("RGBA", "LA", "PA") or "transparency" in image.info:
+            full = image.convert("RGBA")
+            ground = Image.new("RGBA", full.size, (255, 255, 255, 255))
+            return Image.alpha_composite(ground, full).convert("RGB")
+        return image.convert("RGB")
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
+        raise AssetError([f"{shown}: the texture is broken ({error})"]) from None

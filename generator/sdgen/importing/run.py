@@ -1,0 +1,248 @@
+"""Imports a download into a library: every model that can be, the others listed with reasons."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sdgen.catalog.records import Catalog, Category
+from sdgen.engines.in_order import in_order
+from sdgen.errors import (
+    AssetError,
+    InputError,
+    SceneRejected,
+    did_you_mean,
+    os_error_in_words,
+)
+from sdgen.geometry import Array, vec3
+from sdgen.importing.frame import stand
+from sdgen.importing.layouts import Candidate, find_models
+from sdgen.importing.licences import Terms, nearer, terms_of
+from sdgen.importing.model import FURNITURE_OFF, SMALL_OFF, Budget, make_model, slug
+from sdgen.importing.reading import read_model
+from sdgen.importing.shelf import Origin, held, origins, put, write_manifest
+from sdgen.importing.sizes import difference, fits
+from sdgen.importing.table import Table, load_table
+from sdgen.importing.tree import References
+from sdgen.library.licences import NON_COMMERCIAL
+from sdgen.library.meshes import check_extents, read_glb, read_hulls
+from sdgen.rejection import causes_in_words
+
+#: Raised when models come out otherwise: a library's older ones are made anew.
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class Import:
+    """What is asked for: a source, where its download lies, the library, and how."""
+
+    source: str
+    root: Path
+    library: Path
+    budget: Budget = field(default_factory=Budget)
+    tables: tuple[Path, ...] = ()
+    licence: str | None = None
+    attribution: str | None = None
+    non_commercial: bool = False
+    overwrite: bool = False
+
+
+@dataclass(frozen=True)
+class Refused:
+    """A model that did not come in, and why."""
+
+    name: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Report:
+    """How an import went: models made, those that were there already, those refused."""
+
+    made: tuple[Origin, ...]
+    kept: tuple[Origin, ...]
+    refused: tuple[Refused, ...]
+
+
+def import_models(
+    asked: Import,
+    catalog: Catalog,
+    on_model: Callable[[int, int], None] | None = None,
+    workers: int = 1,
+    names: Sequence[str] = (),
+) -> Report:
+    """Import models into a library; ``names`` are those wanted (none: all).
+
+    What is there already and was made from the same is kept. Raises AssetError where the download,
+    the tables or the library cannot be read at all.
+    """
+    table = load_table(asked.source, catalog, asked.tables)
+    with opened_source(asked.root) as root, held(asked.library):
+        found = find_models(asked.source, root)
+        if names:
+            found = _wanted(found, names)
+        terms = terms_of(asked.source, root, asked.licence, asked.attribution)
+        before = origins(asked.library)
+        work = (asked, root, found, table, catalog, terms, before)
+        made: list[Origin] = []
+        kept: list[Origin] = []
+        refused: list[Refused] = []
+        with closing(in_order(_Importer, work, len(found), workers)) as outcomes:
+            for outcome in outcomes:
+                name = found[outcome.job].name
+                if isinstance(outcome.error, SceneRejected):
+                    why = causes_in_words(outcome.error.causes)
+                    refused.append(Refused(name, f"the process that made it died ({why})"))
+                elif outcome.error is not None:
+                    raise outcome.error
+                elif isinstance(outcome.result, Refused):
+                    refused.append(outcome.result)
+                else:
+                    new, origin = outcome.result
+                    (made if new else kept).append(origin)
+                if on_model is not None:
+                    on_model(outcome.job + 1, len(found))
+        write_manifest(asked.library, list(origins(asked.library).values()))
+    return Report(tuple(made), tuple(kept), tuple(refused))
+
+
+@contextmanager
+def opened_source(path: Path) -> Iterator[Path]:
+    """The folder of a download; an archive is unpacked for as long as it is needed."""
+    if path.is_dir():
+        yield path.resolve()
+        return
+    raise AssetError([f"{path}: no such folder"])
+
+
+def _wanted(found: Sequence[Candidate], names: Sequence[str]) -> list[Candidate]:
+    known = [candidate.name for candidate in found]
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        raise AssetError([f"no model {name!r}{did_you_mean(name, known)}" for name in unknown])
+    return [candidate for candidate in found if candidate.name in names]
+
+
+class _Importer:
+    """Makes one model after the other."""
+
+    def __init__(
+        self,
+        asked: Import,
+        root: Path,
+        found: Sequence[Candidate],
+        table: Table,
+        catalog: Catalog,
+        terms: Terms,
+        before: dict[str, Origin],
+    ) -> None:
+        self._asked = asked
+        self._root = root
+        self._found = found
+        self._table = table
+        self._catalog = catalog
+        self._terms = terms
+        self._before = before
+        self._ids = _ids(asked.source, found)
+
+    def __call__(self, job: int) -> Refused | tuple[bool, Origin]:
+        candidate = self._found[job]
+        try:
+            return self._import(candidate, self._ids[job])
+        except InputError as error:
+            return Refused(candidate.name, "; ".join(error.problems[:3]))
+        except MemoryError:
+            return Refused(candidate.name, "too large for this machine's memory")
+        except OSError as error:
+            return Refused(candidate.name, os_error_in_words(error, candidate.entry))
+
+    def close(self) -> None:
+        """Nothing to let go of."""
+
+    def _import(self, candidate: Candidate, asset_id: str) -> Refused | tuple[bool, Origin]:
+        references = References(self._root, candidate.folder)
+        row = self._table.row(candidate.name)
+        if row is not None and row.skip:
+            return Refused(candidate.name, f"left out: {row.skip}")
+        terms = nearer(self._terms, references)
+        if terms.licence in NON_COMMERCIAL and not self._asked.non_commercial:
+            why = f"{terms.licence} ({terms.where}): such models come in with --non-commercial"
+            return Refused(candidate.name, why)
+        scan = read_model(self._asked.source, candidate, references)
+        digest = self._digest(references, repr((row, terms)))
+        old = self._before.get(asset_id)
+        if old is not None and old.digest == digest and not self._asked.overwrite:
+            return False, old
+        notes = references.notes
+        scan, choice = stand(scan, candidate.name, self._table, self._catalog, notes)
+        notes += choice.doubts
+        category = None if choice.category is None else self._catalog.category(choice.category)
+        placed = category is not None and _of_a_size(scan.extents_m, category)
+        if category is not None and not placed:
+            size = difference(vec3(scan.extents_m), category)
+            notes.append(f"not placed by builds: {size}")
+        made = make_model(
+            asset_id,
+            f"{self._asked.source}:{candidate.name}",
+            candidate.name.replace("_", " "),
+            scan,
+            choice,
+            category if placed else None,
+            terms,
+            self._asked.budget,
+            notes,
+        )
+        origin = Origin(
+            source=self._asked.source,
+            name=candidate.name,
+            kind=candidate.kind,
+            entry=references.shown(candidate.entry),
+            root=str(self._asked.root),
+            digest=digest,
+            how=choice.how,
+            why=choice.why,
+            placed=placed,
+            notes=tuple(dict.fromkeys(notes)),
+            asset=made.asset,
+        )
+        put(self._asked.library, origin, made.files)
+        self._check(made.asset.id, origin)
+        return True, origin
+
+    def _check(self, asset_id: str, origin: Origin) -> None:
+        """As every model of a library is read: what a build would refuse is refused here."""
+        library, asset = self._asked.library, origin.asset
+        try:
+            meshes = read_glb(library / asset.mesh, asset)
+            check_extents(library / asset.mesh, asset, meshes)
+            read_hulls(library / asset.hulls, asset)
+        except AssetError:
+            (library / "imports" / f"{asset_id}.json").unlink(missing_ok=True)
+            raise
+
+    def _digest(self, references: References, more: str) -> str:
+        total = hashlib.sha256(f"{VERSION} {self._asked.budget} {more}".encode())
+        for path in sorted(references.read):
+            total.update(references.shown(path).encode())
+            total.update(hashlib.sha256(path.read_bytes()).digest())
+        return total.hexdigest()
+
+
+def _of_a_size(extents_m: Array, category: Category) -> bool:
+    off = FURNITURE_OFF if category.kind == "furniture" else SMALL_OFF
+    return category.kind != "opening" and fits(vec3(extents_m), category, off)
+
+
+def _ids(source: str, found: Sequence[Candidate]) -> list[str]:
+    """An id for each model, different ones for names that look alike as ids."""
+    out: list[str] = []
+    for candidate in found:
+        base = f"{source.replace('-', '_')}_{slug(candidate.name)}"
+        name, number = base, 2
+        while name in out:
+            name, number = f"{base}_{number}", number + 1
+        out.append(name)
+    return out

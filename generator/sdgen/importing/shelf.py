@@ -1,0 +1,159 @@
+"""A library that imports fill: its manifest, and one record a model of where it came from.
+
+``imports/<id>.json`` is written last of a model's files, so a model is there as a whole or not at
+all; the manifest is made from these records. Nothing else in the folder is touched.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+import yaml
+from pydantic import ValidationError
+
+from sdgen.dataset.output_file import write_output
+from sdgen.errors import AssetError, InputError
+from sdgen.files import read_plain
+from sdgen.library.records import Asset
+from sdgen.locks import FileLock
+from sdgen.scene import Record
+
+FOLDER = "imports"
+_HEAD = (
+    "# Written by sdgen assets import from imports/*.json; see assets/README.md for the fields.\n"
+)
+_MAX_BYTES = 5_000_000
+_LISTS = ("parts", "joints", "states", "supports", "containers", "resting")
+
+
+class Origin(Record):
+    """Where a model came from: source and name there, its file as seen from the folder that was
+    imported, the digest of all that it was made from, how its category was found, and notes."""
+
+    source: str
+    name: str
+    kind: str
+    entry: str
+    root: str
+    digest: str
+    how: str
+    why: str
+    placed: bool
+    notes: tuple[str, ...] = ()
+    asset: Asset
+
+
+@contextmanager
+def held(library: Path) -> Iterator[None]:
+    """The library for one import at a time. Raises AssetError while another holds it."""
+    library.mkdir(parents=True, exist_ok=True)
+    lock = FileLock.take(library / ".import-lock")
+    if lock is None:
+        raise AssetError([f"{library}: another import is writing it; wait for it, or name another"])
+    try:
+        yield
+    finally:
+        lock.release()
+        with suppress(OSError):
+            (library / ".import-lock").unlink()
+
+
+def origins(library: Path) -> dict[str, Origin]:
+    """What was imported into a library, by asset id; records that are broken are left out."""
+    out = {}
+    for path in sorted((library / FOLDER).glob("*.json")):
+        found = _origin(path)
+        if found is not None and found.asset.id == path.stem and _files_there(library, found.asset):
+            out[path.stem] = found
+    return out
+
+
+def put(library: Path, origin: Origin, files: Mapping[str, bytes]) -> None:
+    """Write a model's files, then its record."""
+    for name, data in files.items():
+        write_output(library / name, data)
+    text = origin.model_dump_json(indent=1, exclude_defaults=True) + "\n"
+    write_output(library / FOLDER / f"{origin.asset.id}.json", text.encode())
+
+
+def write_manifest(library: Path, found: Sequence[Origin]) -> None:
+    """``manifest.yaml`` of all models, and whom to name for them."""
+    assets = [origin.asset for origin in sorted(found, key=lambda o: o.asset.id)]
+    write_output(library / "manifest.yaml", manifest_text(assets).encode())
+    write_output(library / "ATTRIBUTION.md", _attribution(assets).encode())
+
+
+def manifest_text(assets: Sequence[Asset]) -> str:
+    """Block style for the records, one line for each thing inside them."""
+    lines = [_HEAD + ("assets:" if assets else "assets: []")]
+    for asset in assets:
+        lead = "- "
+        given = asset.model_dump(mode="json", exclude_defaults=True)
+        for key, value in given.items():
+            if key in _LISTS:
+                lines.append(f"{lead}{key}:")
+                lines += [f"    - {_flow(item)}" for item in value]
+            elif key == "variants":
+                lines.append(f"{lead}{key}:")
+                lines += [f"    {_flow(name)}: {_flow(parts)}" for name, parts in value.items()]
+            else:
+                lines.append(f"{lead}{key}: {_flow(value)}")
+            lead = "  "
+    lines.append("surfaces: []")
+    return "\n".join(lines) + "\n"
+
+
+def _attribution(assets: Sequence[Asset]) -> str:
+    groups: dict[tuple[str, str], list[str]] = {}
+    for asset in assets:
+        groups.setdefault((asset.attribution, asset.licence), []).append(asset.id)
+    lines = ["# Whom to name for these models", ""]
+    for (attribution, licence), ids in sorted(groups.items()):
+        lines += [
+            f"## {attribution}",
+            "",
+            f"{licence}, changed: made light, textures baked anew.",
+            "",
+        ]
+        lines += [f"- {name}" for name in ids] + [""]
+    return "\n".join(lines)
+
+
+def _origin(path: Path) -> Origin | None:
+    try:
+        return Origin.model_validate_json(read_plain(path, str(path), _MAX_BYTES))
+    except (InputError, ValidationError, ValueError):
+        return None
+
+
+def _files_there(library: Path, asset: Asset) -> bool:
+    names = [asset.mesh, asset.hulls, asset.texture, *(p.texture for p in asset.parts if p.texture)]
+    return all((library / name).is_file() for name in names)
+
+
+def _flow(value: Any) -> str:
+    text: str = yaml.safe_dump(
+        value, default_flow_style=True, width=10**9, sort_keys=False, allow_unicode=True
+    )
+    return text.strip().removesuffix("...").strip()
+
+
+def report_json(origin: Origin) -> dict[str, object]:
+    """What ``assets import --json`` says of a model."""
+    asset = origin.asset
+    return {
+        "id": asset.id,
+        "name": origin.name,
+        "category": asset.category,
+        "how": origin.how,
+        "why": origin.why,
+        "placed": origin.placed,
+        "faces": asset.faces,
+        "extents_m": list(asset.extents_m),
+        "mass_kg": asset.mass_kg,
+        "licence": asset.licence,
+        "notes": list(origin.notes),
+    }

@@ -227,8 +227,8 @@ def import_scene(
     from sdgen.catalog.load import load_catalog
     from sdgen.catalog.words import NOT_A_NAME, WORD
     from sdgen.dataset.output_file import check_output, write_output
-    from sdgen.importing.scenes.naming import exact_namer
     from sdgen.importing.scenes.read import import_home, text_of
+    from sdgen.importing.scenes.table_namer import table_namer
     from sdgen.library import load_library
 
     if out.suffix not in _YAML or not WORD.fullmatch(out.stem):
@@ -239,7 +239,7 @@ def import_scene(
     if any(one.id == out.stem for one in catalog.homes):
         raise UsageError(f"{out}: there is a home called {out.stem!r} already; name another file")
     library = load_library(assets)
-    made = import_home(format_, path, out.stem, catalog, library, exact_namer(catalog))
+    made = import_home(format_, path, out.stem, catalog, library, table_namer(format_, catalog))
     write_output(out, text_of(made, format_, path).encode())
     if as_json:
         lists = {"guessed": made.guessed, "assumed": made.told, "unresolved": made.unresolved}

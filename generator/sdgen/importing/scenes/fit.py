@@ -146,7 +146,7 @@ class Fitter:
         yaw = yaw_of(piece.quat_xyzw)
         if not exact:
             yaw = math.remainder(self._heading(wanted, asset, room), 2 * math.pi)
-            if unlike(asset.extents_m, piece.extents_m) > _SAME:
+            if unlike(asset.extents_m, piece.extents_m) > _SAME or not piece.sized:
                 x, y = self._backed(piece, asset, yaw, room)
         on = self._carrier(wanted, (x, y, z))
         if not exact and on is None:

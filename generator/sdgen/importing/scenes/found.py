@@ -35,7 +35,7 @@ class FoundPiece:
     ``front``: its own +X is its front; else nobody knows which side is. ``note``: what our own
     export says of it; ``source``: what its model is called where it is from; ``room``: the name of
     the room that it is said to be in; ``category``: ours, where the source itself says it;
-    ``inside``: what is said to hold it, on it or in it.
+    ``sized``: its size is known; else ``position_m`` is its middle.
     """
 
     name: str
@@ -49,8 +49,7 @@ class FoundPiece:
     room: str | None = None
     category: str | None = None
     loose: bool | None = None
-    joints: tuple[tuple[str, float], ...] = ()
-    inside: str | None = None
+    sized: bool = True
 
     @property
     def top_m(self) -> float:

@@ -14,6 +14,7 @@ from sdgen.importing.scenes.found import FoundScene
 from sdgen.importing.scenes.gltf import read_gltf
 from sdgen.importing.scenes.mjcf import read_mjcf
 from sdgen.importing.scenes.naming import Namer
+from sdgen.importing.scenes.prove import unkept
 from sdgen.importing.scenes.replicacad import read_replicacad
 from sdgen.importing.scenes.to_home import Imported, to_home
 from sdgen.importing.scenes.virtualhome import read_virtualhome
@@ -31,7 +32,7 @@ FORMATS: Mapping[str, Reader] = {
 #: Characters of a line that is told.
 _LONGEST = 300
 #: What is left out may bear others: so often a drawing is looked at again.
-_LOOKS = 5
+_LOOKS = 8
 
 
 def import_home(
@@ -46,7 +47,7 @@ def import_home(
         raise UsageError(f"no format {format_!r}{did_you_mean(format_, list(FORMATS))}")
     scene = FORMATS[format_](path, catalog, namer)
     imported = to_home(scene, name, catalog, library, namer)
-    return _in_plain_words(_without_what_is_drawn_wrong(imported, catalog, library))
+    return _in_plain_words(_as_a_build_takes_it(imported, catalog, library))
 
 
 def text_of(imported: Imported, format_: str, path: Path) -> str:
@@ -77,11 +78,12 @@ def _plain(text: str) -> str:
     return " ".join(printable.split())[:_LONGEST]
 
 
-def _without_what_is_drawn_wrong(
-    imported: Imported, catalog: Catalog, library: Library
-) -> Imported:
-    """The home without pieces that a check of drawings refuses, such as what hangs in the air."""
+def _as_a_build_takes_it(imported: Imported, catalog: Catalog, library: Library) -> Imported:
+    """The home without pieces that a build would refuse: what hangs in the air, what cuts into
+    another, what is a hazard as it stands."""
     spec, unresolved = imported.spec, list(imported.unresolved)
+    told = list(imported.told)
+    proved = False
     for _ in range(_LOOKS):
         wrong: dict[tuple[int, int], str] = {}
         for path, text in drawing_problems(spec, catalog, library):
@@ -91,13 +93,19 @@ def _without_what_is_drawn_wrong(
                 case _:
                     raise InputError([f"{spec.id}: {show_path(path)}: {text}"])
         if not wrong:
-            break
+            if proved:
+                break
+            found = unkept(spec, catalog, library)
+            wrong, proved = dict(found.pieces), not found.pieces
+            told += [text for text in found.told if text not in told]
         for (room, piece), text in sorted(wrong.items()):
             item = spec.rooms[room].furniture[piece]
             unresolved.append(f"{item.category} in {spec.rooms[room].name}: {text}")
         spec = _without(spec, wrong)
     counts = {**imported.counts, "furniture": sum(len(room.furniture) for room in spec.rooms)}
-    return replace(imported, spec=spec, unresolved=tuple(unresolved), counts=counts)
+    return replace(
+        imported, spec=spec, told=tuple(told), unresolved=tuple(unresolved), counts=counts
+    )
 
 
 def _without(spec: HomeSpec, gone: Mapping[tuple[int, int], str]) -> HomeSpec:

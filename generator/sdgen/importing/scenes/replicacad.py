@@ -116,14 +116,17 @@ class _Reading:
     def thing(self, instance: _Instance, box_of: Callable[[str], Bounds]) -> None:
         """Add an object."""
         name = _last(instance.template_name)
+        sized = True
         try:
             low, high = box_of(name)
         except InputError as error:
+            sized = False
+            half = np.full(3, 1e-3)
             if opening_of(name) is None:
-                text = f"{name}: {error.problems[0]}"
+                text = f"{name}: its size is not known ({error.problems[0]})"
                 self._missing[text] = self._missing.get(text, 0) + 1
-                return
-            half = np.array((_DOOR_M[0] / 2, _DOOR_M[2] / 2, _DOOR_M[1] / 2))
+            else:
+                half = np.array((_DOOR_M[0], _DOOR_M[2], _DOOR_M[1])) / 2
             low, high = -half, half
         scale = np.array(instance.non_uniform_scale or [1.0] * 3) * instance.uniform_scale
         w, x, y, z = instance.rotation
@@ -137,7 +140,7 @@ class _Reading:
         except ValueError as error:
             self.scene.unresolved.append(f"{name}: {error}")
             return
-        piece = replace(piece, source=f"{_SOURCE}:{name}", names=(name,))
+        piece = replace(piece, source=f"{_SOURCE}:{name}", names=(name,), sized=sized)
         self._add(piece, name)
 
     def _add(self, piece: FoundPiece, name: str) -> None:
@@ -150,8 +153,8 @@ class _Reading:
     def tell(self) -> None:
         """Tell of what has no file, once each."""
         for text, count in self._missing.items():
-            times = f" ({count} of it)" if count > 1 else ""
-            self.scene.unresolved.append(f"{text}: nobody knows how large it is{times}")
+            times = f"; {count} times" if count > 1 else ""
+            self.scene.told.append(f"{text}: one of usual size stands for it{times}")
 
     # --- sizes -----------------------------------------------------------------------------------
 

@@ -29,6 +29,8 @@ from sdgen.vocabulary import OPENINGS, Facing
 _HIGHEST_M, _USUAL_M = 6.0, 2.6
 #: A thing no further out than this is in the room that is nearest, metres.
 _BESIDE_M = 0.6
+#: What may end so low, for all that is known of it, stands on the floor, metres.
+_STANDS_M = 0.35
 #: What a room is, by what stands in it: the first that does says it.
 _TELLING: Sequence[tuple[str, tuple[str, ...]]] = (
     ("bathroom", ("bathtub", "shower")),
@@ -150,7 +152,25 @@ def _sorted(piece: FoundPiece, namer: Namer, library: Library) -> _Sorted:
         named = replace(named, category=piece.category, why="it says so", guessed=False)
     if named.front is not None and not piece.front:
         piece = _fronted(piece, named.front)
+    if not piece.sized and named.category is not None:
+        piece = _usual(piece, named.category, model, library)
     return _Sorted(piece, named)
+
+
+def _usual(piece: FoundPiece, category: str, model: Asset | None, library: Library) -> FoundPiece:
+    """The piece, of which only the middle is known, with the size of such things: of its model, or
+    of the library's middling one."""
+    known = sorted(library.by_category(category), key=lambda m: math.prod(m.extents_m))
+    if model is None and not known:
+        return piece
+    extents = (model or known[len(known) // 2]).extents_m
+    x, y, z = piece.position_m
+    low = z - extents[2] / 2
+    return replace(
+        piece,
+        position_m=(x, y, 0.0 if low < _STANDS_M else low),
+        extents_m=extents,
+    )
 
 
 def _from_source(source: str, library: Library) -> Asset | None:

@@ -171,8 +171,8 @@ def triangles_from_above(triangles: Array) -> BaseGeometry:
     """What triangles (N, 3, 3) cover, seen from above; upright ones leave their line, a
     millimetre thick, where nothing else is."""
     flat = triangles[:, :, :2]
-    areas = np.abs(np.cross(flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0])) / 2
-    level = flat[areas > 1e-8]
+    (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
+    level = flat[np.abs(ax * by - ay * bx) > 2e-8]
     if len(level):
         return shapely.union_all([Polygon(ring) for ring in level], grid_size=1e-5)
     lines = [shapely.LineString(ring) for ring in flat]

@@ -21,9 +21,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from sdgen.errors import InputError
 from sdgen.files import read_plain
 from sdgen.geometry import Array, matrix
+from sdgen.importing.scenes.json_text import in_words
 from sdgen.library.glb import BIN, COMPONENTS, JSON, WIDTH
-from sdgen.strict import explain
-from sdgen.yaml_source import show_path
 
 #: A furnished home with textures takes tens of megabytes; the largest looked at had 300.
 MAX_BYTES = 1_000_000_000
@@ -160,11 +159,7 @@ class GltfDocument:
         try:
             return _Document.model_validate(value)
         except ValidationError as error:
-            problems = [
-                f"{self._shown}: {show_path(path)}: {told}"
-                for path, told in explain(error, _Document, value)
-            ]
-            raise InputError(problems[:20]) from None
+            raise InputError(in_words(error, _Document, value, self._shown)) from None
 
     def _check_trees(self) -> None:
         """Nodes are trees, not too deep; what they name is there."""
@@ -298,10 +293,16 @@ class GltfDocument:
                 raise self._wrong(f"buffers[{index}].uri: is no base64") from None
         name = unquote(buffer.uri)
         path = self._path.parent / name
-        inside = path.resolve().is_relative_to(self._path.parent.resolve())
-        if ":" in name or "\0" in name or Path(name).is_absolute() or not inside:
+        if ":" in name or "\0" in name or not _inside(self._path.parent, path):
             raise self._wrong(f"buffers[{index}].uri: {name[:80]!r} lies outside its folder")
         return read_plain(path, str(path), MAX_BYTES)
+
+
+def _inside(folder: Path, path: Path) -> bool:
+    try:
+        return path.resolve().is_relative_to(folder.resolve())
+    except (OSError, RuntimeError):
+        return False
 
 
 def _corners(order: np.ndarray[Any, np.dtype[np.int64]], mode: int) -> Any:

@@ -42,5 +42,13 @@ def read_json(path: Path, model: type[M], shown: str | None = None) -> M:
     try:
         return model.model_validate(value)
     except ValidationError as error:
-        told = [f"{shown}: {show_path(at)}: {text}" for at, text in explain(error, model, value)]
-        raise InputError(told[:SHOWN]) from None
+        raise InputError(in_words(error, model, value, shown)) from None
+
+
+def in_words(error: ValidationError, model: type[BaseModel], value: Any, shown: str) -> list[str]:
+    """What is wrong with a value of the file ``shown``, a line each; at most ``SHOWN``."""
+    told = [(at, text) for at, text in explain(error, model, value)]
+    # Lists of numbers that are too long or short: our catalogues have none.
+    said = {at for at, _ in told}
+    told += [(one["loc"], one["msg"]) for one in error.errors() if tuple(one["loc"]) not in said]
+    return [f"{shown}: {show_path(at)}: {text}" for at, text in told[:SHOWN]]

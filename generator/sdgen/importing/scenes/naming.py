@@ -76,6 +76,9 @@ _ROOMS: Mapping[str, str] = {
     "pantry": "storage",
     "closet": "storage",
     "garage": "storage",
+    "attic": "storage",
+    "basement": "storage",
+    "cellar": "storage",
     "store_room": "storage",
 }
 #: Words that say nothing of what a thing is.

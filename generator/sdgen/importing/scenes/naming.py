@@ -168,8 +168,10 @@ def structure_of(name: str, catalog: Catalog) -> StructureKind | None:
         return None if not words or len(words) > 1 else _BUILDING.get(words[0])
     types = {room.name for room in catalog.room_types}
     for at in (0, len(words) - 1):
-        rest = "_".join(word for k, word in enumerate(words) if k != at and word not in _SIDES)
-        if words[at] in _BUILDING and (not rest or _ROOMS.get(rest, rest) in types):
+        beside = [word for k, word in enumerate(words) if k != at]
+        plain = [word for word in beside if word not in _SIDES]
+        rooms = {_ROOMS.get(name, name) for name in ("_".join(beside), "_".join(plain))}
+        if words[at] in _BUILDING and (not plain or rooms & types):
             return _BUILDING[words[at]]
     return None
 

@@ -11,11 +11,15 @@ from sdgen.importing.table import load_table
 #: Format -> whose names its things have.
 _TABLES = {"replicacad": "replicacad"}
 _ANYBODYS = "folder"
+_CLOSED = ("virtualhome",)
 
 
 def table_namer(format_: str, catalog: Catalog) -> Namer:
-    """Knows our own names, then the rows of a format's table, then guesses."""
+    """Knows our own names, then the rows of a format's table, then guesses. Of VirtualHome's, whose
+    classes are all known, nothing is guessed."""
     exact = exact_namer(catalog)
+    if format_ in _CLOSED:
+        return exact
     table = load_table(_TABLES.get(format_, _ANYBODYS), catalog)
 
     def named(piece: FoundPiece) -> Named:

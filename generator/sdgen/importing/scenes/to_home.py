@@ -67,8 +67,9 @@ def to_home(
     """
     scene = level_and_square(scene)
     height_m = _height(scene)
-    found = rooms_of(scene)
     pieces = [_sorted(piece, namer, library) for piece in scene.pieces]
+    scene = replace(scene, pieces=[one.piece for one in pieces])
+    found = rooms_of(scene)
     by_room = _housed(found, pieces, scene)
     rooms = tuple(
         room.spec(_type_of(room, [p.category for p in by_room[k]], catalog))

@@ -19,6 +19,7 @@ def home_text(spec: HomeSpec, lead: Sequence[str] = ()) -> str:
         f"title: {json.dumps(spec.title, ensure_ascii=False)}",
         f"height_m: {_number(spec.height_m)}",
         *([f"style: {spec.style}"] if spec.style else []),
+        *(["as_drawn: true"] if spec.as_drawn else []),
         "",
         "rooms:",
     ]
@@ -37,6 +38,9 @@ def _room(room: RoomSpec) -> Iterator[str]:
     if room.furniture:
         yield "    furniture:"
         yield from (f"      - {_flow(_piece(piece))}" for piece in room.furniture)
+    if room.things:
+        yield "    things:"
+        yield from (f"      - {_flow(_given(thing))}" for thing in room.things)
 
 
 def _piece(piece: FurnitureItem) -> dict[str, Any]:
@@ -74,4 +78,4 @@ def _list(values: Sequence[float]) -> str:
 
 
 def _number(value: float) -> str:
-    return f"{value:.5f}".rstrip("0").rstrip(".")
+    return f"{value:.6f}".rstrip("0").rstrip(".")

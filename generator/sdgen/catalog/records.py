@@ -16,9 +16,11 @@ from sdgen.catalog.terms import Predicate
 from sdgen.catalog.words import (
     PAIR,
     CategoryName,
+    HazardName,
     OptionalCategories,
     Point2,
     Point3,
+    Quaternion,
     Rectangle,
     RoomName,
     RoomNames,
@@ -28,7 +30,7 @@ from sdgen.catalog.words import (
     names_of,
     span,
 )
-from sdgen.geometry import Vec3
+from sdgen.geometry import Coordinate, Vec3
 from sdgen.scene import Notify, Record
 from sdgen.strict import Expect, problem, refuse
 from sdgen.vocabulary import EVIDENCE_PIXELS, HoldingRelation, OpeningKind, Urgency
@@ -501,6 +503,29 @@ class FurnitureItem(Record):
     model: Annotated[str, Expect("the id of a model")] | None = None
 
 
+class ThingItem(Record):
+    """One small thing of a base home, of a ``model``, where it lies: it is let go of there, and
+    stays but for a hair. ``variant`` and ``joints`` are how it looks and stands open.
+
+    ``anomaly`` names the hazard that it is: every scene of the home labels it. Else it goes where
+    it is a hazard.
+    """
+
+    category: CategoryName
+    model: Annotated[str, Expect("the id of a model")]
+    position_m: Point3
+    quat_xyzw: Quaternion = (0.0, 0.0, 0.0, 1.0)
+    variant: str = "default"
+    joints: dict[str, Coordinate] = Field(default_factory=dict)
+    anomaly: HazardName | None = None
+
+    @model_validator(mode="after")
+    def _turns(self) -> ThingItem:
+        if abs(sum(value * value for value in self.quat_xyzw) - 1.0) > 1e-3:
+            refuse(problem(("quat_xyzw",), "expected a unit quaternion"))
+        return self
+
+
 class RoomSpec(Record):
     """A room as a home is specified: axis-aligned rectangles that join to its outline."""
 
@@ -508,6 +533,7 @@ class RoomSpec(Record):
     type: RoomName
     rectangles_m: Annotated[tuple[Rectangle, ...], Expect("[[x_min, y_min, x_max, y_max], ...]")]
     furniture: tuple[FurnitureItem, ...] = ()
+    things: tuple[ThingItem, ...] = ()
 
     @model_validator(mode="after")
     def _low_before_high(self) -> RoomSpec:
@@ -539,7 +565,7 @@ class OpeningSpec(Record):
 
 class HomeSpec(Record):
     """What a home is to be: a base home drawn by hand, or a generated one (``procedural``: rules
-    furnish its rooms). ``style`` None: any."""
+    furnish its rooms). ``style`` None: any. ``as_drawn``: what is drawn is all there is."""
 
     id: str
     title: str
@@ -548,6 +574,7 @@ class HomeSpec(Record):
     rooms: tuple[RoomSpec, ...]
     openings: tuple[OpeningSpec, ...]
     style: str | None = None
+    as_drawn: bool = False
 
 
 class HomeMix(Record):

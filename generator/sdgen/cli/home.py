@@ -6,7 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import click
 
@@ -203,6 +203,13 @@ def export_home(
     multiple=True,
     help="Asset folder with models of the scene, as 'assets import' writes them; repeatable.",
 )
+@click.option(
+    "--violating",
+    type=click.Choice(["remove", "label"]),
+    default="remove",
+    show_default=True,
+    help="Things that are a hazard as they lie: left out, or kept and labelled in every scene.",
+)
 @CATALOGS
 @click.option("--json", "as_json", is_flag=True, help="Print what was found as one JSON object.")
 def import_scene(
@@ -210,6 +217,7 @@ def import_scene(
     path: Path,
     out: Path,
     assets: tuple[Path, ...],
+    violating: Literal["remove", "label"],
     catalogs: tuple[Path, ...],
     as_json: bool,
 ) -> None:
@@ -239,7 +247,8 @@ def import_scene(
     if any(one.id == out.stem for one in catalog.homes):
         raise UsageError(f"{out}: there is a home called {out.stem!r} already; name another file")
     library = load_library(assets)
-    made = import_home(format_, path, out.stem, catalog, library, table_namer(format_, catalog))
+    namer = table_namer(format_, catalog)
+    made = import_home(format_, path, out.stem, catalog, library, namer, violating)
     write_output(out, text_of(made, format_, path).encode())
     if as_json:
         lists = {"guessed": made.guessed, "assumed": made.told, "unresolved": made.unresolved}
@@ -255,7 +264,8 @@ def import_scene(
     counts = made.counts
     click.echo(
         f"{out}: {counts['rooms']} rooms, {counts['openings']} openings, {counts['furniture']} "
-        f"pieces of furniture; {len(made.unresolved)} of {counts['found']} things left out"
+        f"pieces of furniture, {counts['things']} things ({counts['labelled']} labelled); "
+        f"{len(made.unresolved)} of {counts['found']} left out"
     )
 
 

@@ -488,7 +488,8 @@ class FurnitureItem(Record):
     middle of the back instead of the centre, so that models of any depth touch the wall.
     ``jitter_m`` shifts it by up to so much along x and y. ``width_m`` [least, most] restricts the
     models to those that wide (their y extent), where units stand side by side; ``model`` names the
-    one that is meant.
+    one that is meant, ``joints`` and ``variant`` how it stands (of a home that is as drawn, at rest
+    without them; of another, as often as its category says, on or open).
     """
 
     category: CategoryName
@@ -501,6 +502,8 @@ class FurnitureItem(Record):
     # More than half a metre would be another place.
     jitter_m: Annotated[float, between(0.0, 0.5)] = Field(default=0.0, ge=0.0)
     model: Annotated[str, Expect("the id of a model")] | None = None
+    variant: str = "default"
+    joints: dict[str, Coordinate] = Field(default_factory=dict)
 
 
 class ThingItem(Record):
@@ -553,6 +556,8 @@ class OpeningSpec(Record):
     """A door or window of a base home: centre on the wall's middle line.
 
     A door's leaf swings into the room that is listed first; with ``hinge_flip`` into the other.
+    ``model`` names what fills it, ``joints`` how far its leaves are turned (radians); without them
+    what the home's style has, open as often as doors are.
     """
 
     kind: OpeningKind
@@ -561,6 +566,8 @@ class OpeningSpec(Record):
     sill_m: Annotated[float, between(0.0, 3.0)] = 0.0
     small: bool = False
     hinge_flip: bool = False
+    model: Annotated[str, Expect("the id of a model")] | None = None
+    joints: dict[str, Coordinate] = Field(default_factory=dict)
 
 
 class HomeSpec(Record):

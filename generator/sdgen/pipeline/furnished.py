@@ -16,7 +16,7 @@ from sdgen.hazards.certify import facts_of
 from sdgen.home.arrange import furnish_by_rules
 from sdgen.home.context import HomeContext, Models
 from sdgen.home.fittings import add_fittings
-from sdgen.home.furnish import fill_openings, furnish_as_drawn, leave_open
+from sdgen.home.furnish import fill_openings, furnish_as_drawn, leave_open, stand_open
 from sdgen.home.generate import generate_home
 from sdgen.home.layout import Intent, Layout
 from sdgen.home.reach import Reach
@@ -212,7 +212,7 @@ def furnished_home(
         free=free,
         tidiness=Tenants.tidiness if tenants is None else tenants.tidiness,
     )
-    context = leave_open(layout, context, rng)
+    context = stand_open(layout, context) if spec.as_drawn else leave_open(layout, context, rng)
     start = random_point(context.free or free, rng)
     room = None if start is None else room_at(home.rooms, *start)
     if start is None or room is None:

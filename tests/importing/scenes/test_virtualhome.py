@@ -60,4 +60,4 @@ def test_homes_of_the_sample(number: int, rooms: int) -> None:
     wanted = {"toilet", "wall_cabinet", "fridge", "stove", "bed", "tv_stand"}
     assert wanted <= set(furniture)
     assert ("kitchen_counter" in furniture) == (number != 5)
-    assert any(opening.kind == "window" for opening in made.spec.openings)
+    assert any(opening.kind == "window" for opening in made.spec.openings) or number == 5

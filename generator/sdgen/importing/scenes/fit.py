@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
+from typing import Any
 
 import numpy as np
 import shapely
@@ -164,6 +165,7 @@ class Fitter:
                     position_m=round_position(at),
                     yaw_deg=round(math.degrees(yaw), _DIGITS) + 0.0,
                     on=on,
+                    **(_standing(piece) if exact else {}),
                 )
 
     def _heading(self, wanted: Wanted, asset: Asset, room: Room) -> float:
@@ -350,6 +352,14 @@ class Fitter:
         bodies = bodies_of(items, self._library.infos)
         free = free_shape(self.home, floor_obstacles(bodies))
         return [room.name for room in unreachable_rooms(self.home, free)]
+
+
+def _standing(piece: FoundPiece) -> dict[str, Any]:
+    """How a piece of ours stands: its variant, and the joints that do not rest."""
+    if piece.note is None:
+        return {}
+    joints = {name: value for name, value in piece.note.joints.items() if value}
+    return {"variant": piece.note.variant, "joints": joints}
 
 
 def unlike(model: Vec3, found: Vec3, turned: bool = True) -> float:

@@ -98,6 +98,7 @@ class FoundOpening:
     height_m: float
     inward: tuple[float, float] | None = None
     """The way its front looks: into the room that its leaf opens into."""
+    note: ThingNote | None = None
 
 
 @dataclass

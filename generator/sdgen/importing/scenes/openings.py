@@ -7,7 +7,7 @@ door leads to a room, one is added, and told as well.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -69,7 +69,12 @@ def opening_from(piece: FoundPiece, kind: OpeningWord) -> FoundOpening:
         along = None  # its leaf stands open, and its box is as deep as wide
     inward = (float(looks[0]), float(looks[1])) if piece.front else None
     width = wide if piece.front else max(deep, wide)
-    return FoundOpening(piece.name, kind, piece.position_m, along, width, high, inward)
+    return FoundOpening(piece.name, kind, piece.position_m, along, width, high, inward, piece.note)
+
+
+def _turned(joints: Mapping[str, float]) -> dict[str, float]:
+    """The joints that do not rest."""
+    return {name: value for name, value in joints.items() if value}
 
 
 @dataclass(frozen=True)
@@ -169,6 +174,8 @@ class _Plan:
             sill_m=sill,
             small=small,
             hinge_flip=flip,
+            model=None if found.note is None else found.note.model,
+            joints={} if found.note is None else _turned(found.note.joints),
         )
 
     def _hole(self, wall: _Wall, found: FoundOpening, width: float) -> float | None:

@@ -58,11 +58,13 @@ def blocks_of(item: ObjectInstance, info: AssetInfo, library: Library) -> list[B
     """Space of an object's body, and of each part that a joint holds open.
 
     Open-framed furniture (tables, chairs, desks) takes the space of its collision pieces, so that
-    a chair goes under a table; everything else takes its box, and what lies aslant what its box
-    covers, up to where it ends.
+    a chair goes under a table; everything else takes its box, and a loose thing that lies aslant
+    what its box covers, up to where it ends. Raises ValueError for furniture that is tilted.
     """
     world = item.pose.matrix()
     if world[2, 2] != 1.0:
+        if item.fixed:
+            raise ValueError(f"{item.category} {item.id} does not stand upright")
         return _aslant(item, info, library, world)
     drawn = info.variants[item.variant]
     # Openings sit in walls: only an open leaf takes space in a room.

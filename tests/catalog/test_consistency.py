@@ -159,6 +159,9 @@ def test_a_misspelt_folder_and_replacing_nothing_are_told(tmp_path: Path) -> Non
     write(tmp_path, hazard__wobbly_vase=HAZARD)
     (found,) = problems(tmp_path)
     assert found == f"{tmp_path}/hazard: no folder of a catalogue (did you mean 'hazards'?)"
+    write(tmp_path / "a", hazards__wobbly_vase=HAZARD, sources__mine="rows: []\n")
+    (found,) = problems(tmp_path / "a")
+    assert found.startswith(f"{tmp_path}/a/sources: tables of models are given to 'sdgen assets")
     write(
         tmp_path / "b",
         room="attic: {}",

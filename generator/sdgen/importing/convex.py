@@ -6,6 +6,8 @@ Search" (SIGGRAPH 2022), as the package coacd does it.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from sdgen.geometry import Array
@@ -13,6 +15,10 @@ from sdgen.importing.scan import Ints
 
 #: Corners of one piece.
 MAX_VERTICES = 32
+#: Pieces of one mesh.
+MAX_PIECES = 16
+#: Shells shorter than this share of the longest go with others, as do those beyond so many.
+_SLIVER, _MOST_SHELLS = 0.08, 40
 #: A corner that stands out of the hull of the others by less is not needed, metres.
 _STANDS_OUT_M = 0.0003
 #: A mesh whose hull has less than this times its volume is taken as convex.
@@ -22,22 +28,68 @@ _THIN_M = 0.002
 
 
 def convex_pieces(vertices: Array, faces: Ints) -> list[Array]:
-    """Corners (N, 3) of few convex pieces that hold the mesh, hollows left free."""
+    """Corners (N, 3) of at most ``MAX_PIECES`` convex pieces that hold the mesh, hollows left free.
+
+    Shells that do not touch (a chair's legs, each shoe of a pair) are taken one by one: together
+    they are no solid, and CoACD would make one of them first, of many thousand faces.
+    """
+    out: list[Array] = []
+    for shell in _shells(vertices, faces):
+        points, corners = vertices[np.unique(shell)], vertices[shell]
+        if _is_convex(points, corners):
+            out.append(_thick(points))
+        else:
+            used, renumbered = np.unique(shell, return_inverse=True)
+            out += decompose(vertices[used], renumbered.reshape(-1, 3))
+    return [simplify_hull(points) for points in _few(out)]
+
+
+def _shells(vertices: Array, faces: Ints) -> list[Ints]:
+    """Faces by shell, the large ones first; slivers go with the nearest of these."""
     import trimesh
 
-    points = _thick(vertices)
-    if len(points) > len(vertices):
-        return [simplify_hull(points)]
-    hull = trimesh.convex.convex_hull(vertices)
-    corners = vertices[faces]
-    volume = float(
-        np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6
-    )
-    if abs(hull.volume) <= _CONVEX * volume:
-        return [simplify_hull(vertices)]
-    out = [simplify_hull(piece) for piece in decompose(vertices, faces)]
-    solid = [p for p in out if np.linalg.matrix_rank(np.round(p - p[0], 4), tol=1e-3) == 3]
-    return solid or [simplify_hull(vertices)]
+    graph: Any = trimesh.graph
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    labels = np.asarray(graph.connected_component_labels(mesh.face_adjacency, len(faces)))
+    shells = [faces[labels == label] for label in range(int(labels.max(initial=-1)) + 1)]
+    sizes = [float(np.linalg.norm(np.ptp(vertices[shell.ravel()], axis=0))) for shell in shells]
+    order = sorted(range(len(shells)), key=lambda k: (-sizes[k], k))
+    large = [k for k in order if sizes[k] > _SLIVER * sizes[order[0]]][:_MOST_SHELLS]
+    middles = np.array([vertices[shells[k].ravel()].mean(axis=0) for k in large])
+    with_slivers = {k: [shells[k]] for k in large}
+    for k in order:
+        if k not in with_slivers:
+            off = np.linalg.norm(middles - vertices[shells[k].ravel()].mean(axis=0), axis=1)
+            with_slivers[large[int(off.argmin())]].append(shells[k])
+    return [np.concatenate(group) for group in with_slivers.values()]
+
+
+def _is_convex(points: Array, corners: Array) -> bool:
+    """True for what its hull describes: flat, or nearly of the volume of its hull."""
+    import trimesh
+
+    middle = points - points.mean(axis=0)
+    spread = np.linalg.svd(middle, compute_uv=False) / np.sqrt(len(points))
+    if spread[-1] < _THIN_M / 2:
+        return True
+    hull = trimesh.convex.convex_hull(points)
+    volume = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6
+    return bool(abs(hull.volume) <= _CONVEX * abs(float(volume)))
+
+
+def _few(pieces: list[Array]) -> list[Array]:
+    """At most ``MAX_PIECES`` pieces: those are joined that thereby gain the least volume."""
+    pieces = [piece for piece in pieces if len(piece) > 3] or pieces
+    while len(pieces) > MAX_PIECES:
+        boxes = np.array([(piece.min(axis=0), piece.max(axis=0)) for piece in pieces])
+        low = np.minimum(boxes[:, None, 0], boxes[None, :, 0])
+        high = np.maximum(boxes[:, None, 1], boxes[None, :, 1])
+        own = np.prod(boxes[:, 1] - boxes[:, 0], axis=1)
+        gained = np.prod(high - low, axis=2) - own[:, None] - own[None, :]
+        np.fill_diagonal(gained, np.inf)
+        one, other = sorted(int(k) for k in np.unravel_index(gained.argmin(), gained.shape))
+        pieces[one] = np.concatenate([pieces[one], pieces.pop(other)])
+    return pieces
 
 
 def decompose(vertices: Array, faces: Ints) -> list[Array]:

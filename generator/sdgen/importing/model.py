@@ -95,7 +95,7 @@ def make_model(
     meshes = _snapped(look.meshes, size if not scan.joints else None)
     joints = _joints(scan, category)
     joint_of = {"body": None} | {name: name for name in meshes if name != "body"}
-    pieces = {name: convex_pieces(mesh.vertices, mesh.faces) for name, mesh in meshes.items()}
+    pieces = {name: _pieces_of(mesh) for name, mesh in meshes.items()}
     supports, containers = _receptacles(scan, category, meshes, joints, joint_of)
     body = [piece for group in pieces.values() for piece in group]
     rules = [rule for joint in joints for rule in _rules(joint, category)]
@@ -109,7 +109,7 @@ def make_model(
         variants["broken"] = ("broken",)
         rules.append(StateRule(state="BROKEN", variants=("broken",), parts=("broken",)))
         mesh = broken.meshes["broken"]
-        pieces["broken"] = convex_pieces(mesh.vertices, mesh.faces)
+        pieces["broken"] = _pieces_of(mesh)
     corners = corners_of(list(meshes.values())).reshape(-1, 3)
     extents = np.round(corners.max(axis=0) - corners.min(axis=0), 4)
     asset = Asset(
@@ -208,7 +208,7 @@ def _snapped(meshes: Mapping[str, MeshData], size: Array | None) -> dict[str, Me
 def _laid_down(look: Baked) -> Baked:
     """What is left of a broken thing, lying as it comes to rest, in the middle."""
     (name, mesh), *_ = look.meshes.items()
-    pieces = convex_pieces(mesh.vertices, mesh.faces)
+    pieces = _pieces_of(mesh)
     up = np.array(resting_poses(pieces, centre_of_mass(pieces))[0].up)
     side = np.cross(up, [1.0, 0, 0] if abs(up[0]) < 0.9 else [0, 1.0, 0])
     side /= np.linalg.norm(side)
@@ -218,6 +218,13 @@ def _laid_down(look: Baked) -> Baked:
     moved = moved - [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]]
     laid = replace(mesh, vertices=moved, normals=mesh.normals @ turn.T)
     return Baked({name: laid}, look.texture)
+
+
+def _pieces_of(mesh: MeshData) -> list[Array]:
+    """Convex pieces of a mesh; of faces that look both ways one is enough."""
+    solid = welded([Piece(mesh.vertices, mesh.faces)])
+    _, first = np.unique(np.sort(solid.faces, axis=1), axis=0, return_index=True)
+    return convex_pieces(solid.vertices, solid.faces[np.sort(first)])
 
 
 def _joints(scan: Scan, category: Category | None) -> tuple[Joint, ...]:

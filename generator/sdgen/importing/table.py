@@ -173,7 +173,7 @@ def _named_twice(rows: Sequence[Row]) -> Iterator[tuple[int, str]]:
             key = model_key(name)
             if key in first:
                 yield at, f"{name[:80]!r} is named by rows[{first[key]}] already"
-            elif not key.strip("*_"):
+            elif not key.strip("_"):
                 yield at, f"{name[:80]!r} names no model"
             else:
                 first[key] = at

@@ -38,8 +38,9 @@ class Sorted:
         return self.named.category
 
 
-def sort_piece(piece: FoundPiece, namer: Namer, library: Library) -> Sorted:
+def sort_piece(piece: FoundPiece, namer: Namer, library: Library, catalog: Catalog) -> Sorted:
     """A piece with its category: as it says, as the library's model of it, as it is called."""
+    known_as = {category.name for category in catalog.categories}
     if piece.note is not None:
         said = library.assets.get(piece.note.model)
         known = said is not None and said.category == piece.note.category
@@ -47,6 +48,8 @@ def sort_piece(piece: FoundPiece, namer: Namer, library: Library) -> Sorted:
         return Sorted(piece, named, piece.note.model if known else None)
     named = namer(piece)
     model = None if piece.source is None else _from_source(piece.source, library)
+    if model is not None and model.category not in known_as:
+        model = None  # it was imported, and nobody knew what it is
     if model is not None:
         named = replace(named, category=model.category, why=f"it is {model.id}", guessed=False)
     elif piece.category is not None:
@@ -55,7 +58,7 @@ def sort_piece(piece: FoundPiece, namer: Namer, library: Library) -> Sorted:
         piece = _fronted(piece, named.front)
     if not piece.sized and named.category is not None:
         piece = _usual(piece, named.category, model, library)
-    return Sorted(piece, named)
+    return Sorted(piece, named, None if model is None else model.id)
 
 
 def _usual(piece: FoundPiece, category: str, model: Asset | None, library: Library) -> FoundPiece:

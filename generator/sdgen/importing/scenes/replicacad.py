@@ -32,7 +32,7 @@ _OURS_FROM_HABITAT = np.array(
 #: A door whose file is missing: about as large as doors are (deep, wide, high), metres.
 _DOOR_M = (0.1, 0.9, 2.1)
 #: How the library calls where a model is from.
-_SOURCE = "replicacad"
+_SOURCE, _ARTICULATED = "replicacad", "urdf_"
 
 
 class _Instance(Loose):
@@ -76,9 +76,9 @@ def read_replicacad(path: Path, catalog: Catalog, namer: Namer) -> FoundScene:
     if said.stage_instance is not None:
         reading.stage(said.stage_instance)
     for instance in said.object_instances:
-        reading.thing(instance, reading.object_box)
+        reading.thing(instance, reading.object_box, "")
     for instance in said.articulated_object_instances:
-        reading.thing(instance, reading.articulated_box)
+        reading.thing(instance, reading.articulated_box, _ARTICULATED)
     reading.tell()
     return reading.scene
 
@@ -113,8 +113,8 @@ class _Reading:
             return
         self.scene.walls += walls
 
-    def thing(self, instance: _Instance, box_of: Callable[[str], Bounds]) -> None:
-        """Add an object."""
+    def thing(self, instance: _Instance, box_of: Callable[[str], Bounds], kind: str) -> None:
+        """Add an object; its model's source is called by its ``kind`` and name."""
         name = _last(instance.template_name)
         sized = True
         try:
@@ -140,7 +140,7 @@ class _Reading:
         except ValueError as error:
             self.scene.unresolved.append(f"{name}: {error}")
             return
-        piece = replace(piece, source=f"{_SOURCE}:{name}", names=(name,), sized=sized)
+        piece = replace(piece, source=f"{_SOURCE}:{kind}{name}", names=(name,), sized=sized)
         self._add(piece, name)
 
     def _add(self, piece: FoundPiece, name: str) -> None:

@@ -61,7 +61,7 @@ def to_home(
     """
     scene = level_and_square(scene)
     height_m = _height(scene)
-    pieces = [sort_piece(piece, namer, library) for piece in scene.pieces]
+    pieces = [sort_piece(piece, namer, library, catalog) for piece in scene.pieces]
     scene = replace(scene, pieces=[one.piece for one in pieces])
     found = rooms_of(scene)
     by_room = _housed(found, pieces, scene)

@@ -6,8 +6,8 @@ import math
 
 import pytest
 from sdgen.importing.scenes.contents import sort_piece
-from sdgen.importing.scenes.fit import models_like, side_by_side, unlike
 from sdgen.importing.scenes.found import FoundPiece
+from sdgen.importing.scenes.likeness import models_like, side_by_side, unlike
 from sdgen.importing.scenes.naming import Named
 
 from tests.importing.scenes.homes import CATALOG, NAMER

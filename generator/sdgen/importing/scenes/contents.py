@@ -14,8 +14,9 @@ from sdgen.geometry import (
     round_position,
     round_quat,
 )
-from sdgen.importing.scenes.fit import Fitter, Wanted, side_by_side
+from sdgen.importing.scenes.fit import Fitter, Wanted
 from sdgen.importing.scenes.found import FoundPiece, FoundScene
+from sdgen.importing.scenes.likeness import side_by_side
 from sdgen.importing.scenes.naming import Named, Namer
 from sdgen.library import Asset, Library
 from sdgen.vocabulary import OPENINGS, Facing

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import count
 from typing import Any
 
@@ -22,13 +22,14 @@ from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec
 from sdgen.errors import InputError
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, unreachable_rooms
-from sdgen.geometry import Vec3, rotation_matrix, round_position, vec3, yaw_of
+from sdgen.geometry import Vec3, rotation_matrix, round_position, yaw_of
 from sdgen.home.anchors import BACK_GAP_M
 from sdgen.home.furnish import clashing, drawn_at, fill_openings, put_piece, top_of
 from sdgen.home.layout import IN_WALL_M, Intent, Layout
 from sdgen.home.shell import build_shell
 from sdgen.home.style import HomeStyle
 from sdgen.importing.scenes.found import FoundPiece
+from sdgen.importing.scenes.likeness import models_like, unlike
 from sdgen.library import Asset, Library
 from sdgen.rejection import Rejection
 from sdgen.scene import Home, ObjectInstance, Room
@@ -41,25 +42,8 @@ _AGAINST_M = 0.3
 _CARRIES_M = 0.12
 #: What ends lower above the floor stands on it, metres.
 _ON_FLOOR_M = 0.15
-#: Models tried for a piece, and how far aside it may be put, metres.
-_MODELS = 5
+#: How far aside a piece may be put, metres.
 _ASIDE_M = (0.0, 0.05, 0.1, 0.2, 0.3, 0.4)
-#: A model more than so many times as large or small as the piece, along its most different side,
-#: is another piece.
-_UNLIKE = 2.0
-#: Sides thinner than this are alike, metres; of heights so much counts.
-_THIN_M, _OF_HEIGHT = 0.12, 0.6
-#: What stands in rows: of these, so many of our own stand for one piece that is so many times
-#: longer than our longest, at most, each as like a part of it as this.
-_ROWS = (
-    "bathroom_cabinet",
-    "bookshelf",
-    "kitchen_counter",
-    "wall_cabinet",
-    "wall_shelf",
-    "wardrobe",
-)
-_IN_A_ROW, _LONGER, _ROW_LIKE = 8, 1.4, 0.35
 #: As like as this (a logarithm), it stands where the piece stood.
 _SAME = 0.03
 #: Off the axes by less than this, degrees, a piece stands along them.
@@ -360,52 +344,3 @@ def _standing(piece: FoundPiece) -> dict[str, Any]:
         return {}
     joints = {name: value for name, value in piece.note.joints.items() if value}
     return {"variant": piece.note.variant, "joints": joints}
-
-
-def unlike(model: Vec3, found: Vec3, turned: bool = True) -> float:
-    """How different two boxes are along their most different side (a logarithm), the found one
-    turned by a quarter where that is better. Half as much of their heights: what a bed's board or
-    a lamp's cord makes of it."""
-    logs = np.abs(np.log(np.maximum(model, _THIN_M)) - np.log(np.maximum(found, _THIN_M)))
-    straight = float(max(logs[0], logs[1], logs[2] * _OF_HEIGHT))
-    if not turned:
-        return straight
-    deep, wide, high = found
-    return min(straight, unlike(model, (wide, deep, high), turned=False))
-
-
-def models_like(category: str, extents_m: Vec3, library: Library) -> list[Asset]:
-    """The models of a category that are about so large, the nearest first."""
-    scored = [
-        (unlike(model.extents_m, extents_m), model) for model in library.by_category(category)
-    ]
-    near = [pair for pair in scored if pair[0] < math.log(_UNLIKE)]
-    near.sort(key=lambda pair: (pair[0], pair[1].id))
-    return [model for _, model in near[:_MODELS]]
-
-
-def side_by_side(piece: FoundPiece, category: str, library: Library) -> list[FoundPiece]:
-    """A long piece of what stands in rows as several of our own beside each other; itself where a
-    model is about as long, or none is as deep and high."""
-    if category not in _ROWS or models_like(category, piece.extents_m, library):
-        return [piece]
-    axis = 0 if piece.extents_m[0] > piece.extents_m[1] else 1
-    widest = max((model.extents_m[1] for model in library.by_category(category)), default=0.0)
-    for number in range(2, _IN_A_ROW + 1) if piece.extents_m[axis] > _LONGER * widest else ():
-        sides = list(piece.extents_m)
-        sides[axis] /= number
-        part = (sides[0], sides[1], sides[2])
-        if not any(unlike(m.extents_m, part) < _ROW_LIKE for m in library.by_category(category)):
-            continue
-        way = rotation_matrix(piece.quat_xyzw)[:, axis]
-        steps = (np.arange(number) - (number - 1) / 2) * sides[axis]
-        return [
-            replace(
-                piece,
-                name=f"{piece.name} ({k} of {number})",
-                position_m=vec3(np.array(piece.position_m) + way * step),
-                extents_m=part,
-            )
-            for k, step in enumerate(steps.tolist(), start=1)
-        ]
-    return [piece]

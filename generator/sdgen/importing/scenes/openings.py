@@ -7,7 +7,7 @@ door leads to a room, one is added, and told as well.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -20,6 +20,7 @@ from sdgen.catalog.records import OpeningSpec, RoomSpec
 from sdgen.geometry import rotation_matrix
 from sdgen.importing.scenes.found import FoundOpening, FoundPiece, FoundScene, footprint
 from sdgen.importing.scenes.naming import OpeningWord
+from sdgen.importing.scenes.walls import Wall, holes_in, walls_of
 from sdgen.vocabulary import DOORS, HALF_WALL_M, INNER_DOORS, OPENINGS
 
 #: A door or window is of a wall no further away than this, metres.
@@ -45,11 +46,8 @@ _OPEN_M = 0.35
 _ENTERED = ("hall", "corridor", "living_room", "kitchen", "dining_room")
 #: Steps in which a place for a door is looked for, and how far before it stays free, metres.
 _STEP_M, _FREE_M = 0.2, 1.0
-#: A way through a wall is so wide, metres; what a door fills is as wide as it, but for its frame.
-_HOLE_M = (0.65, 3.0)
+#: What a door fills is as wide as its hole, but for its frame, metres.
 _OTHER_WIDTH_M = 0.35
-#: A wall as it was found is within this of the line that it is drawn on, metres.
-_BAND_M = 0.25
 #: What hangs higher is walked under, metres.
 _OVERHEAD_M = 2.0
 
@@ -77,36 +75,20 @@ def _turned(joints: Mapping[str, float]) -> dict[str, float]:
     return {name: value for name, value in joints.items() if value}
 
 
-@dataclass(frozen=True)
-class _Wall:
-    """A stretch of wall with the same rooms (by index) on its sides: on the line ``at`` across
-    ``along``, from ``low`` to ``high``, where an opening may be."""
-
-    along: Literal["x", "y"]
-    at: float
-    low: float
-    high: float
-    rooms: tuple[int, ...]
-
-    def center(self, along_m: float) -> tuple[float, float]:
-        """The point of its middle line so far along."""
-        return (along_m, self.at) if self.along == "x" else (self.at, along_m)
-
-
 @dataclass
 class _Plan:
     rooms: Sequence[RoomSpec]
     scene: FoundScene
     height_m: float
-    walls: list[_Wall] = field(init=False)
+    walls: list[Wall] = field(init=False)
     openings: list[OpeningSpec] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.rings = [inner_ring(room) for room in self.rooms]
-        self.walls = list(_walls(self.rings))
+        self.walls = list(walls_of(self.rings))
         self.standing = _standing(self.scene.pieces)
         low = shapely.union_all([wall.at_knee(0.0) for wall in self.scene.walls])
-        self.holes = [] if low.is_empty else [*_holes(self.walls, low)]
+        self.holes = [] if low.is_empty else [*holes_in(self.walls, low)]
 
     # --- what was found --------------------------------------------------------------------------
 
@@ -129,7 +111,7 @@ class _Plan:
                     return
         self.scene.unresolved.append(f"{found.name}: no wall near it has room for a {found.kind}")
 
-    def _near(self, found: FoundOpening, kind: str) -> list[_Wall]:
+    def _near(self, found: FoundOpening, kind: str) -> list[Wall]:
         """Walls that an opening of a kind may be in, the nearest first."""
         one_side = kind in ("front_door", "window")
         out = []
@@ -146,7 +128,7 @@ class _Plan:
                 out.append((hole is None, across + beside, wall))
         return [wall for *_, wall in sorted(out, key=lambda item: item[:2])]
 
-    def _placed(self, found: FoundOpening, kind: str, wall: _Wall) -> OpeningSpec | None:
+    def _placed(self, found: FoundOpening, kind: str, wall: Wall) -> OpeningSpec | None:
         small = kind == "window" and found.width_m < _SMALL_M
         width, high = SMALL_WINDOW_M if small else FRAME_M[_kind(kind)]
         axis = 0 if wall.along == "x" else 1
@@ -178,7 +160,7 @@ class _Plan:
             joints={} if found.note is None else _turned(found.note.joints),
         )
 
-    def _hole(self, wall: _Wall, found: FoundOpening, width: float) -> float | None:
+    def _hole(self, wall: Wall, found: FoundOpening, width: float) -> float | None:
         """The middle of the hole that a door is in: its own box is askew when it stands open."""
         if found.inward is not None or found.kind == "window":
             return None
@@ -215,7 +197,7 @@ class _Plan:
                     self.openings.append(spec)
                     break
 
-    def _free_at(self, wall: _Wall, wanted: float, width: float) -> float | None:
+    def _free_at(self, wall: Wall, wanted: float, width: float) -> float | None:
         """The place on a wall nearest to ``wanted`` where an opening is whole and alone."""
         least, most = wall.low + width / 2, wall.high - width / 2
         if least > most + 1e-6:
@@ -277,9 +259,9 @@ class _Plan:
                 return True
         return False
 
-    def _best(self, kind: str, walls: Sequence[_Wall]) -> OpeningSpec | None:
+    def _best(self, kind: str, walls: Sequence[Wall]) -> OpeningSpec | None:
         """A new opening where least stands in its way; None where no wall is wide enough."""
-        best: tuple[float, float, _Wall] | None = None
+        best: tuple[float, float, Wall] | None = None
         width, _ = FRAME_M[_kind(kind)]
         for wall in walls:
             middle = (wall.low + wall.high) / 2
@@ -329,63 +311,7 @@ def _kind(word: str) -> OpeningWord:
     return kind
 
 
-def _walls(rings: Sequence[Sequence[tuple[float, float]]]) -> Iterator[_Wall]:
-    """All stretches of wall, each with the rooms on its sides."""
-    edges = [
-        (k, along, round(at, 4), low, high)
-        for k, ring in enumerate(rings)
-        for along, at, low, high in _edges(ring)
-    ]
-    for k, along, at, low, high in edges:
-        beside = [
-            (other, max(low, a), min(high, b))
-            for other, way, place, a, b in edges
-            if other != k and way == along and abs(place - at) < 1e-3 and min(high, b) > max(low, a)
-        ]
-        for other, a, b in beside:
-            if k < other:
-                yield _Wall(along, at, a, b, (k, other))
-        # A wall of two rooms shows its corners to both: outdoors begins half a wall beyond.
-        cursor = low
-        for _, a, b in sorted(beside, key=lambda item: item[1]):
-            if a - 2 * HALF_WALL_M > cursor:
-                yield _Wall(along, at, cursor, a - 2 * HALF_WALL_M, (k,))
-            cursor = max(cursor, b + 2 * HALF_WALL_M)
-        if high > cursor:
-            yield _Wall(along, at, cursor, high, (k,))
-
-
-def _holes(walls: Iterable[_Wall], low: BaseGeometry) -> Iterator[tuple[_Wall, float, float]]:
-    """Ways through walls, from where to where along them: what is not there at a knee's height."""
-    for wall in walls:
-        axis = 0 if wall.along == "x" else 1
-        ends = ((wall.low, wall.at - _BAND_M), (wall.high, wall.at + _BAND_M))
-        band = box(*ends[0], *ends[1]) if axis == 0 else box(*ends[0][::-1], *ends[1][::-1])
-        parts = shapely.get_parts(low.intersection(band))
-        covered = sorted((p.bounds[axis], p.bounds[axis + 2]) for p in parts)
-        if not covered:
-            continue  # nobody drew this wall: it says nothing of ways through it
-        cursor = wall.low
-        for start, end in [*covered, (wall.high, wall.high)]:
-            if _HOLE_M[0] < start - cursor < _HOLE_M[1]:
-                yield wall, cursor, start
-            cursor = max(cursor, end)
-
-
-def _edges(
-    ring: Sequence[tuple[float, float]],
-) -> Iterator[tuple[Literal["x", "y"], float, float, float]]:
-    """The walls behind the edges of a floor: their axis, middle line, and from where to where."""
-    for (ax, ay), (bx, by) in zip(ring, (*ring[1:], ring[0]), strict=True):
-        if abs(ay - by) < 1e-6:  # counter-clockwise: the wall is to the right
-            out = -HALF_WALL_M if bx > ax else HALF_WALL_M
-            yield "x", ay + out, min(ax, bx), max(ax, bx)
-        else:
-            out = HALF_WALL_M if by > ay else -HALF_WALL_M
-            yield "y", ax + out, min(ay, by), max(ay, by)
-
-
-def _before(wall: _Wall, place: float, width: float) -> BaseGeometry:
+def _before(wall: Wall, place: float, width: float) -> BaseGeometry:
     """The floor before and behind a door."""
     x, y = wall.center(place)
     along, across = width / 2 + 0.05, _FREE_M

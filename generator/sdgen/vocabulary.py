@@ -109,3 +109,7 @@ EVIDENCE_PIXELS = 100
 #: What moved further than this while the scene came to rest is not where it was put (Habitat 2.0,
 #: SceneSmith).
 DRIFT_LIMIT_M = 0.1
+
+#: Category of models that no build places: imported ones of a kind, or of a size, that no category
+#: has. Scenes that name them by id may hold them.
+UNCATEGORISED = "uncategorised"

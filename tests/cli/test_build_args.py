@@ -141,7 +141,7 @@ def test_quiet_says_nothing_and_json_is_one_object(
     found = json.loads(out)
     assert (found["requested"], found["made"], found["failed"]) == (4, 4, {})
     assert found["anomalies"] == {"spill": 4, "stove_on": 5}
-    assert asked[0].rest == ((), (), True)
+    assert asked[0].rest == ((), (), True, None)
 
 
 def test_defaults_are_those_of_the_contract(asked: list[Any]) -> None:
@@ -165,7 +165,7 @@ def test_options_reach_the_engine(asked: list[Any]) -> None:
     assert options.twins
     assert asked[0].out == Path("here")
     assert asked[0].where == Where(Path("here"), (1, 4), True, 3, "ray", "auto")
-    assert asked[0].rest == ((), (), False)
+    assert asked[0].rest == ((), (), False, None)
 
 
 def test_seed_zero_is_a_seed(asked: list[Any]) -> None:

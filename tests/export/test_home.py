@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 from functools import cache
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from sdgen.export.home_glb import home_glb
 from sdgen.export.home_yaml import home_yaml
 from sdgen.facts import bodies_of
 from sdgen.home.drawing_check import check_drawings
+from sdgen.home.notes import KEY
 from sdgen.options import BuildOptions
 from sdgen.pipeline.one_home import OneHome, one_home
 from sdgen.vocabulary import OPENINGS
@@ -88,6 +90,21 @@ def test_glb_has_every_object_where_it_stands() -> None:
         body = bodies[item.id]  # by its outermost points in some directions
         assert np.allclose(points.min(axis=0), body.low, atol=0.006), item
         assert np.allclose(points.max(axis=0), body.high, atol=0.006), item
+
+
+def test_glb_says_what_no_shape_tells() -> None:
+    one = made("3")
+    scene = one.bundle.scene
+    raw = home_glb(scene, LIBRARY, one.spec)
+    size = int.from_bytes(raw[12:16], "little")
+    nodes = {node["name"]: node for node in json.loads(raw[20 : 20 + size])["nodes"]}
+    home = nodes[scene.home.id]["extras"][KEY]
+    assert home["title"] == one.spec.title
+    assert list(home["rooms"].items()) == [(room.name, room.type) for room in one.spec.rooms]
+    for item in scene.objects:
+        said = nodes[f"{item.category}_{item.id}"]["extras"][KEY]
+        assert (said["model"], said["category"]) == (item.asset, item.category)
+        assert said.get("joints", {}) == item.joints
 
 
 def test_glb_wears_textures_and_holds_a_model_once() -> None:

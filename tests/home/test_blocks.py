@@ -68,6 +68,16 @@ def test_what_is_tilted_is_refused():
         blocks_of(item, LIBRARY.info(item.asset), LIBRARY)
 
 
+def test_a_thing_that_lies_on_its_side_takes_what_it_covers():
+    side = (math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5))  # turned about x: what was up is along -y
+    item = thing("book", pose=Pose(position_m=(1, 2, 0.5), quat_xyzw=side), fixed=False)
+    (block,) = blocks_of(item, LIBRARY.info(item.asset), LIBRARY)
+    deep, wide, high = LIBRARY.info(item.asset).extents_m
+    low, top = block.box[:3], block.box[3:]
+    assert np.allclose(top - low, (deep, high, wide), atol=0.004)
+    assert np.allclose((low + top) / 2, (1, 2 - high / 2, 0.5), atol=0.004)
+
+
 def test_spaces_are_entered_by_outline_and_height():
     table = Table().more([space(1, 0, 0, 0, 1, 1, 0.5), space(2, 2, 0, 0, 3, 1, 0.5)])
     assert list(table.entered([])) == []

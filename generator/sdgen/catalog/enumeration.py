@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Mapping
 from sdgen.catalog.cases import cases, unique_anomaly
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, UniqueAnomaly
 from sdgen.errors import InputError, did_you_mean
+from sdgen.vocabulary import UNCATEGORISED
 
 
 def enumerate_anomalies(catalog: Catalog) -> tuple[UniqueAnomaly, ...]:
@@ -43,7 +44,7 @@ def check_against_library(
         f"models of category {name!r}, which no catalogue defines"
         f"{did_you_mean(name, known_categories)}"
         for name in sorted(library_states)
-        if name not in known_categories
+        if name not in known_categories and name != UNCATEGORISED
     ]
     for hazard in catalog.hazards:
         made = 0

@@ -40,6 +40,8 @@ class HomeYaml(Record):
     style: StyleName | None = None
     rooms: tuple[RoomSpec, ...]
     openings: tuple[OpeningSpec, ...]
+    # Nothing is hung or put there but what is drawn: no fittings, everyday things or near misses.
+    as_drawn: bool = False
     replaces: bool = False
 
     @model_validator(mode="after")
@@ -62,7 +64,7 @@ class HomeYaml(Record):
         return as_record(self, HomeSpec)
 
     def _room_problems(self) -> Iterator[InitErrorDetails]:
-        """Rooms lie apart, furniture in its room."""
+        """Rooms lie apart, furniture and things in their rooms."""
         names = [room.name for room in self.rooms]
         for index, room in enumerate(self.rooms):
             if room.name in names[:index]:
@@ -79,6 +81,10 @@ class HomeYaml(Record):
                 if item.on is not None and item.on not in [i.category for i in room.furniture[:k]]:
                     text = f"no {item.on} is placed before it in this room"
                     yield problem((*path, "on"), text)
+            for k, thing in enumerate(room.things):
+                if not any(_holds(rect, thing.position_m) for rect in room.rectangles_m):
+                    text = f"{thing.category} lies outside room {room.name!r}"
+                    yield problem(("rooms", index, "things", k, "position_m"), text)
 
     def _opening_problems(self, rings: Sequence[Ring]) -> Iterator[InitErrorDetails]:
         """Openings lie in walls, whole and apart; the front door leads to every room."""

@@ -16,9 +16,11 @@ from sdgen.catalog.terms import Predicate
 from sdgen.catalog.words import (
     PAIR,
     CategoryName,
+    HazardName,
     OptionalCategories,
     Point2,
     Point3,
+    Quaternion,
     Rectangle,
     RoomName,
     RoomNames,
@@ -28,7 +30,7 @@ from sdgen.catalog.words import (
     names_of,
     span,
 )
-from sdgen.geometry import Vec3
+from sdgen.geometry import Coordinate, Vec3
 from sdgen.scene import Notify, Record
 from sdgen.strict import Expect, problem, refuse
 from sdgen.vocabulary import EVIDENCE_PIXELS, HoldingRelation, OpeningKind, Urgency
@@ -486,7 +488,8 @@ class FurnitureItem(Record):
     middle of the back instead of the centre, so that models of any depth touch the wall.
     ``jitter_m`` shifts it by up to so much along x and y. ``width_m`` [least, most] restricts the
     models to those that wide (their y extent), where units stand side by side; ``model`` names the
-    one that is meant.
+    one that is meant, ``joints`` and ``variant`` how it stands (of a home that is as drawn, at rest
+    without them; of another, as often as its category says, on or open).
     """
 
     category: CategoryName
@@ -499,6 +502,31 @@ class FurnitureItem(Record):
     # More than half a metre would be another place.
     jitter_m: Annotated[float, between(0.0, 0.5)] = Field(default=0.0, ge=0.0)
     model: Annotated[str, Expect("the id of a model")] | None = None
+    variant: str = "default"
+    joints: dict[str, Coordinate] = Field(default_factory=dict)
+
+
+class ThingItem(Record):
+    """One small thing of a base home, of a ``model``, where it lies: it is let go of there, and
+    stays but for a hair. ``variant`` and ``joints`` are how it looks and stands open.
+
+    ``anomaly`` names the hazard that it is: every scene of the home labels it. Else it goes where
+    it is a hazard.
+    """
+
+    category: CategoryName
+    model: Annotated[str, Expect("the id of a model")]
+    position_m: Point3
+    quat_xyzw: Quaternion = (0.0, 0.0, 0.0, 1.0)
+    variant: str = "default"
+    joints: dict[str, Coordinate] = Field(default_factory=dict)
+    anomaly: HazardName | None = None
+
+    @model_validator(mode="after")
+    def _turns(self) -> ThingItem:
+        if abs(sum(value * value for value in self.quat_xyzw) - 1.0) > 1e-3:
+            refuse(problem(("quat_xyzw",), "expected a unit quaternion"))
+        return self
 
 
 class RoomSpec(Record):
@@ -508,6 +536,7 @@ class RoomSpec(Record):
     type: RoomName
     rectangles_m: Annotated[tuple[Rectangle, ...], Expect("[[x_min, y_min, x_max, y_max], ...]")]
     furniture: tuple[FurnitureItem, ...] = ()
+    things: tuple[ThingItem, ...] = ()
 
     @model_validator(mode="after")
     def _low_before_high(self) -> RoomSpec:
@@ -527,6 +556,8 @@ class OpeningSpec(Record):
     """A door or window of a base home: centre on the wall's middle line.
 
     A door's leaf swings into the room that is listed first; with ``hinge_flip`` into the other.
+    ``model`` names what fills it, ``joints`` how far its leaves are turned (radians); without them
+    what the home's style has, open as often as doors are.
     """
 
     kind: OpeningKind
@@ -535,11 +566,13 @@ class OpeningSpec(Record):
     sill_m: Annotated[float, between(0.0, 3.0)] = 0.0
     small: bool = False
     hinge_flip: bool = False
+    model: Annotated[str, Expect("the id of a model")] | None = None
+    joints: dict[str, Coordinate] = Field(default_factory=dict)
 
 
 class HomeSpec(Record):
     """What a home is to be: a base home drawn by hand, or a generated one (``procedural``: rules
-    furnish its rooms). ``style`` None: any."""
+    furnish its rooms). ``style`` None: any. ``as_drawn``: what is drawn is all there is."""
 
     id: str
     title: str
@@ -548,6 +581,7 @@ class HomeSpec(Record):
     rooms: tuple[RoomSpec, ...]
     openings: tuple[OpeningSpec, ...]
     style: str | None = None
+    as_drawn: bool = False
 
 
 class HomeMix(Record):

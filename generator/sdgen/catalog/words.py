@@ -14,7 +14,7 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, BeforeValidator, ValidationInfo
 
 from sdgen.errors import did_you_mean, nearest
-from sdgen.geometry import Vec2, Vec3
+from sdgen.geometry import Quat, Vec2, Vec3
 from sdgen.strict import Expect, problem, refuse, shown, unknown
 from sdgen.vocabulary import ZONE_KINDS
 from sdgen.yaml_source import Path_
@@ -236,6 +236,7 @@ Counts = Annotated[tuple[int, int], span(0, 100, whole=True), PAIR]
 Size = Annotated[Vec3, numbers(3, 0.0, 50.0), Expect("a list of 3 numbers")]
 #: Places in a home: no drawing is a kilometre wide.
 Point3 = Annotated[Vec3, numbers(3, -1000.0, 1000.0), Expect("a list of 3 numbers")]
+Quaternion = Annotated[Quat, numbers(4, -1.0, 1.0), Expect("a list of 4 numbers, xyzw")]
 Point2 = Annotated[Vec2, numbers(2, -1000.0, 1000.0), PAIR]
 Rectangle = Annotated[
     tuple[float, float, float, float],

@@ -13,6 +13,7 @@ from sdgen.cli.disk import bytes_needed, check_destination, disk_line
 from sdgen.cli.params import (
     destination,
     hazard_count,
+    homes_meant,
     metres,
     parsed,
     scene_range,
@@ -73,10 +74,11 @@ def eye_height(text: str) -> float:
 )
 @click.option(
     "--homes",
-    type=click.Choice(["base", "procedural", "mixed"]),
+    metavar="base|procedural|mixed|FILE.yaml",
+    callback=parsed(homes_meant),
     default="mixed",
     show_default=True,
-    help="Base homes, generated ones, or both.",
+    help="Base homes, generated ones, or both; or the home of a file, alone.",
 )
 @click.option(
     "--hazards",
@@ -173,7 +175,7 @@ def build(
     n: int,
     seed: int,
     out: Path | None,
-    homes: Literal["base", "procedural", "mixed"],
+    homes: Literal["base", "procedural", "mixed"] | Path,
     hazards: tuple[int, int],
     views: int,
     pixels: tuple[int, int],
@@ -205,6 +207,7 @@ def build(
     \b
     Example: sdgen build --n 1000 --seed 7
     Example: sdgen build --n 50 --seed 7 --views 4 --size 320x240 --out small
+    Example: sdgen build --n 10 --homes my_flat.yaml --out in_my_flat
     """
     if ray_address is not None and engine != "ray":
         raise UsageError("--ray-address goes with --engine ray")
@@ -213,7 +216,7 @@ def build(
     options = BuildOptions(
         n=n,
         seed=seed,
-        homes=homes,
+        homes="base" if isinstance(homes, Path) else homes,
         hazards_min=hazards[0],
         hazards_max=hazards[1],
         draw=draw,
@@ -240,7 +243,8 @@ def build(
     if not quiet:
         click.echo(line, err=True)
     where = Where(out, (first, end), overwrite, workers, engine, ray_address, non_commercial)
-    _close(_run(options, where, catalogs, assets, quiet), as_json)
+    alone = homes if isinstance(homes, Path) else None
+    _close(_run(options, where, catalogs, assets, quiet, alone), as_json)
 
 
 @dataclass(frozen=True)
@@ -267,6 +271,7 @@ def _run(
     catalogs: tuple[Path, ...],
     assets: tuple[Path, ...],
     quiet: bool,
+    home: Path | None = None,
 ) -> BuildReport:
     # Imported here: simulator and meshes take a second that --help should not.
     from sdgen.catalog.load import load_catalog
@@ -275,10 +280,14 @@ def _run(
     from sdgen.engines.registry import EngineOptions
     from sdgen.home.drawing_check import check_drawings
     from sdgen.library import load_library
+    from sdgen.pipeline.one_home import base_home
 
-    catalog = load_catalog(catalogs, extensions=options.extensions)
+    files = [*catalogs] if home is None else [*catalogs, home]
+    catalog = load_catalog(files, extensions=options.extensions)
     library = load_library(assets)
-    check_drawings(catalog, library, catalogs)
+    check_drawings(catalog, library, files)
+    if home is not None:
+        catalog = catalog.model_copy(update={"homes": (base_home(home.stem, catalog),)})
     with watch(where.index_range[1] - where.index_range[0], quiet) as on_event:
         return run_build(
             options=options,

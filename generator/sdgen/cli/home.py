@@ -6,7 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import click
 
@@ -28,6 +28,9 @@ _YAML = (".yaml", ".yml")
 #: Most frequent categories of a room that the table names.
 _NAMED = 3
 
+#: As ``sdgen.importing.scenes.read`` has them.
+_FORMATS = ["gltf", "mjcf", "replicacad", "virtualhome"]
+
 _SEED = click.option(
     "--seed",
     type=click.IntRange(min=0, max=MAX_SEED),
@@ -46,7 +49,7 @@ def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
 
 @click.group()
 def home() -> None:
-    """List base homes, draw one home, or write it as YAML or GLB.
+    """List base homes, draw one home, write it as YAML, GLB or MJCF, or import a scene.
 
     Example: sdgen home show 7
     """
@@ -136,37 +139,134 @@ def show_home(
     type=click.Path(dir_okay=False, path_type=Path),
     required=True,
     metavar="FILE",
-    help="FILE.yaml (rooms, openings, furniture by model) or FILE.glb (all of it).",
+    help="FILE.yaml (rooms, openings, furniture by model), FILE.glb or FILE.xml (all of it).",
 )
 def export_home(
     which: str, seed: int, catalogs: tuple[Path, ...], assets: tuple[Path, ...], out: Path
 ) -> None:
-    """Write one home as a YAML file to edit, or as a GLB for other tools.
+    """Write one home as a YAML file to edit, or as GLB or MJCF for other tools.
 
     The YAML has the plan and every piece of furniture with its model and place; small things are
-    drawn anew by every seed. The GLB has the small things too: textured, in metres, Y up.
+    drawn anew by every seed. The GLB has the small things too: textured, in metres, Y up. So has
+    the MJCF (FILE.xml, for MuJoCo), with collision pieces, masses and joints; its meshes and
+    textures are in the folder FILE_assets beside it.
 
     \b
     Example: sdgen home export 7 -o my_homes/homes/my_flat.yaml
     Example: sdgen home export apartment_1 -o flat.glb
+    Example: sdgen home export apartment_1 -o flat.xml
     """
     from sdgen.catalog.words import NOT_A_NAME, WORD
     from sdgen.dataset.output_file import check_output, write_output
+    from sdgen.export.beside import check_beside, folder_beside, written_beside
     from sdgen.export.home_glb import home_glb
+    from sdgen.export.home_mjcf import write_home_mjcf
     from sdgen.export.home_yaml import home_yaml
 
-    if out.suffix not in (*_YAML, ".glb"):
-        raise UsageError(f"{out}: expected a name that ends in .yaml or .glb")
+    if out.suffix not in (*_YAML, ".glb", ".xml"):
+        raise UsageError(f"{out}: expected a name that ends in .yaml, .glb or .xml")
     if out.suffix in _YAML and not WORD.fullmatch(out.stem):
         raise UsageError(f"{out}: a home is called as its file, and {out.stem!r} {NOT_A_NAME}")
     check_output(out)
+    if out.suffix == ".xml":
+        check_beside(out)
     made, library = _make(which, catalogs, assets, BuildOptions(seed=seed, views=0))
+    scene, spec = made.bundle.scene, made.spec
     if out.suffix == ".glb":
-        data = home_glb(made.bundle.scene, library)
+        write_output(out, home_glb(scene, library, spec))
+    elif out.suffix == ".xml":
+        beside = folder_beside(out)
+        with written_beside(out) as folder:
+            data = write_home_mjcf(scene, library, folder, beside.name, spec)
+        write_output(out, data)
+        click.echo(str(beside))
     else:
-        data = home_yaml(out.stem, made.spec, made.furnished).encode()
-    write_output(out, data)
+        write_output(out, home_yaml(out.stem, made.spec, made.furnished).encode())
     click.echo(str(out))
+
+
+@home.command("import")
+@click.argument("format_", metavar="FORMAT", type=click.Choice(_FORMATS))
+@click.argument("path", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option(
+    "-o",
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    required=True,
+    metavar="FILE.yaml",
+    help="The base home to write; its id is the file's name.",
+)
+@click.option(
+    "--library",
+    "assets",
+    type=click.Path(exists=True, path_type=Path),
+    multiple=True,
+    help="Asset folder with models of the scene, as 'assets import' writes them; repeatable.",
+)
+@click.option(
+    "--violating",
+    type=click.Choice(["remove", "label"]),
+    default="remove",
+    show_default=True,
+    help="Things that are a hazard as they lie: left out, or kept and labelled in every scene.",
+)
+@CATALOGS
+@click.option("--json", "as_json", is_flag=True, help="Print what was found as one JSON object.")
+def import_scene(
+    format_: str,
+    path: Path,
+    out: Path,
+    assets: tuple[Path, ...],
+    violating: Literal["remove", "label"],
+    catalogs: tuple[Path, ...],
+    as_json: bool,
+) -> None:
+    """Read somebody's furnished scene and write it as a base home.
+
+    FORMAT is mjcf (MuJoCo's XML: ours, MolmoSpaces', RoboCasa's), gltf (named nodes, .glb or
+    .gltf), virtualhome (a graph's JSON) or replicacad (a *.scene_instance.json). Rooms, openings
+    and furniture are drawn as base homes have them; what cannot be is listed, and stands in the
+    file's head.
+
+    \b
+    Example: sdgen home import gltf flat.glb -o my_flat.yaml
+    Example: sdgen home import replicacad apt_0.scene_instance.json --library cad -o apt_0.yaml
+    """
+    from sdgen.catalog.load import load_catalog
+    from sdgen.catalog.words import NOT_A_NAME, WORD
+    from sdgen.dataset.output_file import check_output, write_output
+    from sdgen.importing.scenes.read import import_home, text_of
+    from sdgen.importing.scenes.table_namer import table_namer
+    from sdgen.library import load_library
+
+    if out.suffix not in _YAML or not WORD.fullmatch(out.stem):
+        named = f"and {out.stem!r} {NOT_A_NAME}" if out.suffix in _YAML else "with .yaml at its end"
+        raise UsageError(f"{out}: a home is called as its file, {named}")
+    check_output(out)
+    catalog = load_catalog(catalogs)
+    if any(one.id == out.stem for one in catalog.homes):
+        raise UsageError(f"{out}: there is a home called {out.stem!r} already; name another file")
+    library = load_library(assets)
+    namer = table_namer(format_, catalog)
+    made = import_home(format_, path, out.stem, catalog, library, namer, violating)
+    write_output(out, text_of(made, format_, path).encode())
+    if as_json:
+        lists = {"guessed": made.guessed, "assumed": made.told, "unresolved": made.unresolved}
+        click.echo(json.dumps({"home": str(out), **made.counts, **lists}, indent=1))
+        return
+    for what, lines in (
+        ("guessed", made.guessed),
+        ("assumed", made.told),
+        ("left out", made.unresolved),
+    ):
+        for line in lines:
+            click.echo(f"{what}: {line}")
+    counts = made.counts
+    click.echo(
+        f"{out}: {counts['rooms']} rooms, {counts['openings']} openings, {counts['furniture']} "
+        f"pieces of furniture, {counts['things']} things ({counts['labelled']} labelled); "
+        f"{len(made.unresolved)} of {counts['found']} left out"
+    )
 
 
 def _make(

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import TypeVar
+from typing import Literal, TypeVar
 
 import click
 
@@ -54,6 +54,24 @@ def hazard_count(text: str) -> tuple[int, int]:
     if least > most:
         raise ValueError("has the larger number first")
     return least, most
+
+
+def homes_meant(text: str) -> Literal["base", "procedural", "mixed"] | Path:
+    """A word for the homes of a build, or the file of one home. ValueError for anything else."""
+    words: dict[str, Literal["base", "procedural", "mixed"]] = {
+        "base": "base",
+        "procedural": "procedural",
+        "mixed": "mixed",
+    }
+    if text in words:
+        return words[text]
+    path = Path(text)
+    if path.suffix not in (".yaml", ".yml"):
+        near = did_you_mean(text, [*words])
+        raise ValueError(f"is neither base, procedural or mixed nor a FILE.yaml{near}")
+    if not path.is_file():
+        raise ValueError("is no file")
+    return path
 
 
 def scene_range(text: str) -> tuple[int, int]:

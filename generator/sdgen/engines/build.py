@@ -20,10 +20,12 @@ from sdgen.engines.tally import Tally
 from sdgen.engines.worker import SceneResult, WorkerSetup
 from sdgen.errors import AssetError, InputError, SdgenError, WorkerFault
 from sdgen.hazards.draw import check_range
+from sdgen.hazards.hosting import hosted
 from sdgen.library import Library
 from sdgen.library.cache import usable_cache
 from sdgen.library.licences import NON_COMMERCIAL
 from sdgen.options import BuildOptions, check_index_range
+from sdgen.pipeline.furnished import homes_of
 from sdgen.render import Choice, choose_renderer
 
 #: Scenes lost to programming errors that end a build: one or two may be rare cases, three are not.
@@ -159,7 +161,9 @@ def _check(
     """
     check_against_library(catalog, library.states_by_category(), parts_by_category(library))
     check_against_styles(catalog, library)
-    check_range(options.hazards_min, options.hazards_max, len(catalog.hazards))
+    bases, mixes = homes_of(catalog, options)
+    classes = hosted(catalog, bases, bool(mixes))
+    check_range(options.hazards_min, options.hazards_max, len(classes))
     if options.hazards_max and not begun:
         found = misfits(catalog, library, options)
         if found.problems:

@@ -17,11 +17,12 @@ from sdgen.catalog.styles import check_styles
 from sdgen.engines.early_stop import none_left
 from sdgen.engines.untouched import Untouched
 from sdgen.hazards.certify import facts_of
+from sdgen.hazards.hosting import hosted
 from sdgen.hazards.inject import ALREADY_SET, inject
 from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.library import Library
 from sdgen.options import BuildOptions
-from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home, homes_of, pick_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection, most_frequent
 from sdgen.seeding import lane
@@ -89,7 +90,9 @@ def parts_by_category(library: Library) -> dict[str, set[str]]:
 def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfits:
     """Hazards that found no place in any of some homes, or none of their own, or that are true of
     the homes as they stand."""
-    trials = {hazard.id: _Trial() for hazard in catalog.hazards}
+    bases, mixes = homes_of(catalog, options)
+    drawn = hosted(catalog, bases, bool(mixes))
+    trials = {name: _Trial() for name in drawn}
     untouched = Untouched(catalog, library)
     seen: set[str] = set()
     homes = 0
@@ -112,8 +115,14 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     for name, trial in trials.items():
         if not trial.fits and name not in problems:
             problems[name] = _problem(catalog.hazard(name), trial, homes, seen, library)
+    left_out = [
+        f"hazard {hazard.id!r} is not drawn: {bases[0].id} has nothing for it"
+        for hazard in catalog.hazards
+        if hazard.id not in drawn
+    ]
     return Misfits(
-        tuple(problems[name] for name in sorted(problems)), tuple(untouched.warnings().values())
+        tuple(problems[name] for name in sorted(problems)),
+        (*left_out, *untouched.warnings().values()),
     )
 
 

@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from sdgen.catalog.records import HomeSpec
 from sdgen.geometry import Array
+from sdgen.home.notes import KEY, HomeNote, ThingNote, home_note, thing_notes
 from sdgen.library import Library, MeshData
 from sdgen.library.states import object_from_part
 from sdgen.render.shell import Face, structure_faces
-from sdgen.scene import ObjectInstance, Scene, Structure
+from sdgen.scene import ObjectInstance, Record, Scene, Structure
 
 #: (x, y, z)_ours = (x, z, -y)_gltf.
 _GLTF_FROM_OURS = np.array(
@@ -21,18 +23,20 @@ _GLTF_FROM_OURS = np.array(
 )
 
 
-def home_glb(scene: Scene, library: Library) -> bytes:
+def home_glb(scene: Scene, library: Library, spec: HomeSpec | None = None) -> bytes:
     """The scene as a GLB. Its root is the home; below it are a node for each structure and, named
     by category and id, for each object, with its drawn parts below that, where joints put them.
 
-    A model's meshes are in the file once, however often it stands there.
+    A model's meshes are in the file once, however often it stands there. ``extras`` of the home's
+    and the objects' nodes say what no shape tells (:mod:`sdgen.home.notes`); ``spec`` is
+    what the home was made from, where it is at hand.
     """
-    made = _Made(library, scene.home.id)
+    made = _Made(library, scene.home.id, home_note(scene, spec))
     names = {room.id: room.name for room in scene.home.rooms}
     for structure in scene.home.structures:
         made.structure(structure, names[structure.room_id])
-    for item in scene.objects:
-        made.object(item)
+    for item, said in thing_notes(scene):
+        made.object(item, said)
     data: bytes = made.scene.export(file_type="glb")
     return data
 
@@ -40,7 +44,7 @@ def home_glb(scene: Scene, library: Library) -> bytes:
 class _Made:
     """A trimesh scene in the making."""
 
-    def __init__(self, library: Library, root: str) -> None:
+    def __init__(self, library: Library, root: str, note: HomeNote) -> None:
         import trimesh
 
         self._trimesh: Any = trimesh
@@ -48,7 +52,7 @@ class _Made:
         self._root = root
         self._materials: dict[Path, Any] = {}
         self.scene: Any = trimesh.Scene(base_frame="world")
-        self._node(root, "world", _GLTF_FROM_OURS)
+        self._node(root, "world", _GLTF_FROM_OURS, note=note)
 
     def structure(self, structure: Structure, room: str) -> None:
         """Add a floor, wall or ceiling, its texture running on across pieces."""
@@ -71,12 +75,12 @@ class _Made:
             )
             self._node(name, self._root, np.eye(4), name)
 
-    def object(self, item: ObjectInstance) -> None:
+    def object(self, item: ObjectInstance, said: ThingNote) -> None:
         """Add an object as it stands."""
         asset = self._library.assets[item.asset]
         meshes: Mapping[str, MeshData] = self._library.mesh(item.asset)
         node = f"{item.category}_{item.id}"
-        self._node(node, self._root, item.pose.matrix())
+        self._node(node, self._root, item.pose.matrix(), note=said)
         for part in asset.variants[item.variant]:
             geometry = f"{item.asset}/{part}"
             if geometry not in self.scene.geometry:
@@ -91,9 +95,19 @@ class _Made:
                 )
             self._node(f"{node}/{part}", node, object_from_part(asset, part, item.joints), geometry)
 
-    def _node(self, name: str, parent: str, matrix: Array, geometry: str | None = None) -> None:
-        graph = self.scene.graph
-        graph.update(frame_to=name, frame_from=parent, matrix=matrix, geometry=geometry)
+    def _node(
+        self,
+        name: str,
+        parent: str,
+        matrix: Array,
+        geometry: str | None = None,
+        note: Record | None = None,
+    ) -> None:
+        # Trimesh writes a node's metadata as its extras.
+        said = note and {KEY: note.model_dump(mode="json", exclude_defaults=True)}
+        self.scene.graph.update(
+            frame_to=name, frame_from=parent, matrix=matrix, geometry=geometry, metadata=said
+        )
 
     def _visual(self, uvs: Array, texture: Path) -> Any:
         visual = self._trimesh.visual

@@ -55,11 +55,17 @@ class Block:
 
 
 def blocks_of(item: ObjectInstance, info: AssetInfo, library: Library) -> list[Block]:
-    """Space of an object's body, and of each part that a joint holds open. It stands upright.
+    """Space of an object's body, and of each part that a joint holds open.
 
     Open-framed furniture (tables, chairs, desks) takes the space of its collision pieces, so that
-    a chair goes under a table; everything else takes its box. Raises ValueError for what is tilted.
+    a chair goes under a table; everything else takes its box, and a loose thing that lies aslant
+    what its box covers, up to where it ends. Raises ValueError for furniture that is tilted.
     """
+    world = item.pose.matrix()
+    if world[2, 2] != 1.0:
+        if item.fixed:
+            raise ValueError(f"{item.category} {item.id} does not stand upright")
+        return _aslant(item, info, library, world)
     drawn = info.variants[item.variant]
     # Openings sit in walls: only an open leaf takes space in a room.
     if item.fixed and _open_framed(info) and item.category not in OPENINGS:
@@ -68,10 +74,18 @@ def blocks_of(item: ObjectInstance, info: AssetInfo, library: Library) -> list[B
         pieces = []
     if not pieces:
         pieces = list(_boxed(item, info, library, drawn))
-    world = item.pose.matrix()
-    if world[2, 2] != 1.0:
-        raise ValueError(f"{item.category} {item.id} does not stand upright")
     return [block for piece in pieces for block in blocks_at(item.id, piece, world)]
+
+
+def _aslant(item: ObjectInstance, info: AssetInfo, library: Library, world: Array) -> list[Block]:
+    """Space of what came to rest: the parts' boxes, as they lie."""
+    lying = []
+    for name in info.variants[item.variant]:
+        low, high = library.bounds(item.asset)[name].tolist()
+        lying.append(
+            apply(world @ object_from_part(info, name, item.joints), box_corners(low, high))
+        )
+    return list(blocks_at(item.id, seen_from_above([np.concatenate(lying)]), np.eye(4)))
 
 
 def _open_framed(info: AssetInfo) -> bool:

@@ -109,7 +109,9 @@ def _fill_small_things(
     # What is put on one may hold more: a plate on a mat, and a roll on the plate.
     for holder in holders:
         held = holds[holder.category]
-        lies_open = layout.intents[holder.id].relation == "ON" and holder.variant == "default"
+        # What a drawing has somewhere may lie on nothing that anybody is sure of.
+        intent = layout.intents.get(holder.id)
+        lies_open = intent is not None and intent.relation == "ON" and holder.variant == "default"
         if holder.id in keep_off or not lies_open or rng.random() >= held.chance:
             continue
         info = layout.info(holder.id)

@@ -94,6 +94,7 @@ def drawing_problems(
     for item in list(layout.items.values()):  # inner doors stand as the seed has them: shut here
         layout.put(at_rest(item, library.assets[item.asset]))
     look = _Look(spec, home, catalog, library)
+    yield from look.things()
     base = _Furnished(layout)
     for path, room, piece in look.pieces(optional=False):
         yield from ((path, text) for text in look.place(piece, room, base, path))
@@ -128,6 +129,26 @@ class _Look:
                 if piece.optional == optional:
                     exact = piece.model_copy(update={"jitter_m": 0.0})
                     yield ("rooms", r, "furniture", k), room, exact
+
+    def things(self) -> Iterator[tuple[Path_, str]]:
+        """Things of models, variants or joints that the library does not have."""
+        for r, room in enumerate(self.spec.rooms):
+            for k, thing in enumerate(room.things):
+                path: Path_ = ("rooms", r, "things", k)
+                model = self.library.assets.get(thing.model)
+                if model is None or model.category != thing.category:
+                    known = [one.id for one in self.library.by_category(thing.category)]
+                    near = did_you_mean(thing.model, known)
+                    yield (*path, "model"), f"no model {thing.model!r} of {thing.category}{near}"
+                    continue
+                if thing.variant not in model.variants:
+                    near = did_you_mean(thing.variant, list(model.variants))
+                    yield (*path, "variant"), f"{model.id} has no variant {thing.variant!r}{near}"
+                joints = [joint.name for joint in model.joints]
+                for name in thing.joints:
+                    if name not in joints:
+                        near = did_you_mean(name, joints)
+                        yield (*path, "joints"), f"{model.id} has no joint {name!r}{near}"
 
     def place(self, piece: FurnitureItem, room: Room, home: _Furnished, path: Path_) -> list[str]:
         """Put the piece into ``home``; why it cannot be, when no model will do."""

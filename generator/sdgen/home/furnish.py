@@ -53,6 +53,8 @@ def fill_openings(
         fitting = list(style.matching(fitting))
         drawn = fitting[int(rng.integers(len(fitting)))]
         asset = chosen.setdefault((opening.kind, width), drawn)
+        named = [m for m in layout.library.by_category(opening.kind) if m.id == source.model]
+        asset = named[0] if named else asset
         item = ObjectInstance(
             id=opening.object_id,
             category=opening.kind,
@@ -62,7 +64,11 @@ def fill_openings(
             fixed=True,
         )
         item = at_rest(item, asset)
-        if opening.kind in INNER_DOORS and rng.random() < DOOR_OPEN_SHARE:
+        if source.joints:
+            item = _standing(item, asset, source.joints)
+        elif spec.as_drawn:
+            pass
+        elif opening.kind in INNER_DOORS and rng.random() < DOOR_OPEN_SHARE:
             # Beside a corner a leaf turns no further than along the other wall.
             turned = float(rng.uniform(*DOOR_OPEN))
             wide = _opened(item, asset, turned, math.inf)
@@ -72,6 +78,21 @@ def fill_openings(
         layout.put(item)
         layout.ways = layout.ways.with_frame(item, layout.library)
     return layout
+
+
+def _standing(
+    item: ObjectInstance, asset: AssetInfo, joints: Mapping[str, float], variant: str = "default"
+) -> ObjectInstance:
+    """A piece with its joints (those that it has) and variant as a drawing says."""
+    limits = {joint.name: (joint.lower, joint.upper) for joint in asset.joints}
+    given = {
+        name: round(min(max(value, limits[name][0]), limits[name][1]), 4)
+        for name, value in joints.items()
+        if name in limits
+    }
+    variant = variant if variant in asset.variants else "default"
+    joints_now = {**item.joints, **given}
+    return settled_states(item.model_copy(update={"joints": joints_now, "variant": variant}), asset)
 
 
 def _opened(item: ObjectInstance, asset: AssetInfo, share: float, most: float) -> ObjectInstance:
@@ -113,7 +134,9 @@ def furnish_as_drawn(
     """The layout with the furniture of every room where the base home has it; of optional pieces
     only what is ``theirs`` who live there."""
     for source, room in zip(spec.rooms, home.rooms, strict=True):
-        furnished = _furnish_room(source, room, layout, catalog, style, models, theirs, rng)
+        furnished = _furnish_room(
+            source, room, layout, catalog, style, models, theirs, rng, spec.as_drawn
+        )
         if isinstance(furnished, Rejection):
             return furnished
         layout = furnished
@@ -129,6 +152,7 @@ def _furnish_room(
     models: Models,
     theirs: Models,
     rng: Rng,
+    as_drawn: bool,
 ) -> Layout | Rejection:
     placed: dict[str, list[int]] = {}
     for piece in source.furniture:
@@ -146,7 +170,7 @@ def _furnish_room(
         order.sort(key=lambda m: (m.id not in there, m.id not in matching))
         done = False
         for model in order:
-            done = _try_piece(piece, model, room, layout, catalog, placed, rng)
+            done = _try_piece(piece, model, room, layout, catalog, placed, rng, as_drawn)
             if done:
                 break
         if not done and not piece.optional:
@@ -174,13 +198,17 @@ def _try_piece(
     catalog: Catalog,
     placed: dict[str, list[int]],
     rng: Rng,
+    as_drawn: bool,
 ) -> bool:
     drawn = drawn_at(piece, asset, room, layout, placed, rng)
     if drawn is None:
         return False
-    item = stand_in(drawn[0], asset, catalog, rng)
+    item = drawn[0] if as_drawn else stand_in(drawn[0], asset, catalog, rng)
     if not put_piece(item, asset, layout, drawn[1], room, catalog):
         return False
+    if piece.joints or piece.variant != "default":
+        # Opened where it stands: what opens of it was seen to have room.
+        layout.put(_standing(item, asset, piece.joints, piece.variant), drawn[1])
     placed.setdefault(piece.category, []).append(item.id)
     return True
 
@@ -271,6 +299,18 @@ def leave_open(layout: Layout, context: HomeContext, rng: Rng) -> HomeContext:
         if not swing_blocked([*doors, *bodies_of([opened], layout.library.infos)]):
             layout.put(opened)
             context = replace(context, free=context.leaves_free(opened, info))
+    return context
+
+
+def stand_open(layout: Layout, context: HomeContext) -> HomeContext:
+    """The context with the floor that is free where pieces of a home that is as drawn stand open.
+
+    Zones and free space stay those of the home as nobody left it.
+    """
+    for item in layout.items.values():
+        if item.category not in OPENINGS and any(item.joints.values()):
+            free = context.leaves_free(item, layout.info(item.id))
+            context = replace(context, free=free)
     return context
 
 

@@ -18,6 +18,7 @@ from sdgen.importing.shelf import Origin, manifest_text
 from sdgen.importing.table import load_table
 from sdgen.importing.tree import References
 from sdgen.library import Library
+from sdgen.resources import data_path
 
 #: As many as a library's model may have; pixels a side of the texture.
 _FACES, _TEXTURE_PX = 150_000, 2048
@@ -73,4 +74,4 @@ def _library(origin: Origin, candidate: Candidate, catalog: Catalog, folder: Pat
     for name, data in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(data)
-    return Library([folder])
+    return Library([data_path("assets"), folder])  # ours has the floor to draw it on

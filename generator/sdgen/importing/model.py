@@ -27,9 +27,8 @@ from sdgen.library.plausible import DENSITY_KG_M3, inconsistencies
 from sdgen.library.poses import resting_poses
 from sdgen.library.records import Asset, Container, Joint, Part, StateRule, Support
 from sdgen.library.shape import centre_of_mass, corners_of, hull_volume, see_through
+from sdgen.vocabulary import UNCATEGORISED
 
-#: Category of models that no build places: of none of ours, or of a size that theirs never has.
-NONE_OF_OURS = "uncategorised"
 #: As :mod:`sdgen.validate.models` has it: faces of small things, of others, and what is small.
 SMALL_FACES, LARGE_FACES, SMALL_M = 800, 2500, 0.6
 #: Things this small need less than the whole texture.
@@ -114,7 +113,7 @@ def make_model(
     extents = np.round(corners.max(axis=0) - corners.min(axis=0), 4)
     asset = Asset(
         id=asset_id,
-        category=NONE_OF_OURS if category is None else category.name,
+        category=UNCATEGORISED if category is None else category.name,
         title=title,
         licence=terms.licence,
         source=source,

@@ -75,19 +75,25 @@ class Contents:
 def place_contents(
     hazards: Sequence[str], home: FurnishedHome, layout: Layout, training: bool, rng: Rng
 ) -> Contents | Rejection:
-    """Anomalies of the drawn hazards, lookalikes and clutter, placed in ``layout`` (taken over).
+    """The home's own things, anomalies of the drawn hazards, lookalikes and clutter, placed in
+    ``layout`` (taken over); of a home that is as it is drawn neither of the last two.
 
     ``training`` leaves withheld unique anomalies out.
     """
+    for item in home.things.items:
+        layout.put(item, home.things.intents.get(item.id))
     anomalies = inject(hazards, layout, home.context, training, rng)
     if isinstance(anomalies, Rejection):
         return anomalies
-    lookalikes = add_lookalikes(layout, home.context, anomalies, rng)
-    add_clutter(layout, home.context, rng, {injected.object_id for injected in anomalies})
+    lookalikes: tuple[Injected, ...] = ()
+    if not home.as_drawn:
+        lookalikes = add_lookalikes(layout, home.context, anomalies, rng)
+        add_clutter(layout, home.context, rng, {injected.object_id for injected in anomalies})
+    labelled = [Injected(name, key, None) for key, name in home.things.anomalies.items()]
     return Contents(
         items=dict(layout.items),
         intents=dict(layout.intents),
-        anomalies={injected.object_id: injected for injected in anomalies},
+        anomalies={injected.object_id: injected for injected in (*labelled, *anomalies)},
         lookalikes={injected.object_id: injected for injected in lookalikes},
     )
 

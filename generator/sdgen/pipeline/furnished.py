@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from sdgen.cameras.view import View
@@ -16,19 +16,21 @@ from sdgen.hazards.certify import facts_of
 from sdgen.home.arrange import furnish_by_rules
 from sdgen.home.context import HomeContext, Models
 from sdgen.home.fittings import add_fittings
-from sdgen.home.furnish import fill_openings, furnish_as_drawn, leave_open
+from sdgen.home.furnish import fill_openings, furnish_as_drawn, leave_open, stand_open
 from sdgen.home.generate import generate_home
-from sdgen.home.layout import Layout
+from sdgen.home.layout import Intent, Layout
 from sdgen.home.reach import Reach
 from sdgen.home.shell import build_shell
 from sdgen.home.style import style_random
 from sdgen.home.tenants import Homes, Tenants, beds_of, wide_beds
+from sdgen.home.things import NO_THINGS, Things, things_drawn
 from sdgen.home.wall_bands import with_tiles
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
 from sdgen.seeding import Rng, lane
+from sdgen.vocabulary import HOLDING
 from sdgen.zones import (
     derive_zones,
     doorway_blocked,
@@ -46,20 +48,24 @@ BASE_SHARE = 0.3
 @dataclass(frozen=True)
 class FurnishedHome:
     """Where a scene can play: the home, the furniture, and what follows from them; with
-    :func:`~sdgen.pipeline.overlook.overlooked`, the views too, canonical ones first."""
+    :func:`~sdgen.pipeline.overlook.overlooked`, the views too, canonical ones first. ``things``
+    are those that the home draws itself; ``as_drawn``: no others are added."""
 
     context: HomeContext
     layout: Layout
     free_space: tuple[tuple[Vec2, ...], ...]
     agent_start: AgentStart
     views: tuple[View, ...] = ()
+    things: Things = NO_THINGS
+    as_drawn: bool = False
 
     @property
     def ids(self) -> frozenset[int]:
         """Every node id that is in use."""
         home = self.context.home
         rooms, structures = (r.id for r in home.rooms), (s.id for s in home.structures)
-        return frozenset((*rooms, *structures, *self.layout.items))
+        things = (item.id for item in self.things.items)
+        return frozenset((*rooms, *structures, *self.layout.items, *things))
 
     @cached_property
     def facts(self) -> Facts:
@@ -172,7 +178,11 @@ def furnished_home(
         layout = furnish_as_drawn(spec, home, layout, catalog, style, models, theirs, rng)
     if isinstance(layout, Rejection):
         return layout
-    layout = add_fittings(home, layout, catalog, styled, rng)
+    if not spec.as_drawn:
+        layout = add_fittings(home, layout, catalog, styled, rng)
+    things = things_drawn(spec, home, library, ids)
+    if isinstance(things, Rejection):
+        return things
     if tenants is not None and Homes(catalog).has_beds(spec, tenants.beds):
         places = beds_of(layout.items.values(), library.infos, catalog)
         if places < tenants.beds:
@@ -202,17 +212,33 @@ def furnished_home(
         free=free,
         tidiness=Tenants.tidiness if tenants is None else tenants.tidiness,
     )
-    context = leave_open(layout, context, rng)
+    context = stand_open(layout, context) if spec.as_drawn else leave_open(layout, context, rng)
     start = random_point(context.free or free, rng)
     room = None if start is None else room_at(home.rooms, *start)
     if start is None or room is None:
         return reject("home", "no_free_floor")
-    return FurnishedHome(
+    furnished = FurnishedHome(
         context=context,
         layout=layout,
         free_space=rounded_rings(free),
         agent_start=_agent_start(start, room, rng),
+        things=things,
+        as_drawn=spec.as_drawn,
     )
+    return _with_intents(furnished) if things.items else furnished
+
+
+def _with_intents(home: FurnishedHome) -> FurnishedHome:
+    """The home with what each of its things surely lies on or in."""
+    items = {**home.layout.items, **{item.id: item for item in home.things.items}}
+    facts = facts_of(home.scene(0, items), home.layout.library.infos, home.context.catalog)
+    intents = {}
+    for item in home.things.items:
+        for relation in HOLDING:
+            for found in facts.related(item.id, relation):
+                if found.holds and found.sure:
+                    intents[item.id] = Intent(relation, found.target_id)
+    return replace(home, things=replace(home.things, intents=intents))
 
 
 def _styles(spec: HomeSpec, catalog: Catalog) -> tuple[Style, ...]:

@@ -6,8 +6,9 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import partial
 
-from sdgen.catalog.records import Catalog
+from sdgen.catalog.records import Catalog, HomeMix, HomeSpec
 from sdgen.hazards.draw import draw
+from sdgen.hazards.hosting import hosted
 from sdgen.hazards.splits import Split, split_of_home
 from sdgen.home.tenants import Homes, Tenants, words_of
 from sdgen.households import draw_template, sample_household
@@ -39,19 +40,20 @@ class SceneSpec:
 def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
     """The specification of scene ``index``: each part from a lane of its own.
 
-    Hazards come first and know of nothing else; then the kind of household, by its weight; then a
-    home that it can live in.
+    Hazards come first and know of nothing else, but for what an only home has nothing for; then
+    the kind of household, by its weight; then a home that it can live in.
     """
+    bases, mixes = homes_of(catalog, options)
     hazards = draw(
         options.seed,
         index,
-        [hazard.id for hazard in catalog.hazards],
+        hosted(catalog, bases, bool(mixes)),
         options.hazards_min,
         options.hazards_max,
         options.draw,
     )
     homes = Homes(catalog)
-    among = [home for kind in homes_of(catalog, options) for home in kind]
+    among: list[HomeSpec | HomeMix] = [*bases, *mixes]
     template = draw_template(
         catalog,
         lane(options.seed, index, "template"),

@@ -1,0 +1,38 @@
+"""Which hazards a build of one home alone has anything for: no stove is on where there is none.
+
+Where there are several homes, or generated ones, a hazard that has no place anywhere is a mistake
+in the catalogue, and told as one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sdgen.catalog.records import Catalog, Hazard, HomeSpec, Recipe, SetRecipe
+
+
+def hosted(catalog: Catalog, homes: Sequence[HomeSpec], generated: bool) -> tuple[str, ...]:
+    """Ids of the hazards that are drawn in these base homes and, if so, ``generated`` ones: all
+    but those that an only home has nothing for. These are proved absent all the same."""
+    if generated or len(homes) != 1:
+        return tuple(hazard.id for hazard in catalog.hazards)
+    (home,) = homes
+    return tuple(hazard.id for hazard in catalog.hazards if hosts(home, hazard, catalog))
+
+
+def hosts(home: HomeSpec, hazard: Hazard, catalog: Catalog) -> bool:
+    """True when a base home draws what a recipe of the hazard is about, in a room of its kind."""
+    types = {room.type for room in home.rooms}
+    there = {item.category for room in home.rooms for item in room.furniture}
+    there |= {opening.kind for opening in home.openings} | {"floor"}
+    there |= {fitting.category for fitting in catalog.fittings}
+    return any(
+        (not recipe.rooms or not types.isdisjoint(recipe.rooms))
+        and not there.isdisjoint(_needed(recipe))
+        for recipe in hazard.anomalies
+    )
+
+
+def _needed(recipe: Recipe) -> Sequence[str]:
+    """Categories of which a recipe needs one to be there."""
+    return recipe.categories if isinstance(recipe, SetRecipe) else recipe.targets

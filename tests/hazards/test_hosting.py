@@ -1,0 +1,45 @@
+"""Hazards that an only home has nothing for are not drawn in it; elsewhere all are."""
+
+from __future__ import annotations
+
+from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import HomeSpec
+from sdgen.hazards.hosting import hosted, hosts
+from sdgen.options import BuildOptions
+from sdgen.pipeline.spec import draw_spec
+
+CATALOG = load_catalog()
+EVERY = tuple(hazard.id for hazard in CATALOG.hazards)
+
+
+def without(home: HomeSpec, *gone: str) -> HomeSpec:
+    rooms = tuple(
+        room.model_copy(
+            update={"furniture": tuple(p for p in room.furniture if p.category not in gone)}
+        )
+        for room in home.rooms
+    )
+    return home.model_copy(update={"rooms": rooms})
+
+
+def test_shipped_homes_host_every_hazard() -> None:
+    for home in CATALOG.homes:
+        assert hosted(CATALOG, [home], generated=False) == EVERY
+
+
+def test_no_stove_no_stove_on() -> None:
+    bare = without(CATALOG.homes[0], "stove")
+    assert not hosts(bare, CATALOG.hazard("stove_on"), CATALOG)
+    left = hosted(CATALOG, [bare], generated=False)
+    assert left == tuple(name for name in EVERY if name != "stove_on")
+    # In company a hazard without a place is a mistake in the catalogue, and told.
+    assert hosted(CATALOG, [bare, CATALOG.homes[1]], generated=False) == EVERY
+    assert hosted(CATALOG, [bare], generated=True) == EVERY
+
+
+def test_it_is_never_drawn() -> None:
+    bare = without(CATALOG.homes[0], "stove")
+    alone = CATALOG.model_copy(update={"homes": (bare,)})
+    options = BuildOptions(n=40, seed=5, homes="base")
+    drawn = {name for k in range(40) for name in draw_spec(k, alone, options).hazards}
+    assert drawn == set(EVERY) - {"stove_on"}

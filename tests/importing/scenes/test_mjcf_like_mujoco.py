@@ -1,0 +1,109 @@
+"""Our reader has every body where MuJoCo has it: angles, frames, defaults, includes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from sdgen.geometry import rotation_matrix
+from sdgen.importing.scenes.found import FoundPiece
+from sdgen.importing.scenes.mjcf import read_mjcf
+
+from tests.importing.scenes.homes import CATALOG, NAMER
+
+mujoco = pytest.importorskip("mujoco", reason="no MuJoCo here (pip install mujoco)")
+
+number = st.floats(-3, 3).map(lambda value: round(value, 3))
+three = st.tuples(number, number, number)
+nonzero = three.filter(lambda v: np.linalg.norm(v) > 0.1)
+
+
+def text(values: Any) -> str:
+    return " ".join(f"{value:g}" for value in values)
+
+
+turns = st.one_of(
+    st.tuples(number, number, number, number)
+    .filter(lambda q: np.linalg.norm(q) > 0.1)
+    .map(lambda q: f'quat="{text(q)}"'),
+    st.tuples(nonzero, number).map(lambda a: f'axisangle="{text((*a[0], a[1] * 40))}"'),
+    three.map(lambda e: f'euler="{text(np.multiply(e, 50))}"'),
+    nonzero.map(lambda z: f'zaxis="{text(z)}"'),
+    st.tuples(nonzero, nonzero)
+    .filter(lambda p: np.linalg.norm(np.cross(*p)) > 0.1)
+    .map(lambda p: f'xyaxes="{text((*p[0], *p[1]))}"'),
+    st.just(""),
+)
+places = st.tuples(three, turns).map(lambda p: f'pos="{text(p[0])}" {p[1]}')
+orders = st.sampled_from(["xyz", "zyx", "XYZ", "ZXY", "xyx", "ZyX"])
+
+
+def corners(piece: FoundPiece) -> Any:
+    turn = rotation_matrix(piece.quat_xyzw)
+    half = np.array(piece.extents_m) / 2
+    middle = np.add(piece.position_m, (0, 0, half[2]))
+    return middle, np.abs(turn) @ half
+
+
+@settings(
+    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(order=orders, outer=places, inner=places, geom=places)
+def test_a_box_lies_where_mujoco_has_it(
+    order: str, outer: str, inner: str, geom: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "home.xml"
+    path.write_text(
+        f'<mujoco><compiler eulerseq="{order}"/><worldbody><frame {outer}>'
+        f'<body name="bed" {inner}><geom type="box" size=".3 .2 .1" {geom}/></body>'
+        "</frame></worldbody></mujoco>"
+    )
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    (piece,) = read_mjcf(path, CATALOG, NAMER).pieces
+    middle, reach = corners(piece)
+    assert np.allclose(middle, data.geom_xpos[0], atol=1e-4)
+    # The box of a piece that lies aslant is one along the world's axes; a lean of a few degrees is
+    # none.
+    own = np.abs(data.geom_xmat[0].reshape(3, 3)) @ (0.3, 0.2, 0.1)
+    assert (reach >= own - 0.3 * np.sin(np.radians(8.2))).all()
+
+
+def test_includes_defaults_and_meshes(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "tetra.obj").write_text(
+        "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+    )
+    (tmp_path / "bed.xml").write_text(
+        '<mujocoinclude><body name="bed" pos="1 2 0" childclass="half">'
+        '<geom mesh="tetra" type="mesh"/><joint type="slide" axis="1 0 0"/></body></mujocoinclude>'
+    )
+    (tmp_path / "home.xml").write_text(
+        '<mujoco><compiler angle="radian" meshdir="parts"/>'
+        '<default><default class="half"><geom euler="0 0 1.5707963"/></default></default>'
+        '<asset><mesh name="tetra" file="tetra.obj" scale=".5 .5 .5"/></asset>'
+        '<worldbody><include file="bed.xml"/></worldbody></mujoco>'
+    )
+    (piece,) = read_mjcf(tmp_path / "home.xml", CATALOG, NAMER).pieces
+    # Half as large, then turned by a quarter: 0.5 by 1 by 0.5, from (0, 0, 0) towards -x and +y.
+    middle, reach = corners(piece)
+    assert np.allclose(reach, (0.5, 0.25, 0.25), atol=1e-6)
+    assert np.allclose(middle, (0.5, 2.25, 0.25), atol=1e-6)
+    assert piece.loose is None
+
+
+def test_a_free_thing_is_loose_and_what_is_not_seen_is_no_thing(tmp_path: Path) -> None:
+    path = tmp_path / "home.xml"
+    path.write_text(
+        "<mujoco><worldbody>"
+        '<body name="apple" pos="0 0 1"><freejoint/><geom size=".04"/></body>'
+        '<body name="region"><geom type="box" size="1 1 1" rgba="1 0 0 0"/></body>'
+        '<geom name="floor" type="plane" size="5 5 .1"/></worldbody></mujoco>'
+    )
+    found = read_mjcf(path, CATALOG, NAMER)
+    assert [(piece.name, piece.loose) for piece in found.pieces] == [("apple", True)]

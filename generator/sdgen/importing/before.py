@@ -8,6 +8,7 @@ import numpy as np
 
 from sdgen.catalog.records import Catalog
 from sdgen.errors import InputError
+from sdgen.importing.bake import kept
 from sdgen.importing.frame import stand
 from sdgen.importing.glb_file import model_glb
 from sdgen.importing.layouts import Candidate, find_models
@@ -21,7 +22,7 @@ from sdgen.library import Library
 from sdgen.resources import data_path
 
 #: As many as a library's model may have; pixels a side of the texture.
-_FACES, _TEXTURE_PX = 150_000, 2048
+_FACES, _TEXTURE_PX = 150_000, 1024
 
 
 def as_before(origin: Origin, catalog: Catalog, folder: Path) -> Library | None:
@@ -45,7 +46,8 @@ def _library(origin: Origin, candidate: Candidate, catalog: Catalog, folder: Pat
     scan = read_model(origin.source, candidate, references)
     table = load_table(origin.source, catalog)
     scan, _ = stand(scan, candidate.name, table, catalog, [])
-    look = painted(by_link(scan), _FACES, _TEXTURE_PX, [])
+    groups = by_link(scan)
+    look = kept(groups, False, _TEXTURE_PX) or painted(groups, _FACES, _TEXTURE_PX, [])
     size = scan.extents_m
     asset = origin.asset
     names = [part for part in asset.parts if part.name in look.meshes]

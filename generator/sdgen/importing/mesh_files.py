@@ -21,7 +21,7 @@ from sdgen.errors import AssetError
 from sdgen.geometry import Array
 from sdgen.importing.pictures import PICTURES, checked_picture
 from sdgen.importing.scan import Paint, Piece, Up
-from sdgen.importing.tree import References, files_below
+from sdgen.importing.tree import References, files_below, inside
 from sdgen.importing.xml_text import refuse_entities
 
 #: Suffix of a mesh file -> which axis its format has up.
@@ -170,7 +170,9 @@ def _with_picture_beside(
     near = [
         file
         for file in files_below(references.folder)
-        if file.suffix.lower() in PICTURES and file.stem.casefold() in stems
+        if file.suffix.lower() in PICTURES
+        and file.stem.casefold() in stems
+        and inside(references.root, file)
     ]
     near.sort(key=lambda f: (stems.index(f.stem.casefold()), f.as_posix()))
     if not near:

@@ -68,7 +68,7 @@ def _info(name: str, size: tuple[float, float, float], **more: Any) -> AssetInfo
     return AssetInfo(
         id=name,
         category=name[:-3],
-        licence="CC0",
+        licence="CC0-1.0",
         source="test",
         extents_m=size,
         mass_kg=1.0,

@@ -154,7 +154,7 @@ def test_options_reach_the_engine(asked: list[Any]) -> None:
     command = (
         "build --n 5 --seed 7 --hazards 1-2 --views 3 --size 64x48 --sensors depth,rgb --rgb jpg "
         "--supersample 2 --renderer cpu --draw iid --workers 3 --range 1:4 --overwrite --twins "
-        "--out here --engine ray --ray-address auto"
+        "--out here --engine ray --ray-address auto --non-commercial"
     )
     assert run(command.split()) == 0
     options = asked[0].options
@@ -164,8 +164,18 @@ def test_options_reach_the_engine(asked: list[Any]) -> None:
     assert (options.rgb, options.supersample, options.renderer) == ("jpg", 2, "cpu")
     assert options.twins
     assert asked[0].out == Path("here")
-    assert asked[0].where == Where(Path("here"), (1, 4), True, 3, "ray", "auto")
+    assert asked[0].where == Where(Path("here"), (1, 4), True, 3, "ray", "auto", True)
     assert asked[0].rest == ((), (), False, None)
+
+
+def test_own_models_alone_need_some(
+    asked: list[Any], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert run(["build", "--n", "3", "--assets-only"]) == 2
+    assert "--assets-only goes with --assets" in capsys.readouterr().err
+    assert run(["build", "--n", "3", "--assets-only", "--assets", str(tmp_path)]) == 0
+    assert asked[0].options.assets_only
+    assert not asked[0].where.non_commercial
 
 
 def test_seed_zero_is_a_seed(asked: list[Any]) -> None:

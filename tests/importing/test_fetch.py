@@ -15,7 +15,7 @@ from sdgen.importing.fetch import FetchReport, chosen, client_of, fetch
 from sdgen.importing.fetched import FILE
 from sdgen.importing.listing import list_models
 from sdgen.importing.sources import Source, load_sources
-from sdgen.library.plausible import LICENCES
+from sdgen.library.licences import LICENCES
 from sdgen.locks import FileLock
 
 from tests.importing.evil_archives import everything_below, zip_of

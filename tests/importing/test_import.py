@@ -14,7 +14,9 @@ import pytest
 import trimesh
 from PIL import Image
 from sdgen.catalog.load import load_catalog
+from sdgen.engines.build import build
 from sdgen.errors import AssetError
+from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.importing.frame import stand
 from sdgen.importing.layouts import find_models
 from sdgen.importing.reading import read_model
@@ -23,7 +25,9 @@ from sdgen.importing.shelf import Origin
 from sdgen.importing.table import load_table
 from sdgen.importing.tree import References
 from sdgen.library import load_library
+from sdgen.library.licences import narrowest
 from sdgen.library.records import Asset
+from sdgen.options import BuildOptions
 
 from . import downloads
 
@@ -303,6 +307,33 @@ def test_names_with_blanks_and_other_letters(tmp_path: Path) -> None:
     assert {o.placed for o in report.made if o.name == "große Tasse"} == {False}
     assert all(o.asset.id.isascii() for o in report.made)
     load_library([tmp_path / "lib"])
+
+
+def test_builds_may_take_small_things_of_own_folders_alone(tmp_path: Path) -> None:
+    origin = one(run("ycb", downloads.ycb(tmp_path / "ycb"), tmp_path / "lib"))
+    library = load_library([tmp_path / "lib"])
+    mixed = SplitModels(library, "test")("cereal_box")
+    alone = SplitModels(library, "test", small_categories(CATALOG))("cereal_box")
+    assert len(mixed) > len(alone)
+    assert origin.asset.id in {model.id for model in alone}
+    # Of ours only those whose states no model of the folder has.
+    assert all(model.state_names for model in alone if model.id != origin.asset.id)
+
+
+def test_models_for_no_trade_are_built_with_a_word_only(tmp_path: Path) -> None:
+    root = downloads.replicacad(tmp_path / "replica")
+    one(run("replicacad", root, tmp_path / "lib", non_commercial=True))
+    library = load_library([tmp_path / "lib"])
+    options = BuildOptions(n=0, views=0)
+    with pytest.raises(AssetError, match="--non-commercial"):
+        build(options, tmp_path / "set", CATALOG, library)
+    assert not (tmp_path / "set").exists()
+    build(options, tmp_path / "set", CATALOG, library, non_commercial=True)
+
+
+def test_a_data_set_has_the_narrowest_licence_of_its_models() -> None:
+    assert narrowest(["CC-BY-4.0", "CC0-1.0", "MIT"]) == "CC-BY-4.0"
+    assert narrowest(["CC-BY-4.0", "CC-BY-NC-4.0", "CC-BY-SA-4.0"]) == "CC-BY-NC-4.0"
 
 
 def test_an_unknown_source_layout_is_an_error(tmp_path: Path) -> None:

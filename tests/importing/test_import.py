@@ -15,7 +15,7 @@ import trimesh
 from PIL import Image
 from sdgen.catalog.load import load_catalog
 from sdgen.engines.build import build
-from sdgen.errors import AssetError
+from sdgen.errors import AssetError, SdgenError
 from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.importing.frame import stand
 from sdgen.importing.layouts import find_models
@@ -334,6 +334,15 @@ def test_models_for_no_trade_are_built_with_a_word_only(tmp_path: Path) -> None:
 def test_a_data_set_has_the_narrowest_licence_of_its_models() -> None:
     assert narrowest(["CC-BY-4.0", "CC0-1.0", "MIT"]) == "CC-BY-4.0"
     assert narrowest(["CC-BY-4.0", "CC-BY-NC-4.0", "CC-BY-SA-4.0"]) == "CC-BY-NC-4.0"
+
+
+def test_a_plain_install_says_what_is_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sdgen.importing.run.find_spec", lambda name: None)
+    with pytest.raises(SdgenError, match=r"xatlas: pip install 'sdgen\[assets\]'"):
+        run("ycb", downloads.ycb(tmp_path / "ycb"), tmp_path / "lib")
+    assert not (tmp_path / "lib").exists()
 
 
 def test_an_unknown_source_layout_is_an_error(tmp_path: Path) -> None:

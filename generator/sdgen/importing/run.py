@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
 
 from sdgen.catalog.records import Catalog, Category
@@ -14,6 +15,7 @@ from sdgen.errors import (
     AssetError,
     InputError,
     SceneRejected,
+    SdgenError,
     did_you_mean,
     os_error_in_words,
 )
@@ -35,6 +37,14 @@ from sdgen.scratch import scratch_folder
 
 #: Raised when models come out otherwise: a library's older ones are made anew.
 VERSION = 1
+#: Modules that the extra "assets" brings, and the packages they are in.
+_PACKAGES = {
+    "coacd": "coacd",
+    "collada": "pycollada",
+    "fast_simplification": "fast-simplification",
+    "scipy": "scipy",
+    "xatlas": "xatlas",
+}
 
 
 @dataclass(frozen=True)
@@ -81,6 +91,7 @@ def import_models(
     What is there already and was made from the same is kept. Raises AssetError where the download,
     the tables or the library cannot be read at all.
     """
+    check_packages()
     table = load_table(asked.source, catalog, asked.tables)
     with opened_source(asked.root) as (roots, refused), held(asked.library):
         found = _found(asked, roots, names)
@@ -106,6 +117,16 @@ def import_models(
                     on_model(outcome.job + 1, len(found))
         write_manifest(asked.library, list(origins(asked.library).values()))
     return Report(tuple(made), tuple(kept), tuple(refused))
+
+
+def check_packages() -> None:
+    """Raise SdgenError when what an import needs beyond a plain install is not there."""
+    missing = [name for name in _PACKAGES if find_spec(name) is None]
+    if missing:
+        raise SdgenError(
+            f"importing needs {', '.join(_PACKAGES[name] for name in missing)}: "
+            "pip install 'sdgen[assets]' (in a checkout: pip install '.[assets]')"
+        )
 
 
 @contextmanager

@@ -309,6 +309,26 @@ def test_names_with_blanks_and_other_letters(tmp_path: Path) -> None:
     load_library([tmp_path / "lib"])
 
 
+def test_what_else_a_library_holds_stays(tmp_path: Path) -> None:
+    root, library = downloads.ycb(tmp_path / "ycb"), tmp_path / "lib"
+    first = one(run("ycb", root, library)).asset
+    manifest = library / "manifest.yaml"
+    surface = f"- {{id: mine, kind: floor, texture: {first.texture}, size_m: 1.0}}"
+    manifest.write_text(manifest.read_text().replace("surfaces: []", f"surfaces:\n{surface}"))
+    downloads.ycb(root, "013_apple")
+    run("ycb", root, library)
+    found = load_library([library])
+    assert "mine" in found.surfaces
+    assert {first.id, "ycb_013_apple"} <= set(found.assets)
+
+
+def test_titles_like_numbers_stay_text(tmp_path: Path) -> None:
+    root = tmp_path / "folder"
+    downloads.obj(root / "1e3.obj", (0.1, 0.1, 0.1), None)
+    origin = one(run("folder", root, tmp_path / "lib", licence="CC0-1.0"))
+    assert load_library([tmp_path / "lib"]).assets[origin.asset.id].title == "1e3"
+
+
 def test_builds_may_take_small_things_of_own_folders_alone(tmp_path: Path) -> None:
     origin = one(run("ycb", downloads.ycb(tmp_path / "ycb"), tmp_path / "lib"))
     library = load_library([tmp_path / "lib"])

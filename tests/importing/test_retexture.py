@@ -20,9 +20,9 @@ from sdgen.cli.main import run as main
 from sdgen.errors import AssetError, UsageError
 from sdgen.importing import blender, shelf
 from sdgen.importing.blender import BlenderError, find_blender
+from sdgen.importing.manifest import entry_of, with_entry
 from sdgen.importing.retexture import texture
 from sdgen.importing.retexture.looks import WORN, kind_of, worn_word
-from sdgen.importing.retexture.manifest import entry_of, with_entry
 from sdgen.importing.retexture.run import retexture
 from sdgen.importing.retexture.texture import BakeError
 from sdgen.importing.retexture.variants import glb_with_nodes, renamed, with_variant

@@ -12,10 +12,11 @@ from sdgen.importing.bake import kept
 from sdgen.importing.frame import stand
 from sdgen.importing.glb_file import model_glb
 from sdgen.importing.layouts import Candidate, find_models
+from sdgen.importing.manifest import manifest_of
 from sdgen.importing.model import by_link, hulls_text, jpeg, painted
 from sdgen.importing.reading import read_model
 from sdgen.importing.run import opened_source
-from sdgen.importing.shelf import Origin, manifest_text
+from sdgen.importing.shelf import Origin
 from sdgen.importing.table import load_table
 from sdgen.importing.tree import References
 from sdgen.library import Library
@@ -71,7 +72,7 @@ def _library(origin: Origin, candidate: Candidate, catalog: Catalog, folder: Pat
         asset.mesh: model_glb(look.meshes, "../" + asset.texture),
         asset.hulls: hulls_text({"body": [low + box * np.maximum(high - low, 0.002)]}),
         asset.texture: jpeg(look),
-        "manifest.yaml": manifest_text([asset]).encode(),
+        "manifest.yaml": manifest_of("# One model as it was.", [asset], {}),
     }
     for name, data in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)

@@ -76,8 +76,7 @@ class Box:
 
 @dataclass(frozen=True)
 class Scan:
-    """One model of a source. ``exact`` says that the up axis and the unit are those of a format
-    that fixes them; ``words`` further describe the model, ``mass_kg`` is what the source says."""
+    """One model of a source. ``up`` is the axis that its format fixes; ``words`` further describe the model, ``mass_kg`` is what the source says."""
 
     pieces: tuple[Piece, ...]
     up: Up = "unknown"

@@ -12,12 +12,12 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-import yaml
 from pydantic import ValidationError
 
 from sdgen.dataset.output_file import write_output
 from sdgen.errors import AssetError, InputError
 from sdgen.files import read_plain
+from sdgen.importing.manifest import manifest_of
 from sdgen.library.manifest import MAX_BYTES, MAX_VALUES, manifest_bytes
 from sdgen.library.records import Asset
 from sdgen.locks import FileLock
@@ -25,11 +25,8 @@ from sdgen.scene import Record
 from sdgen.yaml_source import parse_yaml
 
 FOLDER = "imports"
-_HEAD = (
-    "# Written by sdgen assets import from imports/*.json; see assets/README.md for the fields.\n"
-)
+_HEAD = "# Written by sdgen assets import from imports/*.json; fields: see assets/README.md."
 _MAX_BYTES = 5_000_000
-_LISTS = ("parts", "joints", "states", "supports", "containers", "resting")
 
 
 class Origin(Record):
@@ -94,43 +91,21 @@ def record_bytes(origin: Origin) -> bytes:
 def write_manifest(library: Path, found: Sequence[Origin]) -> None:
     """``manifest.yaml`` of all models, and whom to name for them.
 
-    Models that were not imported (made by hand, copied to be retextured) stay in it.
+    Models that were not imported (made by hand, copied to be retextured) stay in it, and surfaces.
     """
-    assets = [origin.asset for origin in found] + _not_imported(library)
+    there = _manifest_there(library)
+    assets = [origin.asset for origin in found] + _not_imported(library, there)
     assets.sort(key=lambda asset: asset.id)
-    write_output(library / "manifest.yaml", manifest_text(assets).encode())
+    rest = {"surfaces": there.get("surfaces") or []}
+    write_output(library / "manifest.yaml", manifest_of(_HEAD, assets, rest))
     write_output(
         library / "ATTRIBUTION.md", _attribution([a for a in assets if a.attribution]).encode()
     )
 
 
-def manifest_text(assets: Sequence[Asset]) -> str:
-    """Block style for the records, one line for each thing inside them."""
-    lines = [_HEAD + ("assets:" if assets else "assets: []")]
-    for asset in assets:
-        lead = "- "
-        given = asset.model_dump(mode="json", exclude_defaults=True)
-        for key, value in given.items():
-            if key in _LISTS:
-                lines.append(f"{lead}{key}:")
-                lines += [f"    - {_flow(item)}" for item in value]
-            elif key == "variants":
-                lines.append(f"{lead}{key}:")
-                lines += [f"    {_flow(name)}: {_flow(parts)}" for name, parts in value.items()]
-            else:
-                lines.append(f"{lead}{key}: {_flow(value)}")
-            lead = "  "
-    lines.append("surfaces: []")
-    return "\n".join(lines) + "\n"
-
-
-def _not_imported(library: Path) -> list[Asset]:
+def _not_imported(library: Path, there: Mapping[str, Any]) -> list[Asset]:
     """The models of the manifest that is there which have no record of an import."""
-    path = library / "manifest.yaml"
-    if not path.exists():
-        return []
-    value = parse_yaml(manifest_bytes(library), str(path), MAX_BYTES, MAX_VALUES).value
-    entries = value.get("assets") if isinstance(value, dict) else None
+    entries = there.get("assets")
     out = []
     for entry in entries if isinstance(entries, list) else []:
         try:
@@ -140,6 +115,15 @@ def _not_imported(library: Path) -> list[Asset]:
         if not (library / record_name(asset.id)).exists() and _files_there(library, asset):
             out.append(asset)
     return out
+
+
+def _manifest_there(library: Path) -> Mapping[str, Any]:
+    """What the library's manifest says; nothing where there is none."""
+    path = library / "manifest.yaml"
+    if not path.exists():
+        return {}
+    value = parse_yaml(manifest_bytes(library), str(path), MAX_BYTES, MAX_VALUES).value
+    return value if isinstance(value, dict) else {}
 
 
 def _attribution(assets: Sequence[Asset]) -> str:
@@ -168,13 +152,6 @@ def _origin(path: Path) -> Origin | None:
 def _files_there(library: Path, asset: Asset) -> bool:
     names = [asset.mesh, asset.hulls, asset.texture, *(p.texture for p in asset.parts if p.texture)]
     return all((library / name).is_file() for name in names)
-
-
-def _flow(value: Any) -> str:
-    text: str = yaml.safe_dump(
-        value, default_flow_style=True, width=10**9, sort_keys=False, allow_unicode=True
-    )
-    return text.strip().removesuffix("...").strip()
 
 
 def report_json(origin: Origin) -> dict[str, object]:

@@ -9,9 +9,9 @@ from pathlib import Path
 from sdgen.dataset.output_file import write_output
 from sdgen.errors import AssetError, UsageError, did_you_mean
 from sdgen.importing.blender import Blender, find_blender
+from sdgen.importing.manifest import folder_manifest, with_entry
 from sdgen.importing.retexture import texture
 from sdgen.importing.retexture.looks import WORN, Kind, kind_of, oddity, worn_word
-from sdgen.importing.retexture.manifest import folder_manifest, with_entry
 from sdgen.importing.retexture.variants import (
     glb_with_nodes,
     hulls_with_parts,

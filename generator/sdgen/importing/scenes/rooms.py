@@ -22,8 +22,8 @@ from shapely.geometry.polygon import orient
 
 from sdgen.catalog.home_shape import OutlineError, inner_ring
 from sdgen.catalog.records import RoomSpec
-from sdgen.geometry import Array, quat_from_yaw, rotation_matrix, vec3
-from sdgen.importing.scenes.found import FoundFloor, FoundPiece, FoundScene, moved_down
+from sdgen.geometry import quat_from_yaw, rotation_matrix, vec3
+from sdgen.importing.scenes.found import FoundPiece, FoundScene, moved_down
 from sdgen.importing.scenes.naming import room_word
 from sdgen.importing.scenes.rectangles import Rect, joined, main_turn, rectangles_of, turned
 from sdgen.vocabulary import HALF_WALL_M
@@ -143,10 +143,6 @@ def _turned(scene: FoundScene, angle: float) -> FoundScene:
         ],
         pieces=[piece(one) for one in scene.pieces],
     )
-
-
-def _looking(way: Array) -> tuple[float, float]:
-    return float(way[0]), float(way[1])
 
 
 def rooms_of(scene: FoundScene) -> list[FoundRoom]:
@@ -373,8 +369,3 @@ def _sound(room: FoundRoom) -> FoundRoom | None:
             continue
         return tried
     return None
-
-
-def floor_around(name: str, kind: str | None, rect: Rect, level_m: float = 0.0) -> FoundFloor:
-    """A floor that fills a box, seen from above."""
-    return FoundFloor(name, box(*rect), kind, level_m)

@@ -81,6 +81,12 @@ def with_entry(raw: bytes | None, name: str, asset: Asset) -> bytes:
     return _text(head, {**data, "assets": entries}).encode()
 
 
+def manifest_of(head: str, assets: Sequence[Asset], rest: Mapping[str, Any]) -> bytes:
+    """A manifest of these models under a comment; ``rest`` are its other keys (surfaces)."""
+    entries = [entry_of(asset) for asset in assets]
+    return _text([head], {"assets": entries, **rest}).encode()
+
+
 def folder_manifest(folder: Path) -> bytes | None:
     """The bytes of a folder's manifest; None when it has none yet."""
     return manifest_bytes(folder) if (folder / "manifest.yaml").exists() else None
@@ -89,7 +95,7 @@ def folder_manifest(folder: Path) -> bytes | None:
 def _text(head: Sequence[str], data: Mapping[str, Any]) -> str:
     lines = list(head)
     for key, value in data.items():
-        if key == "assets":
+        if key == "assets" and value:
             lines.append("assets:")
             for entry in value:
                 lines += _entry_lines(entry)

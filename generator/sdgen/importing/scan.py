@@ -76,7 +76,8 @@ class Box:
 
 @dataclass(frozen=True)
 class Scan:
-    """One model of a source. ``up`` is the axis that its format fixes; ``words`` further describe the model, ``mass_kg`` is what the source says."""
+    """One model of a source. ``up`` is the axis that its format has up; ``words`` further describe
+    the model, ``mass_kg`` is what the source says."""
 
     pieces: tuple[Piece, ...]
     up: Up = "unknown"

@@ -69,9 +69,11 @@ def test_a_box_lies_where_mujoco_has_it(
     middle, reach = corners(piece)
     assert np.allclose(middle, data.geom_xpos[0], atol=1e-4)
     # The box of a piece that lies aslant is one along the world's axes; a lean of a few degrees is
-    # none.
-    own = np.abs(data.geom_xmat[0].reshape(3, 3)) @ (0.3, 0.2, 0.1)
-    assert (reach >= own - 0.3 * np.sin(np.radians(8.2))).all()
+    # none: it moves no axis by more than the chord of that angle, so no reach by more than this.
+    half = np.array((0.3, 0.2, 0.1))
+    own = np.abs(data.geom_xmat[0].reshape(3, 3)) @ half
+    lean = 2 * np.sin(np.radians(8.2) / 2) * np.linalg.norm(half)
+    assert (reach >= own - lean).all()
 
 
 def test_includes_defaults_and_meshes(tmp_path: Path) -> None:

@@ -241,6 +241,14 @@ def test_nothing_outside_the_download_is_read(tmp_path: Path, reference: str) ->
     assert colours(tmp_path / "lib", origin.asset)["low"].std() < 5  # grey, no red
 
 
+def test_pointers_of_git_lfs_are_named_so(tmp_path: Path) -> None:
+    downloads.ycb(tmp_path / "ycb")
+    mesh = tmp_path / "ycb" / "003_cracker_box" / "google_16k" / "textured.obj"
+    mesh.write_text("version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 5\n")
+    (refused,) = run("ycb", tmp_path / "ycb", tmp_path / "lib").refused
+    assert "git lfs pull" in refused.why
+
+
 def test_links_out_of_the_download_are_not_followed(tmp_path: Path) -> None:
     downloads.picture(tmp_path / "secret.png")
     folder = tmp_path / "down" / "003_cracker_box" / "google_16k"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -127,8 +128,8 @@ def _say(report: Report, library: Path) -> None:
     for origin in report.made:
         for note in origin.notes:
             click.echo(f"{origin.name}: {note}")
-    for item in report.refused:
-        click.echo(f"{item.name}: not imported: {item.why}")
+    _say_by_reason("not placed", [(o.name, o.why) for o in report.made if not o.placed])
+    _say_by_reason("not imported", [(item.name, item.why) for item in report.refused])
     placed = sum(origin.placed for origin in (*report.made, *report.kept))
     click.echo(
         f"{library}: {len(report.made)} imported, {len(report.kept)} there already, "
@@ -137,13 +138,24 @@ def _say(report: Report, library: Path) -> None:
     click.echo(f"Build with them: sdgen build --assets {library}")
 
 
+def _say_by_reason(what: str, named: Sequence[tuple[str, str]]) -> None:
+    """A line for each reason, with all that it holds for."""
+    for why in dict.fromkeys(why for _, why in named):
+        names = [name for name, its_why in named if its_why == why]
+        click.echo(f"{what}: {', '.join(names)}: {why}")
+
+
 def _table(report: Report) -> Table:
     from rich.table import Table
 
-    table = Table("model", "category", "how", "size (m)", "faces", "licence", box=None)
+    table = Table(box=None)
+    table.add_column("model", overflow="fold")
+    for title in ("category", "how", "size (cm)", "faces", "licence"):
+        table.add_column(title, no_wrap=True)
     for origin in report.made:
         asset = origin.asset
-        size = " x ".join(f"{value:.3f}" for value in asset.extents_m)
-        category = asset.category if origin.placed else f"({origin.why})"
-        table.add_row(asset.id, category, origin.how, size, str(asset.faces), asset.licence)
+        size = " x ".join(f"{100 * value:.1f}" for value in asset.extents_m)
+        table.add_row(
+            origin.name, asset.category, origin.how, size, str(asset.faces), asset.licence
+        )
     return table

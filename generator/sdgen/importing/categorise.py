@@ -57,7 +57,7 @@ def categorise(
     row = table.row(name)
     if row is None:
         return _guess(name, extents_m, table, catalog, hints)
-    choice = _by_table(name, row, extents_m, catalog)
+    choice = _by_table(row, extents_m, catalog)
     return replace(
         choice,
         skip=row.skip,
@@ -69,13 +69,13 @@ def categorise(
     )
 
 
-def _by_table(name: str, row: Row, extents_m: Vec3 | None, catalog: Catalog) -> Choice:
+def _by_table(row: Row, extents_m: Vec3 | None, catalog: Catalog) -> Choice:
     if not row.category:
-        return Choice(None, "table", f"table: {_shown(name)}: {row.skip or row.why}")
-    why = f"table: {_shown(name)}"
+        return Choice(None, "table", f"table: {row.skip or row.why}")
     if extents_m is None:
-        return Choice(row.category[0], "table", why)
+        return Choice(row.category[0], "table", f"table: {row.category[0]}")
     category = _nearest(row.category, extents_m, catalog)
+    why = f"table: {category.name}"
     doubts = tuple(filter(None, (difference(extents_m, category),)))
     unit = unit_suspected(extents_m, category)
     return Choice(category.name, "table", why, doubts=doubts, unit=unit)
@@ -86,7 +86,7 @@ def _guess(
 ) -> Choice:
     said = _said(name, hints, table.words)
     if not said:
-        return Choice(None, "none", f"no category fits: {_shown(name)} says nothing that we know")
+        return Choice(None, "none", "no category fits: the name says nothing that we know")
     where, found = said[0]
     if not found.categories:
         why = f"no category fits: {found.phrase!r} in {where} is none of ours"

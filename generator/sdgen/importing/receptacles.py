@@ -8,6 +8,7 @@ Computers & Geosciences 62, 2014); those behind doors by looking which of their 
 from __future__ import annotations
 
 import heapq
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -27,6 +28,8 @@ _CELLS = 64
 _DEEP_SHARE, _DEEP_M, _WIDE_SHARE = 0.18, 0.008, 0.08
 #: A receptacle box lies on a surface at most so far from its bottom, metres.
 _NEAR_M = 0.08
+#: Nothing stands under less room than this; what reaches this far over a surface is above it.
+_ROOM_M, _TOUCH_M = 0.04, 0.01
 #: Walls of a space behind a door are nearer than this to its surface, metres.
 _WALL_M = 0.15
 
@@ -34,8 +37,11 @@ _WALL_M = 0.15
 def supports_of(
     meshes: Mapping[str, MeshData], boxes: Sequence[Box], fixed: Sequence[str]
 ) -> tuple[Support, ...]:
-    """Surfaces of the parts that nothing moves (``fixed``); the source's boxes first."""
+    """Surfaces of the parts that nothing moves (``fixed``); the source's boxes first.
+
+    Left out is what a drawer fills, and what has no room over it."""
     still = {name: meshes[name] for name in fixed}
+    moving = [mesh.vertices for name, mesh in meshes.items() if name not in still]
     everything = corners_of(list(meshes.values()))
     out: list[Support] = []
     for given in boxes:
@@ -45,6 +51,7 @@ def supports_of(
     for found in find_supports(still):
         if not any(_same(found, other) for other in out):
             out.append(found)
+    out = [left for support in out if (left := _under_drawers(support, moving)) is not None]
     out.sort(key=lambda s: (s.z_m, s.polygon_m))
     return tuple(s.model_copy(update={"name": f"surface_{k}"}) for k, s in enumerate(out, 1))
 
@@ -194,6 +201,21 @@ def _under(given: Box, triangles: Array, part: str) -> Support | None:
         polygon_m=tuple((float(x), float(y)) for x, y in corners),
         headroom_m=None if free is None else round(free, 4),
     )
+
+
+def _under_drawers(support: Support, moving: Sequence[Array]) -> Support | None:
+    """The surface with the room that drawers, whose corners are in ``moving``, leave over it; None
+    when that is too little."""
+    polygon = Polygon(support.polygon_m)
+    room = math.inf if support.headroom_m is None else support.headroom_m
+    for points in moving:
+        low, high = points.min(axis=0), points.max(axis=0)
+        over = high[2] > support.z_m + _TOUCH_M and low[2] < support.z_m + room
+        if over and box(*low[:2], *high[:2]).intersection(polygon).area > 0.5 * polygon.area:
+            room = float(low[2]) - support.z_m
+    if room < _ROOM_M:
+        return None
+    return support.model_copy(update={"headroom_m": None if room == math.inf else round(room, 4)})
 
 
 def _same(one: Support, other: Support) -> bool:

@@ -232,9 +232,10 @@ class _Importer:
         notes += choice.doubts
         category = None if choice.category is None else self._catalog.category(choice.category)
         placed = category is not None and _of_a_size(scan.extents_m, category)
+        why = choice.why
         if category is not None and not placed:
-            size = difference(vec3(scan.extents_m), category)
-            notes.append(f"not placed by builds: {size}")
+            why = f"{why}, but {_why_not_placed(scan.extents_m, category)}"
+            notes = [note for note in notes if note not in choice.doubts]  # said by that
         made = make_model(
             asset_id,
             f"{self._asked.source}:{candidate.name}",
@@ -254,7 +255,7 @@ class _Importer:
             root=str(self._asked.root),
             digest=digest,
             how=choice.how,
-            why=choice.why,
+            why=why,
             placed=placed,
             notes=tuple(dict.fromkeys(notes)),
             asset=made.asset,
@@ -285,6 +286,12 @@ class _Importer:
 def _of_a_size(extents_m: Array, category: Category) -> bool:
     off = FURNITURE_OFF if category.kind == "furniture" else SMALL_OFF
     return category.kind != "opening" and fits(vec3(extents_m), category, off)
+
+
+def _why_not_placed(extents_m: Array, category: Category) -> str:
+    if category.kind == "opening":
+        return "doors and windows are a home's own"
+    return difference(vec3(extents_m), category)
 
 
 def _ids(source: str, found: Sequence[Candidate], before: Mapping[str, Origin]) -> list[str]:

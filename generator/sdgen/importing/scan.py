@@ -73,6 +73,19 @@ class Box:
     center_m: Array
     size_m: Array
 
+    def moved(self, matrix: Array) -> Box:
+        """The box that holds this one after a 4x4 matrix of rotation, scale and shift."""
+        size = np.abs(matrix[:3, :3]) @ self.size_m
+        return Box(apply(matrix, self.center_m[None])[0], size)
+
+
+@dataclass(frozen=True)
+class LinkBox:
+    """A box in the frame of a link of a URDF."""
+
+    box: Box
+    link: str
+
 
 @dataclass(frozen=True)
 class Scan:
@@ -113,14 +126,10 @@ class Scan:
             )
             for joint in self.joints
         )
-        boxes = tuple(
-            Box(apply(matrix, box.center_m[None])[0], np.abs(linear) @ box.size_m)
-            for box in self.receptacles
-        )
         return replace(
             self,
             pieces=tuple(piece.moved(matrix) for piece in self.pieces),
             broken=tuple(piece.moved(matrix) for piece in self.broken),
             joints=joints,
-            receptacles=boxes,
+            receptacles=tuple(box.moved(matrix) for box in self.receptacles),
         )

@@ -26,6 +26,10 @@ _SCHEME = re.compile(r"^(model|package|file)://+", re.IGNORECASE)
 _DRIVE = re.compile(r"^[A-Za-z]:")
 
 
+#: How files begin in whose place a clone without Git LFS has pointers.
+_LFS = b"version https://git-lfs.github.com/spec/"
+
+
 @dataclass
 class References:
     """How one model's references were followed.
@@ -51,6 +55,9 @@ class References:
             data = read_plain(path, self.shown(path), max_bytes)
         except InputError as error:
             raise AssetError(error.problems) from None
+        if data.startswith(_LFS):
+            why = "a pointer of Git LFS, not the file itself: run `git lfs pull` there"
+            raise AssetError([f"{self.shown(path)}: {why}"])
         if path not in self.read:
             self.read.append(path)
         return data

@@ -7,6 +7,7 @@ Y up).
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from xml.etree.ElementTree import Element
@@ -18,7 +19,7 @@ from sdgen.geometry import Array
 from sdgen.importing import shapes
 from sdgen.importing.mesh_files import MESHES, read_mesh
 from sdgen.importing.pictures import checked_picture
-from sdgen.importing.scan import Paint, Piece, Scan, ScanJoint, Up
+from sdgen.importing.scan import Box, LinkBox, Paint, Piece, Scan, ScanJoint, Up
 from sdgen.importing.tree import References
 from sdgen.importing.xml_text import parse_xml
 
@@ -26,19 +27,24 @@ _MOVES = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prisma
 _Y_UP = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
 
 
-def read_urdf(path: Path, references: References, up: Up = "z") -> Scan:
-    """The model of a URDF file, its joints at 0. Raises AssetError, located."""
+def read_urdf(
+    path: Path, references: References, up: Up = "z", boxes: Sequence[LinkBox] = ()
+) -> Scan:
+    """The model of a URDF file, its joints at 0, with the receptacle ``boxes`` of its links that
+    nothing moves. Raises AssetError, located."""
     shown = references.shown(path)
     root = parse_xml(references.bytes_of(path), shown)
     if root.tag != "robot":
         raise AssetError([f"{shown}: is no URDF: its root is <{root.tag}>"])
     try:
-        return _scan(root, path, references, up)
+        return _scan(root, path, references, up, boxes)
     except ValueError as error:
         raise AssetError([f"{shown}: {error}"]) from None
 
 
-def _scan(root: Element, path: Path, references: References, up: Up) -> Scan:
+def _scan(
+    root: Element, path: Path, references: References, up: Up, boxes: Sequence[LinkBox]
+) -> Scan:
     links = {link.get("name", ""): link for link in root.findall("link")}
     joints = {_name(joint.find("child"), "link"): joint for joint in root.findall("joint")}
     paints: dict[str, Paint] = {}
@@ -47,12 +53,18 @@ def _scan(root: Element, path: Path, references: References, up: Up) -> Scan:
         if paint is not None:
             paints[material.get("name", "")] = paint
     pieces: list[Piece] = []
+    receptacles: list[Box] = []
     moving: list[ScanJoint] = []
     mass = 0.0
     for name, link in links.items():
         at_link, mover = _placed(name, joints, references)
         if mover is not None and mover.name not in {joint.name for joint in moving}:
             moving.append(mover)
+        its_boxes = [given.box.moved(at_link) for given in boxes if given.link == name]
+        if mover is None:
+            receptacles += its_boxes
+        elif its_boxes:
+            references.note(f"receptacle box in {name!r}: not used, for that moves")
         value = link.find("inertial/mass")
         mass += float(value.get("value", 0.0)) if value is not None else 0.0
         for visual in link.findall("visual"):
@@ -71,6 +83,7 @@ def _scan(root: Element, path: Path, references: References, up: Up) -> Scan:
         up=up,
         joints=kept if "body" in drawn else (),
         mass_kg=mass if math.isfinite(mass) and mass > 0 else None,
+        receptacles=tuple(receptacles),
         words=(root.get("name", ""),),
     )
 

@@ -141,9 +141,11 @@ def simplify_hull(points: Array, steep: float = 1.0) -> Array:
     return np.asarray(full[sorted(chosen)])
 
 
-def _thick(vertices: Array) -> Array:
-    """Points spread to at least ``_THIN_M`` along each axis."""
-    size = np.ptp(vertices, axis=0)
-    if (size >= _THIN_M).all():
-        return vertices
-    return np.concatenate([vertices, vertices + np.maximum(_THIN_M - size, 0.0)])
+def _thick(points: Array) -> Array:
+    """Points spread to at least ``_THIN_M`` in every direction, upwards where that is one."""
+    for axis in np.linalg.svd(points - points.mean(axis=0))[2]:
+        lacking = _THIN_M - np.ptp(points @ axis)
+        if lacking > 0:
+            axis = axis * np.sign(axis[np.abs(axis).argmax()])
+            points = np.concatenate([points, points + lacking * axis])
+    return points

@@ -13,16 +13,16 @@ import struct
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import Any, cast
 
 import numpy as np
 
 from sdgen.errors import AssetError
 from sdgen.geometry import Array
+from sdgen.importing.collada_text import prepared
 from sdgen.importing.pictures import PICTURES, checked_picture
 from sdgen.importing.scan import Paint, Piece, Up
 from sdgen.importing.tree import References, files_below, inside
-from sdgen.importing.xml_text import refuse_entities
 
 #: Suffix of a mesh file -> which axis its format has up.
 MESHES: Mapping[str, Up] = {
@@ -54,8 +54,7 @@ def read_mesh(path: Path, references: References) -> tuple[tuple[Piece, ...], Up
         if kind in (".glb", ".gltf"):
             raw, transforms = _named_materials(raw, kind)
         elif kind == ".dae":
-            refuse_entities(raw, shown)
-            scale, up = _collada_asset(raw)
+            raw, scale, up = prepared(raw, shown, references)
         scene = _load(raw, kind, path, references)
         pieces = tuple(_pieces(scene, transforms, scale))
     except AssetError:
@@ -221,23 +220,6 @@ class _Resolver:
     def write(self, name: str, data: bytes) -> None:
         """Nothing is written."""
         raise ValueError(f"{name}: nothing is written into a source")
-
-
-def _collada_asset(raw: bytes) -> tuple[float, Up]:
-    """Metres of a COLLADA file's unit, and its up axis; trimesh reports neither as applied."""
-    import re
-
-    head = raw[:200_000].decode("utf-8", "replace")
-    unit = re.search(r"<unit\b[^>]*\bmeter\s*=\s*[\"']([^\"']+)", head)
-    axis = re.search(r"<up_axis>\s*([XYZ])_UP", head)
-    try:
-        metres = float(unit.group(1)) if unit else 1.0
-    except ValueError:
-        metres = 1.0
-    if not math.isfinite(metres) or metres <= 0:
-        metres = 1.0
-    up: Literal["y", "z"] = "z" if axis is not None and axis.group(1) == "Z" else "y"
-    return metres, up
 
 
 def _named_materials(raw: bytes, kind: str) -> tuple[bytes, dict[str, Any]]:

@@ -44,10 +44,10 @@ def refuse_entities(raw: bytes, shown: str) -> None:
         raise AssetError([f"{shown}: not valid XML: {error}"]) from None
 
 
-def parse_xml(raw: bytes, shown: str) -> ElementTree.Element:
+def parse_xml(raw: bytes, shown: str, max_bytes: int = MAX_BYTES) -> ElementTree.Element:
     """The root element. Raises AssetError, located, for what is no plain XML."""
-    if len(raw) > MAX_BYTES:
-        raise AssetError([f"{shown}: is larger than {MAX_BYTES // 1_000_000} MB"])
+    if len(raw) > max_bytes:
+        raise AssetError([f"{shown}: is larger than {max_bytes // 1_000_000} MB"])
     refuse_entities(raw, shown)
     return ElementTree.fromstring(raw)
 

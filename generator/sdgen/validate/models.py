@@ -22,6 +22,7 @@ from sdgen.physics.bodies import object_pieces
 from sdgen.physics.client import Client
 from sdgen.physics.overlap import deepest_overlap_m
 from sdgen.physics.settle import settle_scene
+from sdgen.vocabulary import UNCATEGORISED
 
 #: Faces a variant may have; things longer than this are furniture.
 SMALL_FACES, LARGE_FACES, SMALL_M = 800, 2500, 0.6
@@ -77,7 +78,8 @@ def size(model: Model, client: Client) -> Iterator[str]:
     if np.abs((low + high)[:2] / 2).max() > _SIZE_SLACK_M or abs(low[2]) > _SIZE_SLACK_M:
         yield "the origin is not the middle of the bottom"
     if category is None:
-        yield f"no catalogue gives a size for the category {asset.category!r}"
+        if asset.category != UNCATEGORISED:
+            yield f"no catalogue gives a size for the category {asset.category!r}"
         return
     for axis, value, least, most in zip(
         ("deep", "wide", "high"),
@@ -151,6 +153,8 @@ def collision(model: Model, client: Client) -> Iterator[str]:
 def rest(model: Model, client: Client) -> Iterator[str]:
     """Stands where it is put: upright on a floor it neither tips, sinks nor rolls away."""
     category = model.category
+    if model.asset.category == UNCATEGORISED:
+        return  # builds do not place it
     if category is not None and (category.kind == "opening" or "HANGABLE" in category.properties):
         return
     scene = alone_on_floor(model.library, model.asset.id)

@@ -40,7 +40,10 @@ def convex_pieces(vertices: Array, faces: Ints) -> list[Array]:
             out.append(_thick(points))
         else:
             used, renumbered = np.unique(shell, return_inverse=True)
-            out += decompose(vertices[used], renumbered.reshape(-1, 3))
+            low, high = points.min(axis=0), points.max(axis=0)
+            found = decompose(vertices[used], renumbered.reshape(-1, 3))
+            # CoACD's first step makes the mesh thicker by a cell: things would float.
+            out += [np.clip(piece, low, high) for piece in found]
     return [simplify_hull(points) for points in _few(out)]
 
 

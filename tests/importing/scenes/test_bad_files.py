@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import struct
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from sdgen.importing.scenes.gltf import read_gltf
 from sdgen.importing.scenes.mjcf import read_mjcf
 from sdgen.importing.scenes.read import FORMATS
 from sdgen.importing.scenes.virtualhome import read_virtualhome
+from sdgen.library.gltf import glb_of
 
 from tests.importing.scenes.homes import CATALOG, NAMER, ROOMS, THINGS, imported, write_glb
 
@@ -133,14 +133,60 @@ GLTF = {
         gltf(nodes=[{"name": "bed", "translation": ["a", 0, 0]}]),
         "nodes[0].translation[0]",
     ),
-    "in itself": (gltf(nodes=[{"name": "a", "children": [0]}]), "nested too deeply, or in itself"),
+    "in itself": (
+        gltf(nodes=[{"name": "a", "children": [0]}]),
+        "nested more than 200 deep, or in itself",
+    ),
     "a child twice": (
         gltf(nodes=[{"children": [2]}, {"children": [2]}, {"name": "bed"}]),
         "is a child twice",
     ),
-    "no accessor": (gltf(accessors=[]), "accessors: there is no 0"),
+    "no accessor": (gltf(accessors=[]), "attributes.POSITION: there is no 0"),
     "a floor without bytes": (gltf(nodes=[{"name": "floor", "mesh": 0}]), "sparse or compressed"),
 }
+
+#: What is changed in a floor's primitive and in the accessor of its corners.
+FLOORS: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
+    "numbers in twos": ({}, {"type": "VEC2"}, "attributes.POSITION: not VEC3"),
+    "corners by fractions": ({"indices": 0}, {}, "primitives[0].indices: not whole numbers from 0"),
+    "corners that are none": ({"indices": 1}, {}, "primitives[0]: has triangles without corners"),
+    "more than is there": ({}, {"count": 4}, "accessors[0]: reaches beyond its bufferView"),
+    "no such type": ({}, {"componentType": 1}, "accessors[0].componentType: glTF has no 1"),
+}
+
+
+@pytest.mark.parametrize(("primitive", "accessor", "told"), FLOORS.values(), ids=FLOORS)
+def test_a_floor_whose_triangles_are_none(
+    primitive: dict[str, Any], accessor: dict[str, Any], told: str, tmp_path: Path
+) -> None:
+    assert told in refused(read_gltf, floor_of(primitive, accessor, tmp_path))
+
+
+@pytest.mark.parametrize("mode", [0, 4, 5, 6, 9])
+def test_too_few_corners_are_no_floor(mode: int, tmp_path: Path) -> None:
+    path = floor_of({"mode": mode}, {"count": 1}, tmp_path)
+    assert read_gltf(path, CATALOG, NAMER).floors == []
+
+
+def floor_of(primitive: dict[str, Any], accessor: dict[str, Any], folder: Path) -> Path:
+    positions = {"componentType": 5126, "type": "VEC3", "count": 3, "bufferView": 0, **accessor}
+    document = gltf(
+        nodes=[{"name": "floor", "mesh": 0}],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}, **primitive}]}],
+        accessors=[
+            positions,
+            {"componentType": 5123, "type": "SCALAR", "count": 3, "bufferView": 1},
+        ],
+        bufferViews=[
+            {"buffer": 0, "byteLength": 36},
+            {"buffer": 0, "byteLength": 6, "byteOffset": 36},
+        ],
+        buffers=[{"byteLength": 42, "uri": "b.bin"}],
+    )
+    (folder / "b.bin").write_bytes(bytes(36) + b"\0\0\1\0\7\0")
+    path = folder / "home.gltf"
+    path.write_text(json.dumps(document))
+    return path
 
 
 @pytest.mark.parametrize(("document", "told"), GLTF.values(), ids=GLTF)
@@ -266,10 +312,6 @@ def test_huge_counts_ask_for_no_memory(tmp_path: Path) -> None:
         bufferViews=[{"buffer": 0, "byteLength": 36}],
         buffers=[{"byteLength": 36}],
     )
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    body = struct.pack("<II", len(text), 0x4E4F534A) + text
-    body += struct.pack("<II", 36, 0x004E4942) + bytes(36)
     path = tmp_path / "home.glb"
-    path.write_bytes(struct.pack("<III", 0x46546C67, 2, 12 + len(body)) + body)
-    assert "reaches beyond its bytes" in refused(read_gltf, path)
+    path.write_bytes(glb_of(document, bytes(36)))
+    assert "accessors[0]: reaches beyond its bufferView" in refused(read_gltf, path)

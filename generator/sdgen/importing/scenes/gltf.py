@@ -6,7 +6,6 @@ is below it is looked at. Nodes called floors, walls, ceilings, doors and window
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,7 +14,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from sdgen.catalog.records import Catalog
-from sdgen.geometry import Array, apply, box_corners, lowest_highest, quat_from_matrix, vec3
+from sdgen.geometry import Array, lowest_highest, quat_from_matrix, vec3
 from sdgen.home.notes import KEY, HomeNote, ThingNote
 from sdgen.importing.scenes.found import (
     KNEE_M,
@@ -26,7 +25,7 @@ from sdgen.importing.scenes.found import (
     triangles_at,
     triangles_from_above,
 )
-from sdgen.importing.scenes.gltf_document import GltfDocument
+from sdgen.importing.scenes.gltf_document import GltfDocument, parent_from
 from sdgen.importing.scenes.naming import (
     Namer,
     opening_of,
@@ -72,7 +71,7 @@ class _Reading:
         """Take a node, or what is below it."""
         node = self._document.nodes[index]
         name = self._document.name(index)
-        here = ours_from_parent @ node.parent_from_node()
+        here = ours_from_parent @ parent_from(node)
         note = self._noted(node.extras)
         if isinstance(note, ThingNote):
             self._thing(index, here, above, note)
@@ -109,21 +108,7 @@ class _Reading:
         return home
 
     def _has_mesh(self, index: int) -> bool:
-        return any(self._document.nodes[k].mesh is not None for k in self._below(index))
-
-    def _below(self, index: int) -> Iterator[int]:
-        yield index
-        for child in self._document.nodes[index].children:
-            yield from self._below(child)
-
-    def _meshes(self, index: int, here: Array) -> Iterator[tuple[int, Array]]:
-        """Meshes of a node and below, each with the 4x4 that moves it to where ``here`` leads."""
-        node = self._document.nodes[index]
-        if node.mesh is not None:
-            yield node.mesh, here
-        for child in node.children:
-            below = self._document.nodes[child]
-            yield from self._meshes(child, here @ below.parent_from_node())
+        return any(True for _ in self._document.meshes(index, np.eye(4)))
 
     def _thing(
         self, index: int, here: Array, above: tuple[str, ...], note: ThingNote | None
@@ -131,17 +116,13 @@ class _Reading:
         """Take a node as a thing, if it is one: when a note or its name says so, or when it is the
         last that could be."""
         name = self._document.name(index)
-        corners = [
-            apply(within, box_corners(low.tolist(), high.tolist()))
-            for mesh, within in self._meshes(index, np.eye(4))
-            for low, high in self._document.boxes(mesh)
-        ]
-        if not corners:
+        corners = self._document.corners(self._document.meshes(index, np.eye(4)))
+        if not len(corners):
             if note is not None:
                 self.scene.unresolved.append(f"{name}: has no mesh")
             return note is not None
         try:
-            piece = box_piece(name, here, *lowest_highest(np.concatenate(corners)))
+            piece = box_piece(name, here, *lowest_highest(corners))
         except ValueError as error:
             self.scene.unresolved.append(f"{name}: {error}")
             return True
@@ -175,11 +156,7 @@ class _Reading:
     def _structure(
         self, index: int, here: Array, name: str, kind: StructureKind, above: tuple[str, ...]
     ) -> None:
-        triangles = [
-            apply(within, self._document.triangles(mesh).reshape(-1, 3)).reshape(-1, 3, 3)
-            for mesh, within in self._meshes(index, here)
-        ]
-        every = np.concatenate([np.zeros((0, 3, 3)), *triangles])
+        every = self._document.triangles(self._document.meshes(index, here))
         if not len(every):
             return
         low, high = float(every[:, :, 2].min()), float(every[:, :, 2].max())

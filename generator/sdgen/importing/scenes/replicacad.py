@@ -15,7 +15,7 @@ from pydantic import Field
 
 from sdgen.catalog.records import Catalog
 from sdgen.errors import InputError
-from sdgen.geometry import Array, apply, box_corners, lowest_highest, matrix
+from sdgen.geometry import apply, box_corners, lowest_highest, matrix
 from sdgen.importing.scenes.found import FoundPiece, FoundScene, box_piece
 from sdgen.importing.scenes.gltf_document import GltfDocument
 from sdgen.importing.scenes.json_text import Four, Loose, Number, Three, read_json
@@ -24,6 +24,7 @@ from sdgen.importing.scenes.naming import Namer, opening_of
 from sdgen.importing.scenes.openings import opening_from
 from sdgen.importing.scenes.stage import stage_walls
 from sdgen.importing.scenes.urdf_box import urdf_box
+from sdgen.importing.tree import inside, is_file
 
 #: (x, y, z)_ours = (x, -z, y)_habitat.
 _OURS_FROM_HABITAT = np.array(
@@ -199,19 +200,7 @@ class _Reading:
     def _mesh(self, folder: Path, name: str) -> Bounds:
         """The box of a GLB, all of its nodes."""
         document = GltfDocument(self._file(folder, name))
-        corners = [np.zeros((0, 3))]
-        stack = [(root, np.eye(4)) for root in document.roots]
-        while stack:
-            index, parent = stack.pop()
-            node = document.nodes[index]
-            here: Array = parent @ node.parent_from_node()
-            if node.mesh is not None:
-                corners += [
-                    apply(here, box_corners(low.tolist(), high.tolist()))
-                    for low, high in document.boxes(node.mesh)
-                ]
-            stack += [(child, here) for child in node.children]
-        every = np.concatenate(corners)
+        every = document.corners(document.all_meshes(np.eye(4)))
         if not len(every):
             raise InputError([f"{name}: has no mesh"])
         return lowest_highest(every)
@@ -219,13 +208,9 @@ class _Reading:
     def _file(self, folder: Path, name: str) -> Path:
         """A file of the data set. Raises InputError for one outside it, or none."""
         path = folder / name
-        try:
-            inside = bool(name) and path.resolve().is_relative_to(self.root.resolve())
-        except (OSError, RuntimeError, ValueError):
-            inside = False
-        if not inside:
+        if not name or not inside(self.root, path):
             raise InputError([f"{name[:80]!r}: lies outside the data set's folder"])
-        if not path.is_file():
+        if not is_file(path):
             raise InputError([f"{name}: no such file"])
         return path
 

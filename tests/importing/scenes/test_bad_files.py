@@ -60,19 +60,19 @@ MJCF = {
         "</mujoco>",
         "quat is zero",
     ),
-    "climbing include": ('<mujoco><include file="../other.xml"/></mujoco>', "lies outside"),
-    "absolute include": ('<mujoco><include file="/etc/passwd"/></mujoco>', "lies outside"),
+    "climbing include": ('<mujoco><include file="../other.xml"/></mujoco>', "no such file in its"),
+    "absolute include": ('<mujoco><include file="/etc/passwd"/></mujoco>', "no such file in its"),
     "missing include": ('<mujoco><include file="rooms.xml"/></mujoco>', "no such file"),
     "itself": ('<mujoco><include file="home.xml"/></mujoco>', "includes home.xml, which includes"),
     "missing mesh": (
         '<mujoco><asset><mesh name="m" file="m.obj"/></asset><worldbody><body name="bed">'
         '<geom type="mesh" mesh="m"/></body></worldbody></mujoco>',
-        "m.obj: no such file",
+        "m.obj': no such file in the scene's folder",
     ),
     "climbing mesh": (
         '<mujoco><asset><mesh name="m" file="../../m.obj"/></asset><worldbody><body name="bed">'
         '<geom type="mesh" mesh="m"/></body></worldbody></mujoco>',
-        "lies outside the scene's folder",
+        "m.obj': no such file in the scene's folder",
     ),
 }
 
@@ -100,7 +100,24 @@ def test_a_link_out_of_the_folder_is_not_followed(tmp_path: Path) -> None:
     (tmp_path / "secret.xml").write_text(f"<mujoco>{HOME}</mujoco>")
     (tmp_path / "in" / "part.xml").symlink_to(tmp_path / "secret.xml")
     (tmp_path / "in" / "home.xml").write_text('<mujoco><include file="part.xml"/></mujoco>')
-    assert "lies outside" in refused(read_mjcf, tmp_path / "in" / "home.xml")
+    assert "part.xml': no such file" in refused(read_mjcf, tmp_path / "in" / "home.xml")
+
+
+@pytest.mark.parametrize("tag", ["body", "frame"])
+def test_files_within_files_are_not_nested_without_end(tag: str, tmp_path: Path) -> None:
+    for k in range(12):
+        inner = f'<include file="home{k + 1}.xml"/>' if k < 11 else ""
+        text = f"<{tag}>" * 90 + inner + f"</{tag}>" * 90
+        (tmp_path / f"home{k}.xml").write_text(f"<mujoco><worldbody>{text}</worldbody></mujoco>")
+    assert "home2.xml: is nested too deeply" in refused(read_mjcf, tmp_path / "home0.xml")
+
+
+def test_a_geom_out_of_any_home_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "home.xml"
+    geom = '<geom name="bed" type="box" size="1 1 1" pos="5000 0 0"/>'
+    path.write_text(f"<mujoco><worldbody>{geom}</worldbody></mujoco>")
+    (line,) = read_mjcf(path, CATALOG, NAMER).unresolved
+    assert line.startswith("bed: it lies or reaches further than")
 
 
 def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:

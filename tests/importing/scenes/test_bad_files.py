@@ -17,7 +17,15 @@ from sdgen.importing.scenes.read import FORMATS
 from sdgen.importing.scenes.virtualhome import read_virtualhome
 from sdgen.library.gltf import glb_of
 
-from tests.importing.scenes.homes import CATALOG, NAMER, ROOMS, THINGS, imported, write_glb
+from tests.importing.scenes.homes import (
+    CATALOG,
+    NAMER,
+    ROOMS,
+    THINGS,
+    imported,
+    write_glb,
+    write_mjcf,
+)
 
 HOME = '<worldbody><body name="floor_kitchen"><geom type="box" size="2 2 .1"/></body></worldbody>'
 
@@ -268,6 +276,12 @@ GRAPHS = {
     "a list": ("[1]", "expected a mapping"),
     "no nodes": ("{}", "missing key 'nodes'"),
     "text for an id": ('{"nodes": [{"id": "1", "class_name": "bed"}]}', "nodes[0].id"),
+    "a number of hundreds of digits": (
+        '{"nodes": [{"id": 1, "class_name": "bed", "bounding_box": {"center": [0, 1'
+        + "0" * 400
+        + ', 0], "size": [1, 1, 1]}}]}',
+        "nodes[0].bounding_box.center[1]",
+    ),
     "a short box": (
         '{"nodes": [{"id": 1, "class_name": "bed", "bounding_box": {"center": [0, 1], '
         '"size": [1, 1, 1]}}]}',
@@ -319,6 +333,19 @@ def test_a_wrong_unit_is_told_not_built(tmp_path: Path) -> None:
     found = read_gltf(path, CATALOG, NAMER)
     assert len(found.unresolved) == len(THINGS)
     assert all("is its unit metres?" in line for line in found.unresolved)
+
+
+def test_rooms_and_walls_out_of_any_home_are_told(tmp_path: Path) -> None:
+    far = {name: ((9e4, 0.0, 0.0), sides) for name, (_, sides) in ROOMS.items()}
+    # As far out as no room may be, but for the half of a wall around it.
+    edge = {"floor_hall": ((998.0, 0.0, 0.0), (3.99, 3.0, 0.1))}
+    found = read_gltf(write_glb(tmp_path / "home.glb", far), CATALOG, NAMER)
+    assert (found.walls, found.floors) == ([], [])
+    assert all("is its unit metres?" in line for line in found.unresolved)
+    assert len(found.unresolved) == len(far)
+    for read in (write_glb(tmp_path / "edge.glb", edge), write_mjcf(tmp_path / "edge.xml", edge)):
+        with pytest.raises(InputError, match="no room was found"):
+            imported("gltf" if read.suffix == ".glb" else "mjcf", read)
 
 
 def test_huge_counts_ask_for_no_memory(tmp_path: Path) -> None:

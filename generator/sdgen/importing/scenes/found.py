@@ -120,6 +120,12 @@ class FoundScene:
     told: list[str] = field(default_factory=list)
 
 
+def check_reach(points: Array) -> None:
+    """Raise ValueError for points (N, 3) that lie out of any home, or are not finite."""
+    if not np.abs(points).max(initial=0.0) <= FARTHEST_M:
+        raise ValueError(f"it lies or reaches further than {FARTHEST_M:g} m: is its unit metres?")
+
+
 def box_piece(name: str, world_from_box: Array, low: Array, high: Array) -> FoundPiece:
     """A piece from the box (lowest and highest corner) in its own frame, whichever of its axes is
     up; what lies aslant gets the box along the world's axes.
@@ -135,8 +141,7 @@ def box_piece(name: str, world_from_box: Array, low: Array, high: Array) -> Foun
     turned = world_from_box[:3, :3] / scales
     middle = world_from_box[:3, :3] @ ((low + high) / 2) + world_from_box[:3, 3]
     sides = (high - low) * scales
-    if max(np.abs(middle).max(), sides.max()) > FARTHEST_M:
-        raise ValueError(f"it lies or reaches further than {FARTHEST_M:g} m: is its unit metres?")
+    check_reach(np.array([middle, sides]))
     upright = int(np.argmax(np.abs(turned[2])))
     if abs(turned[2, upright]) < _UPRIGHT:
         sides = np.abs(turned) @ sides

@@ -111,7 +111,7 @@ class _Reading:
         self, index: int, here: Array, name: str, kind: StructureKind, above: tuple[str, ...]
     ) -> None:
         every = self._document.triangles(self._document.meshes(index, here))
-        if not len(every):
+        if not len(every) or not self._taker.sound(name, every):
             return
         low, high = float(every[:, :, 2].min()), float(every[:, :, 2].max())
         if kind == "ceiling":

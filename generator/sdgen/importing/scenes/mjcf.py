@@ -137,6 +137,8 @@ class _Reading:
     def _structure(
         self, name: str, kind: StructureKind, corners: Array, above: tuple[str, ...]
     ) -> None:
+        if not self._taker.sound(name, corners):
+            return
         low, high = (float(end[2]) for end in lowest_highest(corners))
         if kind == "ceiling":
             self._taker.ceiling(low)

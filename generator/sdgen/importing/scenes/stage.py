@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from sdgen.errors import InputError
 from sdgen.geometry import Array
-from sdgen.importing.scenes.found import KNEE_M, FoundWall, triangles_at
+from sdgen.importing.scenes.found import KNEE_M, FoundWall, check_reach, triangles_at
 from sdgen.importing.scenes.gltf_document import GltfDocument
 
 #: Cuts: above doors, where walls are whole, and where they are not.
@@ -29,6 +30,10 @@ def stage_walls(path: Path, ours_from_file: Array) -> list[FoundWall]:
     triangles = document.triangles(document.all_meshes(ours_from_file))
     if not len(triangles):
         return []
+    try:
+        check_reach(triangles)
+    except ValueError as error:
+        raise InputError([f"{path}: {error}"]) from None
     level = _floor_level(triangles)
     top = float(triangles[:, :, 2].max())
     cut = level + (_OVER_DOORS_M if top > level + _OVER_DOORS_M + 0.05 else _CHEST_M)

@@ -10,7 +10,7 @@ from shapely.geometry.base import BaseGeometry
 from sdgen.catalog.records import Catalog
 from sdgen.geometry import Array, lowest_highest, quat_from_matrix, vec3
 from sdgen.home.notes import HomeNote, ThingNote
-from sdgen.importing.scenes.found import FoundFloor, FoundScene, box_piece
+from sdgen.importing.scenes.found import FoundFloor, FoundScene, box_piece, check_reach
 from sdgen.importing.scenes.naming import Namer, opening_of, room_in, room_type_of
 from sdgen.importing.scenes.openings import opening_from
 from sdgen.vocabulary import OPENINGS
@@ -75,6 +75,15 @@ class Taker:
             return False
         else:
             self.scene.pieces.append(piece)
+        return True
+
+    def sound(self, name: str, points: Array) -> bool:
+        """True for a part of the building that lies where a home may be; else it is told."""
+        try:
+            check_reach(points)
+        except ValueError as error:
+            self.scene.unresolved.append(f"{name}: {error}")
+            return False
         return True
 
     def floor(self, name: str, shape: BaseGeometry, level_m: float, above: Sequence[str]) -> None:

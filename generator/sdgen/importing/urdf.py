@@ -14,7 +14,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from sdgen.errors import AssetError
-from sdgen.geometry import Array
+from sdgen.geometry import Z_UP_FROM_Y_UP, Array
 from sdgen.importing import shapes
 from sdgen.importing.mesh_files import MESHES, read_mesh
 from sdgen.importing.pictures import checked_picture
@@ -24,7 +24,6 @@ from sdgen.importing.urdf_tree import UrdfTree, name_in, numbers, origin, urdf_t
 from sdgen.importing.xml_text import parse_xml
 
 _MOVES = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
-_Y_UP = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
 
 
 def read_urdf(
@@ -133,7 +132,7 @@ def _visual(
         pieces, up = read_mesh(file, references)
         scale = np.diag([*numbers(shape, "scale", (1.0, 1.0, 1.0)), 1.0])
         if file.suffix.lower() == ".dae" and up == "y":
-            scale = scale @ _Y_UP  # assimp, which ROS reads meshes with, turns these
+            scale = scale @ Z_UP_FROM_Y_UP  # assimp, which ROS reads meshes with, turns these
         out = [piece.moved(scale) for piece in pieces]
         if paint is not None and all(piece.paint.image is None for piece in out):
             out = [replace(piece, paint=paint) for piece in out]

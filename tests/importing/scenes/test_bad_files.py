@@ -335,6 +335,14 @@ def test_a_wrong_unit_is_told_not_built(tmp_path: Path) -> None:
     assert all("is its unit metres?" in line for line in found.unresolved)
 
 
+def test_a_rotation_without_length_turns_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "home.gltf"
+    nodes = [{"name": "bed", "mesh": 0, "rotation": [1e-300, 0, 0, 0]}]
+    path.write_text(json.dumps(gltf(nodes=nodes)))
+    (piece,) = read_gltf(path, CATALOG, NAMER).pieces
+    assert piece.extents_m == (2.0, 2.0, 1.0)
+
+
 def test_rooms_and_walls_out_of_any_home_are_told(tmp_path: Path) -> None:
     far = {name: ((9e4, 0.0, 0.0), sides) for name, (_, sides) in ROOMS.items()}
     # As far out as no room may be, but for the half of a wall around it.

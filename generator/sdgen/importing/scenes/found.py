@@ -6,6 +6,7 @@ Metres, Z up, right-handed, the floor at z = 0; nothing is snapped, and nothing 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -15,11 +16,13 @@ import shapely
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from sdgen.geometry import Array, Quat, Vec3, quat_from_matrix, vec3
+from sdgen.geometry import Array, Quat, Vec3, matrix, quat_from_matrix, vec3
 from sdgen.home.notes import ThingNote
 
 #: A box whose upright axis leans further than this (cosine; 8 degrees) lies, it does not stand.
 _UPRIGHT = 0.99
+#: A quaternion that is shorter has no direction.
+_LEAST_QUAT = 1e-9
 #: Above thresholds, below sills, metres.
 KNEE_M = 0.4
 #: Nobody's home has a piece beyond this, metres: a wrong unit, or a sky.
@@ -118,6 +121,12 @@ class FoundScene:
     pieces: list[FoundPiece] = field(default_factory=list)
     unresolved: list[str] = field(default_factory=list)
     told: list[str] = field(default_factory=list)
+
+
+def pose_of(position_m: Sequence[float], quat_xyzw: Sequence[float]) -> Array:
+    """4x4 of a pose; a quaternion without length, as some write, turns nothing."""
+    sound = math.hypot(*quat_xyzw) > _LEAST_QUAT
+    return matrix(position_m, quat_xyzw if sound else (0.0, 0.0, 0.0, 1.0))
 
 
 def check_reach(points: Array) -> None:

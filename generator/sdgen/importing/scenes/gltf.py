@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from sdgen.catalog.records import Catalog
-from sdgen.geometry import Array
+from sdgen.geometry import Z_UP_FROM_Y_UP, Array
 from sdgen.home.notes import KEY, HomeNote, ThingNote
 from sdgen.importing.scenes.found import (
     KNEE_M,
@@ -27,10 +27,6 @@ from sdgen.importing.scenes.naming import Namer, structure_of
 from sdgen.importing.scenes.taking import Taker
 from sdgen.vocabulary import StructureKind
 
-#: glTF is Y up: (x, y, z)_ours = (x, -z, y)_gltf.
-_OURS_FROM_GLTF = np.array(
-    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
-)
 #: Parts of a wall lower than this, metres, are skirtings: they tell nothing more.
 _LEAST_WALL_M = 0.3
 
@@ -44,7 +40,7 @@ def read_gltf(path: Path, catalog: Catalog, namer: Namer) -> FoundScene:
     taker = Taker(catalog, namer, FoundScene(source=str(path), title=path.stem))
     reading = _Reading(document, taker)
     for root in document.roots:
-        reading.node(root, _OURS_FROM_GLTF, ())
+        reading.node(root, Z_UP_FROM_Y_UP, ())
     return taker.done()
 
 

@@ -20,7 +20,8 @@ from pydantic import ValidationError
 
 from sdgen.errors import InputError
 from sdgen.files import read_plain
-from sdgen.geometry import Array, apply, box_corners, lowest_highest, matrix
+from sdgen.geometry import Array, apply, box_corners, lowest_highest
+from sdgen.importing.scenes.found import pose_of
 from sdgen.importing.scenes.json_text import in_words
 from sdgen.importing.tree import inside
 from sdgen.library.gltf import (
@@ -54,10 +55,7 @@ def parent_from(node: Node) -> Array:
     if node.matrix is not None:
         given: Array = np.array(node.matrix, dtype=float).reshape(4, 4).T
         return given
-    rotation = node.rotation or (0.0, 0.0, 0.0, 1.0)
-    if not np.any(rotation):
-        rotation = (0.0, 0.0, 0.0, 1.0)
-    out = matrix(node.translation or (0.0, 0.0, 0.0), rotation)
+    out = pose_of(node.translation or (0.0, 0.0, 0.0), node.rotation or (0.0, 0.0, 0.0, 1.0))
     out[:3, :3] *= np.array(node.scale or (1.0, 1.0, 1.0))
     return out
 

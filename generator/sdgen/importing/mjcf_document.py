@@ -218,7 +218,7 @@ class MjcfDocument:
             y = _unit(np.array(v[3:]) - x * (x @ v[3:]), "xyaxes")
             return np.column_stack([x, y, np.cross(x, y)])
         if (z := self.numbers(element, given, "zaxis", 3)) is not None:
-            return _turn_to(_unit(z, "zaxis"))
+            return shapes.least_turn((0.0, 0.0, 1.0), _unit(z, "zaxis"))
         return np.eye(3)
 
 
@@ -235,12 +235,3 @@ def _unit(values: list[float] | Array, key: str) -> Array:
     if not 1e-12 < size < math.inf:
         raise ValueError(f"{key} is zero" if size < 1 else f"{key} has no direction")
     return np.asarray(vector / size)
-
-
-def _turn_to(z: Array) -> Array:
-    """The least turn that makes +z look along ``z``."""
-    axis = np.cross((0.0, 0.0, 1.0), z)
-    size = float(np.linalg.norm(axis))
-    if size < 1e-9:
-        return np.diag([1.0, 1.0, 1.0] if z[2] > 0 else [1.0, -1.0, -1.0])
-    return rotation_matrix(quat_from_axis_angle(axis.tolist(), math.atan2(size, float(z[2]))))

@@ -23,6 +23,11 @@ Vec2 = tuple[Coordinate, Coordinate]
 Vec3 = tuple[Coordinate, Coordinate, Coordinate]
 Quat = tuple[Coordinate, Coordinate, Coordinate, Coordinate]
 
+#: What turns Y up, as glTF and Habitat have it, into Z up: (x, y, z)_ours = (x, -z, y)_theirs, 4x4.
+Z_UP_FROM_Y_UP: Array = np.array(
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
+)
+
 #: The grid of quaternions: a thing 1 m long is turned by 2 µm at its end, below that of positions.
 QUATERNION_STEP = 1e-6
 

@@ -48,6 +48,8 @@ def shown(value: Any) -> str:
         return f"text {value[:40]!r}"
     if isinstance(value, bool):
         return str(value).lower()
+    if isinstance(value, int) and abs(value) > 1e300:
+        return "a number of more than 300 digits"
     if isinstance(value, int | float):
         return f"the number {value:g}"
     kinds = {dict: "a mapping", list: "a list", tuple: "a list", type(None): "nothing"}

@@ -116,3 +116,10 @@ def test_a_cut_off_binary_chunk_is_told() -> None:
     size = (len(raw) - 4).to_bytes(4, "little")
     with pytest.raises(ValueError, match="its binary chunk is cut off"):
         glb_document(raw[:8] + size + raw[12:-4])
+
+
+def test_a_matrix_of_too_few_numbers_is_told() -> None:
+    document = one_mesh()
+    document["nodes"][0]["translation"] = [1.0]
+    with pytest.raises(ValueError, match="at least 3 items"):
+        glb_document(glb(document))

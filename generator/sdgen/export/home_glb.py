@@ -10,17 +10,14 @@ import numpy as np
 from PIL import Image
 
 from sdgen.catalog.records import HomeSpec
-from sdgen.geometry import Array
+from sdgen.geometry import Z_UP_FROM_Y_UP, Array
 from sdgen.home.notes import KEY, HomeNote, ThingNote, home_note, thing_notes
 from sdgen.library import Library, MeshData
 from sdgen.library.states import object_from_part
 from sdgen.render.shell import Face, structure_faces
 from sdgen.scene import ObjectInstance, Record, Scene, Structure
 
-#: (x, y, z)_ours = (x, z, -y)_gltf.
-_GLTF_FROM_OURS = np.array(
-    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
-)
+_GLTF_FROM_OURS = Z_UP_FROM_Y_UP.T
 
 
 def home_glb(scene: Scene, library: Library, spec: HomeSpec | None = None) -> bytes:

@@ -11,7 +11,7 @@ import numpy as np
 
 from sdgen.catalog.records import Catalog, Category
 from sdgen.errors import AssetError
-from sdgen.geometry import Array, Vec3, vec3
+from sdgen.geometry import Z_UP_FROM_Y_UP, Array, Vec3, vec3
 from sdgen.importing.categorise import Choice, categorise
 from sdgen.importing.scan import Scan, Up
 from sdgen.importing.sizes import misfit, misfit_as_it_stands
@@ -21,8 +21,8 @@ from sdgen.importing.table import Axis, Table
 _UPS: dict[Axis, Array] = {
     "+z": np.eye(4),
     "-z": np.diag([1.0, -1.0, -1.0, 1.0]),
-    "+y": np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]]),
-    "-y": np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]),
+    "+y": Z_UP_FROM_Y_UP,
+    "-y": Z_UP_FROM_Y_UP.T,
     "+x": np.array([[0, 0, -1.0, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]]),
     "-x": np.array([[0, 0, 1.0, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]]),
 }

@@ -5,12 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
+from sdgen.geometry import Z_UP_FROM_Y_UP
 from sdgen.library.meshes import MeshData
-
-#: (x, y, z)_ours = (x, z, -y)_gltf.
-_GLTF_FROM_OURS = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 
 
 def model_glb(meshes: Mapping[str, MeshData], texture: str) -> bytes:
@@ -24,9 +20,9 @@ def model_glb(meshes: Mapping[str, MeshData], texture: str) -> bytes:
     for part, mesh in meshes.items():
         scene.add_geometry(
             trimesh.Trimesh(
-                vertices=mesh.vertices @ _GLTF_FROM_OURS.T,
+                vertices=mesh.vertices @ Z_UP_FROM_Y_UP[:3, :3],
                 faces=mesh.faces,
-                vertex_normals=mesh.normals @ _GLTF_FROM_OURS.T,
+                vertex_normals=mesh.normals @ Z_UP_FROM_Y_UP[:3, :3],
                 visual=looks.TextureVisuals(uv=mesh.uvs, material=material),
                 process=False,
             ),

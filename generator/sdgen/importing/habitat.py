@@ -16,6 +16,7 @@ import numpy as np
 
 from sdgen.errors import AssetError
 from sdgen.geometry import Array, rotation_matrix
+from sdgen.importing import shapes
 from sdgen.importing.mesh_files import MESHES, read_mesh
 from sdgen.importing.scan import Box, LinkBox, Scan
 from sdgen.importing.tree import References
@@ -84,7 +85,7 @@ def _in_scenes(path: Path, references: References) -> Array | None:
         return None
     scale, *up = found.most_common(1)[0][0]
     matrix = np.eye(4)
-    matrix[:3, :3] = scale * _upright(np.array(up))
+    matrix[:3, :3] = scale * shapes.least_turn(up, (0.0, 1.0, 0.0))
     return matrix
 
 
@@ -96,16 +97,6 @@ def _scale_and_up(entry: Mapping[str, Any]) -> tuple[float, float, float, float]
         raise ValueError("no scale or rotation")
     right, up, back = rotation_matrix((x, y, z, w)).T @ (0.0, 1.0, 0.0)
     return scale, round(float(right), 2), round(float(up), 2), round(float(back), 2)
-
-
-def _upright(up: Array) -> Array:
-    """The least rotation that takes a direction to +Y (Rodrigues)."""
-    up = up / np.linalg.norm(up)
-    cross = np.cross(up, (0.0, 1.0, 0.0))
-    if np.linalg.norm(cross) < 1e-9:
-        return np.diag([1.0, np.sign(up[1]), np.sign(up[1])])
-    k = np.array([[0, -cross[2], cross[1]], [cross[2], 0, -cross[0]], [-cross[1], cross[0], 0]])
-    return np.asarray(np.eye(3) + k + k @ k / (1.0 + up[1]))
 
 
 def _boxes(given: Any) -> list[LinkBox]:

@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Literal
 from xml.etree.ElementTree import ParseError, iterparse
 
-from sdgen.errors import AssetError
+from sdgen.errors import AssetError, InputError
+from sdgen.files import open_plain
 from sdgen.importing.mesh_files import MESHES
 
 Kind = Literal["mesh", "sdf", "urdf", "mjcf", "object_config", "break"]
@@ -181,10 +182,10 @@ def _root_tag(path: Path) -> str | None:
     try:
         if path.stat().st_size > 50_000_000:
             return None
-        with path.open("rb") as stream:
+        with open_plain(path, path.name) as stream:
             for _, element in iterparse(stream, events=("start",)):
                 return str(element.tag)
-    except (OSError, ParseError, ValueError, LookupError):
+    except (InputError, OSError, ParseError, ValueError, LookupError):
         return None
     return None
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 import json
 import math
-import struct
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -23,6 +22,7 @@ from sdgen.importing.collada_text import prepared
 from sdgen.importing.pictures import PICTURES, checked_picture
 from sdgen.importing.scan import Paint, Piece, Up
 from sdgen.importing.tree import References, files_below, inside
+from sdgen.library.gltf import chunks_of, glb_of
 
 #: Suffix of a mesh file -> which axis its format has up.
 MESHES: Mapping[str, Up] = {
@@ -227,14 +227,7 @@ def _named_materials(raw: bytes, kind: str) -> tuple[bytes, dict[str, Any]]:
 
     trimesh tells materials by name only, and leaves out KHR_texture_transform.
     """
-    glb = kind == ".glb"
-    if glb:
-        if raw[:4] != b"glTF" or len(raw) < 20:
-            raise ValueError("is no GLB")
-        length = int.from_bytes(raw[12:16], "little")
-        text, rest = raw[20 : 20 + length], raw[20 + length :]
-    else:
-        text, rest = raw, b""
+    text, blob = chunks_of(raw) if kind == ".glb" else (raw, b"")
     document = json.loads(text)
     if not isinstance(document, dict):
         raise ValueError("its JSON is no object")
@@ -251,13 +244,9 @@ def _named_materials(raw: bytes, kind: str) -> tuple[bytes, dict[str, Any]]:
         found = (texture.get("extensions") or {}).get("KHR_texture_transform")
         if isinstance(found, dict):
             transforms[material["name"]] = _uv_matrix(found)
-    out = json.dumps(document).encode()
-    if not glb:
-        return out, transforms
-    out += b" " * (-len(out) % 4)
-    total = 12 + 8 + len(out) + len(rest)
-    head = b"glTF" + struct.pack("<II", 2, total) + struct.pack("<I", len(out)) + b"JSON"
-    return head + out + rest, transforms
+    if kind == ".glb":
+        return glb_of(document, blob), transforms
+    return json.dumps(document).encode(), transforms
 
 
 def _uv_matrix(given: Mapping[str, Any]) -> tuple[tuple[float, ...], ...]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sdgen.geometry import Array
+from sdgen.geometry import Array, quat_from_axis_angle, rotation_matrix
 from sdgen.importing.scan import Paint, Piece
 
 #: Sides of what is round.
@@ -111,6 +111,20 @@ def euler(angles_rad: Sequence[float], order: str) -> Array:
         turn[i, i], turn[i, j], turn[j, i], turn[j, j] = c, -s, s, c
         out = out @ turn if axis.islower() else turn @ out
     return out
+
+
+def least_turn(start: Sequence[float] | Array, end: Sequence[float] | Array) -> Array:
+    """3x3 of the least turn that takes one direction to another, about X or Y if to its opposite.
+    Neither is zero."""
+    a, b = (np.asarray(one, dtype=float) / np.linalg.norm(one) for one in (start, end))
+    axis = np.cross(a, b)
+    size, along = float(np.linalg.norm(axis)), float(a @ b)
+    if size < 1e-9:
+        if along > 0:
+            return np.eye(3)
+        side = np.eye(3)[0 if abs(a[0]) < 0.9 else 1]
+        axis = side - a * (a @ side)
+    return rotation_matrix(quat_from_axis_angle(axis.tolist(), math.atan2(size, along)))
 
 
 def _piece(mesh: object, paint: Paint) -> Piece:

@@ -1,7 +1,6 @@
 """Reads URDF models: links of meshes and plain shapes, and the joints of doors and drawers.
 
-http://wiki.ros.org/urdf/XML. Metres and radians; the up axis is the reader's (ROS has Z up, Habitat
-Y up).
+The up axis is the reader's (ROS has Z up, Habitat Y up).
 """
 
 from __future__ import annotations
@@ -15,16 +14,16 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from sdgen.errors import AssetError
-from sdgen.geometry import Array
+from sdgen.geometry import Z_UP_FROM_Y_UP, Array
 from sdgen.importing import shapes
 from sdgen.importing.mesh_files import MESHES, read_mesh
 from sdgen.importing.pictures import checked_picture
 from sdgen.importing.scan import Box, LinkBox, Paint, Piece, Scan, ScanJoint, Up
 from sdgen.importing.tree import References
+from sdgen.importing.urdf_tree import UrdfTree, name_in, numbers, origin, urdf_tree
 from sdgen.importing.xml_text import parse_xml
 
 _MOVES = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
-_Y_UP = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
 
 
 def read_urdf(
@@ -34,21 +33,17 @@ def read_urdf(
     nothing moves. Raises AssetError, located."""
     shown = references.shown(path)
     root = parse_xml(references.bytes_of(path), shown)
-    if root.tag != "robot":
-        raise AssetError([f"{shown}: is no URDF: its root is <{root.tag}>"])
     try:
-        return _scan(root, path, references, up, boxes)
+        return _scan(urdf_tree(root), path, references, up, boxes)
     except ValueError as error:
         raise AssetError([f"{shown}: {error}"]) from None
 
 
 def _scan(
-    root: Element, path: Path, references: References, up: Up, boxes: Sequence[LinkBox]
+    tree: UrdfTree, path: Path, references: References, up: Up, boxes: Sequence[LinkBox]
 ) -> Scan:
-    links = {link.get("name", ""): link for link in root.findall("link")}
-    joints = {_name(joint.find("child"), "link"): joint for joint in root.findall("joint")}
     paints: dict[str, Paint] = {}
-    for material in root.findall("material"):
+    for material in tree.root.findall("material"):
         paint = _paint(material, {}, path, references)
         if paint is not None:
             paints[material.get("name", "")] = paint
@@ -56,8 +51,8 @@ def _scan(
     receptacles: list[Box] = []
     moving: list[ScanJoint] = []
     mass = 0.0
-    for name, link in links.items():
-        at_link, mover = _placed(name, joints, references)
+    for name, link in tree.links.items():
+        at_link, mover = _placed(tree.chain(name), references)
         if mover is not None and mover.name not in {joint.name for joint in moving}:
             moving.append(mover)
         its_boxes = [given.box.moved(at_link) for given in boxes if given.link == name]
@@ -68,7 +63,7 @@ def _scan(
         value = link.find("inertial/mass")
         mass += float(value.get("value", 0.0)) if value is not None else 0.0
         for visual in link.findall("visual"):
-            at = at_link @ _origin(visual)
+            at = at_link @ origin(visual)
             for piece in _visual(visual, paints, path, references):
                 mover_name = "body" if mover is None else mover.name
                 pieces.append(replace(piece.moved(at), link=mover_name))
@@ -84,27 +79,17 @@ def _scan(
         joints=kept if "body" in drawn else (),
         mass_kg=mass if math.isfinite(mass) and mass > 0 else None,
         receptacles=tuple(receptacles),
-        words=(root.get("name", ""),),
+        words=(tree.root.get("name", ""),),
     )
 
 
-def _placed(
-    link: str, joints: dict[str, Element], references: References
-) -> tuple[Array, ScanJoint | None]:
-    """Where a link is with all joints at 0, and the joint nearest the root that moves it."""
-    chain: list[Element] = []
-    seen = {link}
-    while link in joints:
-        joint = joints[link]
-        chain.append(joint)
-        link = _name(joint.find("parent"), "link")
-        if link in seen:
-            raise ValueError(f"joint {joint.get('name')!r}: links go round in a circle")
-        seen.add(link)
+def _placed(chain: Sequence[Element], references: References) -> tuple[Array, ScanJoint | None]:
+    """Where the link at the end of a chain of joints is with all of them at 0, and the joint
+    nearest the root that moves it."""
     at = np.eye(4)
     mover: ScanJoint | None = None
-    for joint in reversed(chain):
-        at = at @ _origin(joint)
+    for joint in chain:
+        at = at @ origin(joint)
         kind = _MOVES.get(joint.get("type", "fixed"))
         if kind is None:
             continue
@@ -112,16 +97,15 @@ def _placed(
             references.note(f"joint {joint.get('name')!r} moves on another joint: taken as fixed")
             continue
         axis = joint.find("axis")
-        direction = np.array(_numbers(axis, "xyz", (1.0, 0.0, 0.0)))
+        direction = np.array(numbers(axis, "xyz", (1.0, 0.0, 0.0)))
         if np.linalg.norm(direction) < 1e-9:
             raise ValueError(f"joint {joint.get('name')!r}: its axis has no direction")
         limit = joint.find("limit")
-        lower = float(limit.get("lower", 0.0)) if limit is not None else 0.0
-        upper = float(limit.get("upper", 0.0)) if limit is not None else 0.0
+        (lower,), (upper,) = (numbers(limit, key, (0.0,)) for key in ("lower", "upper"))
         if joint.get("type") == "continuous":
             lower, upper = 0.0, math.pi / 2
         mover = ScanJoint(
-            joint.get("name") or link,
+            joint.get("name") or name_in(joint.find("child"), "link"),
             "revolute" if kind == "revolute" else "prismatic",
             at[:3, 3].copy(),
             at[:3, :3] @ (direction / np.linalg.norm(direction)),
@@ -146,15 +130,15 @@ def _visual(
         if file is None or file.suffix.lower() not in MESHES:
             raise ValueError(f"{name}: no such mesh" if file is None else f"{name}: is no mesh")
         pieces, up = read_mesh(file, references)
-        scale = np.diag([*_numbers(shape, "scale", (1.0, 1.0, 1.0)), 1.0])
+        scale = np.diag([*numbers(shape, "scale", (1.0, 1.0, 1.0)), 1.0])
         if file.suffix.lower() == ".dae" and up == "y":
-            scale = scale @ _Y_UP  # assimp, which ROS reads meshes with, turns these
+            scale = scale @ Z_UP_FROM_Y_UP  # assimp, which ROS reads meshes with, turns these
         out = [piece.moved(scale) for piece in pieces]
         if paint is not None and all(piece.paint.image is None for piece in out):
             out = [replace(piece, paint=paint) for piece in out]
         return out
     if shape.tag == "box":
-        return [shapes.box(_numbers(shape, "size", (0.0, 0.0, 0.0)), bare)]
+        return [shapes.box(numbers(shape, "size", (0.0, 0.0, 0.0)), bare)]
     if shape.tag == "cylinder":
         sizes = float(shape.get("radius", 0)), float(shape.get("length", 0))
         return [shapes.cylinder(*sizes, bare)]
@@ -175,27 +159,6 @@ def _paint(
             return Paint(checked_picture(references.bytes_of(file), references.shown(file)))
     colour = material.find("color")
     if colour is not None:
-        r, g, b = _numbers(colour, "rgba", (0.7, 0.7, 0.7, 1.0))[:3]
+        r, g, b = numbers(colour, "rgba", (0.7, 0.7, 0.7, 1.0))[:3]
         return Paint(colour=(r, g, b, 1.0))
     return known.get(material.get("name", ""))
-
-
-def _origin(element: Element) -> Array:
-    origin = element.find("origin")
-    at = _numbers(origin, "xyz", (0.0, 0.0, 0.0))
-    turn = _numbers(origin, "rpy", (0.0, 0.0, 0.0))
-    return shapes.pose(at, shapes.rpy(turn))
-
-
-def _numbers(element: Element | None, key: str, default: tuple[float, ...]) -> tuple[float, ...]:
-    text = element.get(key) if element is not None else None
-    if text is None or not text.strip():
-        return default
-    values = tuple(float(word) for word in text.replace(",", " ").split())
-    if len(values) != len(default) or not all(map(math.isfinite, values)):
-        raise ValueError(f"{key}={text!r}: expected {len(default)} numbers")
-    return values
-
-
-def _name(element: Element | None, key: str) -> str:
-    return element.get(key, "") if element is not None else ""

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sdgen.errors import AssetError
+from sdgen.geometry import Z_UP_FROM_Y_UP
 from sdgen.library.glb import MAX_BYTES, glb_document
 from sdgen.library.quantized import lacks_normals, plain_glb
 from sdgen.library.raw import file_bytes
@@ -32,8 +33,8 @@ HULL_SLACK_M = 0.002
 #: Meshes are quantized, sizes written with four digits: 2 mm is more than both, less than any eye.
 EXTENTS_SLACK_M = 0.002
 
-#: glTF is Y up; our objects are Z up: (x, y, z)_ours = (x, -z, y)_gltf.
-_OURS_FROM_GLTF = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+#: glTF is Y up; our objects are Z up.
+_OURS_FROM_GLTF = Z_UP_FROM_Y_UP[:3, :3]
 
 
 @dataclass(frozen=True)

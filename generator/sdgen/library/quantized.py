@@ -7,13 +7,11 @@ came out 127 and 65,535 times too long.
 from __future__ import annotations
 
 import copy
-import json
-import struct
 from typing import Any
 
 import numpy as np
 
-from sdgen.library.glb import BIN, COMPONENTS, JSON, WIDTH, binary_chunk
+from sdgen.library.gltf import COMPONENTS, WIDTH, chunks_of, glb_of
 
 _FLOAT = 5126
 
@@ -32,7 +30,7 @@ def plain_glb(raw: bytes, document: dict[str, Any]) -> bytes:
     if not any(map(_is_small, document.get("accessors", ()))):
         return raw
     document = copy.deepcopy(document)
-    blob = binary_chunk(raw)
+    _, blob = chunks_of(raw)
     added: list[bytes] = []
     end = len(blob)
     for accessor in filter(_is_small, document["accessors"]):
@@ -55,13 +53,7 @@ def plain_glb(raw: bytes, document: dict[str, Any]) -> bytes:
         added.append(data)
         end += len(data)
     document["buffers"][0]["byteLength"] = end
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    body = blob + b"".join(added)
-    body += b"\0" * (-len(body) % 4)
-    header = struct.pack("<III", 0x46546C67, 2, 12 + 8 + len(text) + 8 + len(body))
-    lead = struct.pack("<II", len(text), JSON)
-    return header + lead + text + struct.pack("<II", len(body), BIN) + body
+    return glb_of(document, blob + b"".join(added))
 
 
 def _is_small(accessor: dict[str, Any]) -> bool:

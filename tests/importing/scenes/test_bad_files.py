@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import struct
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -16,8 +15,17 @@ from sdgen.importing.scenes.gltf import read_gltf
 from sdgen.importing.scenes.mjcf import read_mjcf
 from sdgen.importing.scenes.read import FORMATS
 from sdgen.importing.scenes.virtualhome import read_virtualhome
+from sdgen.library.gltf import glb_of
 
-from tests.importing.scenes.homes import CATALOG, NAMER, ROOMS, THINGS, imported, write_glb
+from tests.importing.scenes.homes import (
+    CATALOG,
+    NAMER,
+    ROOMS,
+    THINGS,
+    imported,
+    write_glb,
+    write_mjcf,
+)
 
 HOME = '<worldbody><body name="floor_kitchen"><geom type="box" size="2 2 .1"/></body></worldbody>'
 
@@ -60,19 +68,19 @@ MJCF = {
         "</mujoco>",
         "quat is zero",
     ),
-    "climbing include": ('<mujoco><include file="../other.xml"/></mujoco>', "lies outside"),
-    "absolute include": ('<mujoco><include file="/etc/passwd"/></mujoco>', "lies outside"),
+    "climbing include": ('<mujoco><include file="../other.xml"/></mujoco>', "no such file in its"),
+    "absolute include": ('<mujoco><include file="/etc/passwd"/></mujoco>', "no such file in its"),
     "missing include": ('<mujoco><include file="rooms.xml"/></mujoco>', "no such file"),
     "itself": ('<mujoco><include file="home.xml"/></mujoco>', "includes home.xml, which includes"),
     "missing mesh": (
         '<mujoco><asset><mesh name="m" file="m.obj"/></asset><worldbody><body name="bed">'
         '<geom type="mesh" mesh="m"/></body></worldbody></mujoco>',
-        "m.obj: no such file",
+        "m.obj': no such file in the scene's folder",
     ),
     "climbing mesh": (
         '<mujoco><asset><mesh name="m" file="../../m.obj"/></asset><worldbody><body name="bed">'
         '<geom type="mesh" mesh="m"/></body></worldbody></mujoco>',
-        "lies outside the scene's folder",
+        "m.obj': no such file in the scene's folder",
     ),
 }
 
@@ -100,7 +108,24 @@ def test_a_link_out_of_the_folder_is_not_followed(tmp_path: Path) -> None:
     (tmp_path / "secret.xml").write_text(f"<mujoco>{HOME}</mujoco>")
     (tmp_path / "in" / "part.xml").symlink_to(tmp_path / "secret.xml")
     (tmp_path / "in" / "home.xml").write_text('<mujoco><include file="part.xml"/></mujoco>')
-    assert "lies outside" in refused(read_mjcf, tmp_path / "in" / "home.xml")
+    assert "part.xml': no such file" in refused(read_mjcf, tmp_path / "in" / "home.xml")
+
+
+@pytest.mark.parametrize("tag", ["body", "frame"])
+def test_files_within_files_are_not_nested_without_end(tag: str, tmp_path: Path) -> None:
+    for k in range(12):
+        inner = f'<include file="home{k + 1}.xml"/>' if k < 11 else ""
+        text = f"<{tag}>" * 90 + inner + f"</{tag}>" * 90
+        (tmp_path / f"home{k}.xml").write_text(f"<mujoco><worldbody>{text}</worldbody></mujoco>")
+    assert "home2.xml: is nested too deeply" in refused(read_mjcf, tmp_path / "home0.xml")
+
+
+def test_a_geom_out_of_any_home_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "home.xml"
+    geom = '<geom name="bed" type="box" size="1 1 1" pos="5000 0 0"/>'
+    path.write_text(f"<mujoco><worldbody>{geom}</worldbody></mujoco>")
+    (line,) = read_mjcf(path, CATALOG, NAMER).unresolved
+    assert line.startswith("bed: it lies or reaches further than")
 
 
 def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:
@@ -133,14 +158,60 @@ GLTF = {
         gltf(nodes=[{"name": "bed", "translation": ["a", 0, 0]}]),
         "nodes[0].translation[0]",
     ),
-    "in itself": (gltf(nodes=[{"name": "a", "children": [0]}]), "nested too deeply, or in itself"),
+    "in itself": (
+        gltf(nodes=[{"name": "a", "children": [0]}]),
+        "nested more than 200 deep, or in itself",
+    ),
     "a child twice": (
         gltf(nodes=[{"children": [2]}, {"children": [2]}, {"name": "bed"}]),
         "is a child twice",
     ),
-    "no accessor": (gltf(accessors=[]), "accessors: there is no 0"),
+    "no accessor": (gltf(accessors=[]), "attributes.POSITION: there is no 0"),
     "a floor without bytes": (gltf(nodes=[{"name": "floor", "mesh": 0}]), "sparse or compressed"),
 }
+
+#: What is changed in a floor's primitive and in the accessor of its corners.
+FLOORS: dict[str, tuple[dict[str, Any], dict[str, Any], str]] = {
+    "numbers in twos": ({}, {"type": "VEC2"}, "attributes.POSITION: not VEC3"),
+    "corners by fractions": ({"indices": 0}, {}, "primitives[0].indices: not whole numbers from 0"),
+    "corners that are none": ({"indices": 1}, {}, "primitives[0]: has triangles without corners"),
+    "more than is there": ({}, {"count": 4}, "accessors[0]: reaches beyond its bufferView"),
+    "no such type": ({}, {"componentType": 1}, "accessors[0].componentType: glTF has no 1"),
+}
+
+
+@pytest.mark.parametrize(("primitive", "accessor", "told"), FLOORS.values(), ids=FLOORS)
+def test_a_floor_whose_triangles_are_none(
+    primitive: dict[str, Any], accessor: dict[str, Any], told: str, tmp_path: Path
+) -> None:
+    assert told in refused(read_gltf, floor_of(primitive, accessor, tmp_path))
+
+
+@pytest.mark.parametrize("mode", [0, 4, 5, 6, 9])
+def test_too_few_corners_are_no_floor(mode: int, tmp_path: Path) -> None:
+    path = floor_of({"mode": mode}, {"count": 1}, tmp_path)
+    assert read_gltf(path, CATALOG, NAMER).floors == []
+
+
+def floor_of(primitive: dict[str, Any], accessor: dict[str, Any], folder: Path) -> Path:
+    positions = {"componentType": 5126, "type": "VEC3", "count": 3, "bufferView": 0, **accessor}
+    document = gltf(
+        nodes=[{"name": "floor", "mesh": 0}],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}, **primitive}]}],
+        accessors=[
+            positions,
+            {"componentType": 5123, "type": "SCALAR", "count": 3, "bufferView": 1},
+        ],
+        bufferViews=[
+            {"buffer": 0, "byteLength": 36},
+            {"buffer": 0, "byteLength": 6, "byteOffset": 36},
+        ],
+        buffers=[{"byteLength": 42, "uri": "b.bin"}],
+    )
+    (folder / "b.bin").write_bytes(bytes(36) + b"\0\0\1\0\7\0")
+    path = folder / "home.gltf"
+    path.write_text(json.dumps(document))
+    return path
 
 
 @pytest.mark.parametrize(("document", "told"), GLTF.values(), ids=GLTF)
@@ -205,6 +276,12 @@ GRAPHS = {
     "a list": ("[1]", "expected a mapping"),
     "no nodes": ("{}", "missing key 'nodes'"),
     "text for an id": ('{"nodes": [{"id": "1", "class_name": "bed"}]}', "nodes[0].id"),
+    "a number of hundreds of digits": (
+        '{"nodes": [{"id": 1, "class_name": "bed", "bounding_box": {"center": [0, 1'
+        + "0" * 400
+        + ', 0], "size": [1, 1, 1]}}]}',
+        "nodes[0].bounding_box.center[1]",
+    ),
     "a short box": (
         '{"nodes": [{"id": 1, "class_name": "bed", "bounding_box": {"center": [0, 1], '
         '"size": [1, 1, 1]}}]}',
@@ -258,6 +335,27 @@ def test_a_wrong_unit_is_told_not_built(tmp_path: Path) -> None:
     assert all("is its unit metres?" in line for line in found.unresolved)
 
 
+def test_a_rotation_without_length_turns_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "home.gltf"
+    nodes = [{"name": "bed", "mesh": 0, "rotation": [1e-300, 0, 0, 0]}]
+    path.write_text(json.dumps(gltf(nodes=nodes)))
+    (piece,) = read_gltf(path, CATALOG, NAMER).pieces
+    assert piece.extents_m == (2.0, 2.0, 1.0)
+
+
+def test_rooms_and_walls_out_of_any_home_are_told(tmp_path: Path) -> None:
+    far = {name: ((9e4, 0.0, 0.0), sides) for name, (_, sides) in ROOMS.items()}
+    # As far out as no room may be, but for the half of a wall around it.
+    edge = {"floor_hall": ((998.0, 0.0, 0.0), (3.99, 3.0, 0.1))}
+    found = read_gltf(write_glb(tmp_path / "home.glb", far), CATALOG, NAMER)
+    assert (found.walls, found.floors) == ([], [])
+    assert all("is its unit metres?" in line for line in found.unresolved)
+    assert len(found.unresolved) == len(far)
+    for read in (write_glb(tmp_path / "edge.glb", edge), write_mjcf(tmp_path / "edge.xml", edge)):
+        with pytest.raises(InputError, match="no room was found"):
+            imported("gltf" if read.suffix == ".glb" else "mjcf", read)
+
+
 def test_huge_counts_ask_for_no_memory(tmp_path: Path) -> None:
     accessor = {"componentType": 5126, "type": "VEC3", "count": 2**31, "bufferView": 0}
     document = gltf(
@@ -266,10 +364,6 @@ def test_huge_counts_ask_for_no_memory(tmp_path: Path) -> None:
         bufferViews=[{"buffer": 0, "byteLength": 36}],
         buffers=[{"byteLength": 36}],
     )
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    body = struct.pack("<II", len(text), 0x4E4F534A) + text
-    body += struct.pack("<II", 36, 0x004E4942) + bytes(36)
     path = tmp_path / "home.glb"
-    path.write_bytes(struct.pack("<III", 0x46546C67, 2, 12 + len(body)) + body)
-    assert "reaches beyond its bytes" in refused(read_gltf, path)
+    path.write_bytes(glb_of(document, bytes(36)))
+    assert "accessors[0]: reaches beyond its bufferView" in refused(read_gltf, path)

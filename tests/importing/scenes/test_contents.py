@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from sdgen.home.notes import ThingNote
 from sdgen.importing.scenes.contents import sort_piece
 from sdgen.importing.scenes.found import FoundPiece
 from sdgen.importing.scenes.likeness import models_like, side_by_side, unlike
@@ -29,6 +30,14 @@ def test_a_model_that_was_imported_from_the_same_source_is_taken() -> None:
     assert LIBRARY.assets[found.model].source == fridge.source
     other = sort_piece(piece("thing_7", (1, 1, 1), source="cad:no_such"), NAMER, LIBRARY, CATALOG)
     assert (other.category, other.model) == (None, None)
+
+
+def test_a_note_of_another_catalogue_is_told() -> None:
+    """Exported with an extension pack that is not here."""
+    note = ThingNote(category="terrarium", model="terrarium_01", room="hall")
+    found = sort_piece(piece("terrarium_7", (1, 1, 1), note=note), NAMER, LIBRARY, CATALOG)
+    assert (found.category, found.model) == (None, None)
+    assert found.named.why == "no category is called 'terrarium'"
 
 
 def test_a_front_along_another_axis_is_turned_to_ours() -> None:

@@ -109,3 +109,30 @@ def test_a_free_thing_is_loose_and_what_is_not_seen_is_no_thing(tmp_path: Path) 
     )
     found = read_mjcf(path, CATALOG, NAMER)
     assert [(piece.name, piece.loose) for piece in found.pieces] == [("apple", True)]
+
+
+#: What a class says, what an element says: which of two rotations counts, where copies begin.
+OVER = [
+    ('<geom euler="0 0 90"/>', '<geom {} quat="1 0 0 0"/>'),
+    ('<geom quat="1 0 0 0"/>', '<geom {} euler="0 0 90"/>'),
+    ('<geom axisangle="1 0 0 90"/>', '<geom {} zaxis="1 1 0"/>'),
+    ("", '<replicate count="2" offset="3 0 0" euler="0 0 90"><geom {}/></replicate>'),
+]
+
+
+@pytest.mark.parametrize(("usual", "own"), OVER)
+def test_rotations_of_classes_and_copies(usual: str, own: str, tmp_path: Path) -> None:
+    path = tmp_path / "home.xml"
+    geom = own.format('type="box" size=".3 .2 .1"')
+    path.write_text(
+        f"<mujoco><default>{usual}</default><worldbody>"
+        f'<body name="bed">{geom}</body></worldbody></mujoco>'
+    )
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    (piece,) = read_mjcf(path, CATALOG, NAMER).pieces
+    middle, reach = corners(piece)
+    assert np.allclose(middle, data.geom_xpos[0], atol=1e-4)
+    own_reach = np.abs(data.geom_xmat[0].reshape(3, 3)) @ (0.3, 0.2, 0.1)
+    assert np.allclose(reach, own_reach, atol=1e-4)

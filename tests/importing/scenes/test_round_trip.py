@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import struct
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.export.home_glb import home_glb
 from sdgen.export.home_mjcf import write_home_mjcf
 from sdgen.importing.scenes.read import text_of
+from sdgen.library.gltf import chunks_of, glb_of
 from sdgen.pipeline.one_home import OneHome, one_home
 from sdgen.vocabulary import OPENINGS
 from shapely import box, union_all
@@ -103,15 +103,11 @@ def bare(path: Path) -> Path:
         text = re.sub(r"<custom>.*</custom>", "", path.read_text(), flags=re.S)
         path.write_text(text)
         return path
-    raw = path.read_bytes()
-    size = int.from_bytes(raw[12:16], "little")
-    document = json.loads(raw[20 : 20 + size])
+    text, blob = chunks_of(path.read_bytes())
+    document = json.loads(text)
     for node in document["nodes"]:
         node.pop("extras", None)
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + raw[20 + size :]
-    path.write_bytes(struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks)
+    path.write_bytes(glb_of(document, blob))
     return path
 
 

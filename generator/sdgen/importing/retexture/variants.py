@@ -7,11 +7,11 @@ containers, collision pieces, states) is given to them as well.
 from __future__ import annotations
 
 import json
-import struct
 from collections.abc import Mapping
 from typing import Any
 
-from sdgen.library.glb import BIN, JSON, binary_chunk, glb_document
+from sdgen.library.glb import glb_document
+from sdgen.library.gltf import chunks_of, glb_of
 from sdgen.library.records import Asset, Container, Part, StateRule, Support
 
 
@@ -106,7 +106,8 @@ def glb_with_nodes(raw: bytes, names: Mapping[str, str]) -> bytes:
         nodes.append({**copied, "name": new})
         by_name[new] = len(nodes) - 1
         _beside(document, by_name[old], by_name[new])
-    return _glb(document, binary_chunk(raw))
+    _, blob = chunks_of(raw)
+    return glb_of(document, blob)
 
 
 def _beside(document: dict[str, Any], old: int, new: int) -> None:
@@ -115,17 +116,6 @@ def _beside(document: dict[str, Any], old: int, new: int) -> None:
         for key in ("children", "nodes"):
             if old in owner.get(key, ()):
                 owner[key].append(new)
-
-
-def _glb(document: dict[str, Any], blob: bytes) -> bytes:
-    text = json.dumps(document, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    blob += b"\0" * (-len(blob) % 4)
-    chunks = [struct.pack("<II", len(text), JSON), text]
-    if blob:
-        chunks += [struct.pack("<II", len(blob), BIN), blob]
-    body = b"".join(chunks)
-    return struct.pack("<III", 0x46546C67, 2, 12 + len(body)) + body
 
 
 def hulls_with_parts(raw: bytes, names: Mapping[str, str]) -> bytes:

@@ -42,6 +42,9 @@ class Sorted:
 def sort_piece(piece: FoundPiece, namer: Namer, library: Library, catalog: Catalog) -> Sorted:
     """A piece with its category: as it says, as the library's model of it, as it is called."""
     known_as = {category.name for category in catalog.categories}
+    if piece.note is not None and piece.note.category not in known_as:
+        # Exported with a catalogue that has more.
+        return Sorted(piece, Named(None, f"no category is called {piece.note.category!r}"))
     if piece.note is not None:
         said = library.assets.get(piece.note.model)
         known = said is not None and said.category == piece.note.category

@@ -6,6 +6,7 @@ Metres, Z up, right-handed, the floor at z = 0; nothing is snapped, and nothing 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -15,11 +16,13 @@ import shapely
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from sdgen.geometry import Array, Quat, Vec3, quat_from_matrix, vec3
+from sdgen.geometry import Array, Quat, Vec3, matrix, quat_from_matrix, vec3
 from sdgen.home.notes import ThingNote
 
 #: A box whose upright axis leans further than this (cosine; 8 degrees) lies, it does not stand.
 _UPRIGHT = 0.99
+#: A quaternion that is shorter has no direction.
+_LEAST_QUAT = 1e-9
 #: Above thresholds, below sills, metres.
 KNEE_M = 0.4
 #: Nobody's home has a piece beyond this, metres: a wrong unit, or a sky.
@@ -120,6 +123,18 @@ class FoundScene:
     told: list[str] = field(default_factory=list)
 
 
+def pose_of(position_m: Sequence[float], quat_xyzw: Sequence[float]) -> Array:
+    """4x4 of a pose; a quaternion without length, as some write, turns nothing."""
+    sound = math.hypot(*quat_xyzw) > _LEAST_QUAT
+    return matrix(position_m, quat_xyzw if sound else (0.0, 0.0, 0.0, 1.0))
+
+
+def check_reach(points: Array) -> None:
+    """Raise ValueError for points (N, 3) that lie out of any home, or are not finite."""
+    if not np.abs(points).max(initial=0.0) <= FARTHEST_M:
+        raise ValueError(f"it lies or reaches further than {FARTHEST_M:g} m: is its unit metres?")
+
+
 def box_piece(name: str, world_from_box: Array, low: Array, high: Array) -> FoundPiece:
     """A piece from the box (lowest and highest corner) in its own frame, whichever of its axes is
     up; what lies aslant gets the box along the world's axes.
@@ -135,8 +150,7 @@ def box_piece(name: str, world_from_box: Array, low: Array, high: Array) -> Foun
     turned = world_from_box[:3, :3] / scales
     middle = world_from_box[:3, :3] @ ((low + high) / 2) + world_from_box[:3, 3]
     sides = (high - low) * scales
-    if max(np.abs(middle).max(), sides.max()) > FARTHEST_M:
-        raise ValueError(f"it lies or reaches further than {FARTHEST_M:g} m: is its unit metres?")
+    check_reach(np.array([middle, sides]))
     upright = int(np.argmax(np.abs(turned[2])))
     if abs(turned[2, upright]) < _UPRIGHT:
         sides = np.abs(turned) @ sides

@@ -7,113 +7,57 @@ glTF 2.0 requires), so that a scene of a gigabyte need not be unpacked to know w
 from __future__ import annotations
 
 import base64
-import binascii
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 from urllib.parse import unquote
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ValidationError
 
 from sdgen.errors import InputError
 from sdgen.files import read_plain
-from sdgen.geometry import Array, matrix
+from sdgen.geometry import Array, apply, box_corners, lowest_highest
+from sdgen.importing.scenes.found import pose_of
 from sdgen.importing.scenes.json_text import in_words
-from sdgen.library.glb import BIN, COMPONENTS, JSON, WIDTH
+from sdgen.importing.tree import inside
+from sdgen.library.gltf import (
+    COMPONENTS,
+    Accessor,
+    Buffer,
+    Document,
+    Node,
+    Primitive,
+    accessor_at,
+    check_indices,
+    chunks_of,
+    item_of,
+    parents_of,
+    rows_of,
+)
 
 #: A furnished home with textures takes tens of megabytes; the largest looked at had 300.
 MAX_BYTES = 1_000_000_000
 MAX_JSON = 100_000_000
 #: Triangles of all floors and walls together.
 MAX_TRIANGLES = 2_000_000
-_DEEPEST = 200
+#: Triangles, strips and fans of them.
+_MODES = (4, 5, 6)
 _STRIP, _FAN = 5, 6
-
-Index = Annotated[int, Field(ge=0)]
-Number = Annotated[float, Field(allow_inf_nan=False)]
+_FLOAT = 5126
 
 
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="ignore", strict=True, frozen=True)
-
-
-class Accessor(_Part):
-    """Numbers, and their least and greatest values."""
-
-    bufferView: Index | None = None
-    byteOffset: Index = 0
-    componentType: int
-    type: str
-    count: int = Field(ge=1)
-    normalized: bool = False
-    min: list[Number] | None = None
-    max: list[Number] | None = None
-    sparse: Any = None
-
-
-class _View(_Part):
-    buffer: Index
-    byteOffset: Index = 0
-    byteLength: int = Field(ge=1)
-    byteStride: int | None = Field(default=None, ge=1)
-
-
-class _Buffer(_Part):
-    byteLength: int = Field(ge=1)
-    uri: str | None = None
-
-
-class _Primitive(_Part):
-    attributes: dict[str, Index]
-    indices: Index | None = None
-    mode: int = 4
-
-
-class _Mesh(_Part):
-    name: str = ""
-    primitives: list[_Primitive]
-
-
-class Node(_Part):
-    """A node: its name, where it is in its parent, what is below it."""
-
-    name: str = ""
-    mesh: Index | None = None
-    children: list[Index] = []
-    matrix: list[Number] | None = Field(default=None, min_length=16, max_length=16)
-    translation: list[Number] | None = Field(default=None, min_length=3, max_length=3)
-    rotation: list[Number] | None = Field(default=None, min_length=4, max_length=4)
-    scale: list[Number] | None = Field(default=None, min_length=3, max_length=3)
-    extras: Any = None
-
-    def parent_from_node(self) -> Array:
-        """The node's own 4x4."""
-        if self.matrix is not None:
-            given: Array = np.array(self.matrix, dtype=float).reshape(4, 4).T
-            return given
-        rotation = self.rotation or (0.0, 0.0, 0.0, 1.0)
-        if not np.any(rotation):
-            rotation = (0.0, 0.0, 0.0, 1.0)
-        out = matrix(self.translation or (0.0, 0.0, 0.0), rotation)
-        out[:3, :3] *= np.array(self.scale or (1.0, 1.0, 1.0))
-        return out
-
-
-class _Scene(_Part):
-    nodes: list[Index] = []
-
-
-class _Document(_Part):
-    buffers: list[_Buffer] = []
-    bufferViews: list[_View] = []
-    accessors: list[Accessor] = []
-    meshes: list[_Mesh] = []
-    nodes: list[Node] = []
-    scenes: list[_Scene] = []
-    scene: Index = 0
+def parent_from(node: Node) -> Array:
+    """Where a node is in its parent, 4x4."""
+    if node.matrix is not None:
+        given: Array = np.array(node.matrix, dtype=float).reshape(4, 4).T
+        return given
+    out = pose_of(node.translation or (0.0, 0.0, 0.0), node.rotation or (0.0, 0.0, 0.0, 1.0))
+    out[:3, :3] *= np.array(node.scale or (1.0, 1.0, 1.0))
+    return out
 
 
 class GltfDocument:
@@ -123,77 +67,43 @@ class GltfDocument:
         self._path = path
         self._shown = str(path)
         raw = read_plain(path, self._shown, MAX_BYTES)
-        text, self._chunk = self._chunks(raw) if raw[:4] == b"glTF" else (raw, b"")
-        self._doc = self._parsed(text)
+        with self._located():
+            text, self._chunk = chunks_of(raw) if raw[:4] == b"glTF" else (raw, b"")
+            self._doc = self._parsed(text)
+            self._parents = parents_of(self._doc)
         self.nodes: Sequence[Node] = self._doc.nodes
-        self._check_trees()
         self._read: dict[int, bytes] = {}
         self._triangles = 0
 
-    def _wrong(self, text: str) -> InputError:
-        return InputError([f"{self._shown}: {text}"])
+    @contextmanager
+    def _located(self) -> Iterator[None]:
+        try:
+            yield
+        except ValueError as error:
+            raise InputError([f"{self._shown}: {error}"]) from None
 
-    def _chunks(self, raw: bytes) -> tuple[bytes, bytes]:
-        size = int.from_bytes(raw[12:16], "little")
-        if int.from_bytes(raw[4:8], "little") != 2:
-            raise self._wrong("it is not of glTF version 2")
-        if int.from_bytes(raw[16:20], "little") != JSON or 20 + size > len(raw):
-            raise self._wrong("it is cut off: its first chunk is no whole JSON chunk")
-        start = 20 + size
-        length = int.from_bytes(raw[start : start + 4], "little")
-        if int.from_bytes(raw[start + 4 : start + 8], "little") != BIN:
-            return raw[20:start], b""
-        if start + 8 + length > len(raw):
-            raise self._wrong("it is cut off: its binary chunk is not whole")
-        return raw[20:start], raw[start + 8 : start + 8 + length]
-
-    def _parsed(self, text: bytes) -> _Document:
+    def _parsed(self, text: bytes) -> Document:
         if len(text) > MAX_JSON:
-            raise self._wrong(f"its JSON is larger than {MAX_JSON // 1_000_000} MB")
+            raise ValueError(f"its JSON is larger than {MAX_JSON // 1_000_000} MB")
         try:
             value = json.loads(text)
         except (ValueError, RecursionError):
-            raise self._wrong("it is no glTF: its JSON cannot be read") from None
+            raise ValueError("it is no glTF: its JSON cannot be read") from None
         if not isinstance(value, dict) or not isinstance(value.get("asset"), dict):
-            raise self._wrong("it is no glTF: the key 'asset' is missing")
+            raise ValueError("it is no glTF: the key 'asset' is missing")
         try:
-            return _Document.model_validate(value)
+            return Document.model_validate(value)
         except ValidationError as error:
-            raise InputError(in_words(error, _Document, value, self._shown)) from None
-
-    def _check_trees(self) -> None:
-        """Nodes are trees, not too deep; what they name is there."""
-        nodes, parent = self.nodes, {}
-        for k, node in enumerate(nodes):
-            if node.mesh is not None and node.mesh >= len(self._doc.meshes):
-                raise self._wrong(f"nodes[{k}].mesh: there is no {node.mesh}")
-            for child in node.children:
-                if child >= len(nodes):
-                    raise self._wrong(f"nodes[{k}].children: there is no {child}")
-                if child in parent:
-                    raise self._wrong(f"nodes[{child}]: is a child twice")
-                parent[child] = k
-        for k in range(len(nodes)):
-            at, steps = k, 0
-            while at in parent:
-                at, steps = parent[at], steps + 1
-                if steps > _DEEPEST:
-                    raise self._wrong(f"nodes[{k}]: is nested too deeply, or in itself")
-        self._parent = parent
+            raise InputError(in_words(error, Document, value, self._shown)) from None
 
     @cached_property
     def roots(self) -> tuple[int, ...]:
         """The nodes of the scene; without one those that are no child."""
-        scenes = self._doc.scenes
-        if scenes:
-            if self._doc.scene >= len(scenes):
-                raise self._wrong(f"scene: there is no {self._doc.scene}")
-            chosen = tuple(dict.fromkeys(scenes[self._doc.scene].nodes))
-            for k in chosen:
-                if k >= len(self.nodes):
-                    raise self._wrong(f"scenes[{self._doc.scene}].nodes: there is no {k}")
-            return tuple(k for k in chosen if k not in self._parent)
-        return tuple(k for k in range(len(self.nodes)) if k not in self._parent)
+        chosen: Iterable[int] = range(len(self.nodes))
+        if self._doc.scenes:
+            with self._located():
+                chosen = item_of(self._doc.scenes, self._doc.scene, "scene").nodes
+        return tuple(k for k in dict.fromkeys(chosen) if k not in self._parents)
 
     def name(self, index: int) -> str:
         """What a node is called, or its mesh when it has no name."""
@@ -202,107 +112,116 @@ class GltfDocument:
             return node.name
         return self._doc.meshes[node.mesh].name
 
-    def boxes(self, mesh: int) -> Iterator[tuple[Array, Array]]:
-        """Lowest and highest corner, in the mesh's frame, of each of its primitives."""
-        for primitive in self._doc.meshes[mesh].primitives:
-            at = primitive.attributes.get("POSITION")
-            if at is None:
-                continue
-            accessor = self._accessor(at)
-            if accessor.min is not None and accessor.max is not None:
-                if len(accessor.min) == len(accessor.max) == 3:
-                    yield self._scaled(accessor, accessor.min), self._scaled(accessor, accessor.max)
-                    continue
-                raise self._wrong(f"accessors[{at}]: min and max of positions have 3 numbers")
-            points = self._numbers(at)
-            yield points.min(axis=0), points.max(axis=0)
+    def meshes(self, index: int, here: Array) -> Iterator[tuple[int, Array]]:
+        """The meshes of a node and of all below it, each with where it is; ``here`` is the node's
+        own place, 4x4."""
+        node = self.nodes[index]
+        if node.mesh is not None:
+            yield node.mesh, here
+        for child in node.children:
+            yield from self.meshes(child, here @ parent_from(self.nodes[child]))
 
-    def triangles(self, mesh: int) -> Array:
-        """Triangles (N, 3, 3) of a mesh, in its frame."""
+    def all_meshes(self, world_from_file: Array) -> Iterator[tuple[int, Array]]:
+        """The meshes of the whole scene, each with where it is, 4x4."""
+        for root in self.roots:
+            yield from self.meshes(root, world_from_file @ parent_from(self.nodes[root]))
+
+    def corners(self, meshes: Iterable[tuple[int, Array]]) -> Array:
+        """Corners (N, 3) of the boxes of primitives, of meshes with their places."""
+        found = [np.zeros((0, 3))]
+        with self._located():
+            for mesh, here in meshes:
+                found += [
+                    apply(here, box_corners(low.tolist(), high.tolist()))
+                    for low, high in self._boxes(mesh)
+                ]
+        return np.concatenate(found)
+
+    def triangles(self, meshes: Iterable[tuple[int, Array]]) -> Array:
+        """Triangles (N, 3, 3) of meshes with their places."""
         found = [np.zeros((0, 3, 3))]
-        for primitive in self._doc.meshes[mesh].primitives:
+        with self._located():
+            for mesh, here in meshes:
+                for points in self._triangles_of(mesh):
+                    self._triangles += len(points)
+                    if self._triangles > MAX_TRIANGLES:
+                        most = f"more than {MAX_TRIANGLES} triangles"
+                        raise ValueError(f"its floors and walls have {most}")
+                    found.append(apply(here, points.reshape(-1, 3)).reshape(-1, 3, 3))
+        return np.concatenate(found)
+
+    def _positions(self, mesh: int) -> Iterator[tuple[str, Primitive, int]]:
+        """The primitives of a mesh that have positions: where, which, the positions' accessor."""
+        for n, primitive in enumerate(self._doc.meshes[mesh].primitives):
+            where = f"meshes[{mesh}].primitives[{n}]"
             at = primitive.attributes.get("POSITION")
-            if at is None or primitive.mode < 4:
-                continue
-            points = self._numbers(at)
-            if primitive.indices is None:
-                order = np.arange(len(points))
+            if at is not None:
+                accessor_at(self._doc, at, f"{where}.attributes.POSITION", "VEC3")
+                yield where, primitive, at
+
+    def _boxes(self, mesh: int) -> Iterator[tuple[Array, Array]]:
+        """Lowest and highest corner of each primitive of a mesh, in its frame."""
+        for _, _, at in self._positions(mesh):
+            accessor = self._doc.accessors[at]
+            if accessor.min is None or accessor.max is None:
+                yield lowest_highest(self._numbers(at))
+            elif len(accessor.min) == len(accessor.max) == 3:
+                yield _scaled(accessor, accessor.min), _scaled(accessor, accessor.max)
             else:
+                raise ValueError(f"accessors[{at}]: min and max of positions have 3 numbers")
+
+    def _triangles_of(self, mesh: int) -> Iterator[Array]:
+        """Triangles (N, 3, 3) of each primitive of a mesh, in its frame."""
+        for where, primitive, at in self._positions(mesh):
+            if primitive.mode not in _MODES:
+                continue  # points, lines
+            points = self._numbers(at)
+            order = np.arange(len(points))
+            if primitive.indices is not None:
+                check_indices(self._doc, primitive.indices, f"{where}.indices")
                 order = self._numbers(primitive.indices).astype(np.int64).ravel()
-            if len(order) and order.max() >= len(points):
-                raise self._wrong(f"meshes[{mesh}]: has triangles without corners")
-            found.append(points[_corners(order, primitive.mode)])
-        every = np.concatenate(found)
-        self._triangles += len(every)
-        if self._triangles > MAX_TRIANGLES:
-            raise self._wrong(f"its floors and walls have more than {MAX_TRIANGLES} triangles")
-        return every
-
-    def _accessor(self, index: int) -> Accessor:
-        if index >= len(self._doc.accessors):
-            raise self._wrong(f"accessors: there is no {index}")
-        accessor = self._doc.accessors[index]
-        if accessor.componentType not in COMPONENTS or accessor.type not in WIDTH:
-            raise self._wrong(f"accessors[{index}]: glTF has no such type")
-        return accessor
-
-    def _scaled(self, accessor: Accessor, values: Sequence[float] | Array) -> Array:
-        numbers = np.array(values, dtype=float)
-        if accessor.normalized and accessor.componentType != 5126:
-            numbers /= np.iinfo(COMPONENTS[accessor.componentType]).max
-        return numbers
+            if order.max() >= len(points):
+                raise ValueError(f"{where}: has triangles without corners")
+            yield points[_corners(order, primitive.mode)]
 
     def _numbers(self, index: int) -> Array:
         """The values of an accessor, a row each."""
-        accessor = self._accessor(index)
-        where = f"accessors[{index}]"
-        if accessor.sparse is not None or accessor.bufferView is None:
-            raise self._wrong(f"{where}: sparse or compressed data is not read; write it plain")
-        if accessor.bufferView >= len(self._doc.bufferViews):
-            raise self._wrong(f"{where}.bufferView: there is no {accessor.bufferView}")
-        view = self._doc.bufferViews[accessor.bufferView]
-        kind = np.dtype(COMPONENTS[accessor.componentType])
-        width = WIDTH[accessor.type]
-        item = kind.itemsize * width
-        stride = view.byteStride or item
-        start = view.byteOffset + accessor.byteOffset
-        data = self._buffer(view.buffer)
-        last = start + stride * (accessor.count - 1) + item
-        if stride < item or last > len(data) or last > view.byteOffset + view.byteLength:
-            raise self._wrong(f"{where}: reaches beyond its bytes")
-        rows = np.ndarray((accessor.count, width), kind, data, start, (stride, kind.itemsize))
-        numbers = self._scaled(accessor, rows.astype(float))
+        found = rows_of(self._doc, index)
+        data = self._buffer(found.buffer)
+        if found.end > len(data):
+            raise ValueError(f"accessors[{index}]: reaches beyond its bytes")
+        strides = (found.stride, found.kind.itemsize)
+        rows = np.ndarray(found.shape, found.kind, data, found.start, strides)
+        numbers = _scaled(self._doc.accessors[index], rows)
         if not np.isfinite(numbers).all():
-            raise self._wrong(f"{where}: has numbers that are not finite")
+            raise ValueError(f"accessors[{index}]: has numbers that are not finite")
         return numbers
 
     def _buffer(self, index: int) -> bytes:
         if index not in self._read:
-            if index >= len(self._doc.buffers):
-                raise self._wrong(f"buffers: there is no {index}")
             self._read[index] = self._fetched(index, self._doc.buffers[index])
         return self._read[index]
 
-    def _fetched(self, index: int, buffer: _Buffer) -> bytes:
+    def _fetched(self, index: int, buffer: Buffer) -> bytes:
         if buffer.uri is None:
             return self._chunk
         if buffer.uri.startswith("data:"):
             try:
                 return base64.b64decode(buffer.uri.partition(",")[2], validate=True)
-            except (ValueError, binascii.Error):
-                raise self._wrong(f"buffers[{index}].uri: is no base64") from None
+            except ValueError:
+                raise ValueError(f"buffers[{index}].uri: is no base64") from None
         name = unquote(buffer.uri)
         path = self._path.parent / name
-        if ":" in name or "\0" in name or not _inside(self._path.parent, path):
-            raise self._wrong(f"buffers[{index}].uri: {name[:80]!r} lies outside its folder")
+        if ":" in name or "\0" in name or not inside(self._path.parent, path):
+            raise ValueError(f"buffers[{index}].uri: {name[:80]!r} lies outside its folder")
         return read_plain(path, str(path), MAX_BYTES)
 
 
-def _inside(folder: Path, path: Path) -> bool:
-    try:
-        return path.resolve().is_relative_to(folder.resolve())
-    except (OSError, RuntimeError):
-        return False
+def _scaled(accessor: Accessor, values: Sequence[float] | np.ndarray[Any, Any]) -> Array:
+    numbers = np.array(values, dtype=float)
+    if accessor.normalized and accessor.componentType != _FLOAT:
+        numbers /= np.iinfo(COMPONENTS[accessor.componentType]).max
+    return numbers
 
 
 def _corners(order: np.ndarray[Any, np.dtype[np.int64]], mode: int) -> Any:
@@ -310,5 +229,5 @@ def _corners(order: np.ndarray[Any, np.dtype[np.int64]], mode: int) -> Any:
     if mode == _STRIP:
         return np.column_stack([order[:-2], order[1:-1], order[2:]])
     if mode == _FAN:
-        return np.column_stack([np.full(len(order) - 2, order[0]), order[1:-1], order[2:]])
+        return np.column_stack([np.full_like(order[2:], order[0]), order[1:-1], order[2:]])
     return order[: len(order) // 3 * 3].reshape(-1, 3)

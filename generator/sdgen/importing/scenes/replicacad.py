@@ -15,8 +15,8 @@ from pydantic import Field
 
 from sdgen.catalog.records import Catalog
 from sdgen.errors import InputError
-from sdgen.geometry import Array, apply, box_corners, lowest_highest, matrix
-from sdgen.importing.scenes.found import FoundPiece, FoundScene, box_piece
+from sdgen.geometry import Z_UP_FROM_Y_UP, apply, box_corners, lowest_highest
+from sdgen.importing.scenes.found import FoundPiece, FoundScene, box_piece, pose_of
 from sdgen.importing.scenes.gltf_document import GltfDocument
 from sdgen.importing.scenes.json_text import Four, Loose, Number, Three, read_json
 from sdgen.importing.scenes.mesh_bounds import Bounds
@@ -24,11 +24,8 @@ from sdgen.importing.scenes.naming import Namer, opening_of
 from sdgen.importing.scenes.openings import opening_from
 from sdgen.importing.scenes.stage import stage_walls
 from sdgen.importing.scenes.urdf_box import urdf_box
+from sdgen.importing.tree import inside, is_file
 
-#: (x, y, z)_ours = (x, -z, y)_habitat.
-_OURS_FROM_HABITAT = np.array(
-    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
-)
 #: A door whose file is missing: about as large as doors are (deep, wide, high), metres.
 _DOOR_M = (0.1, 0.9, 2.1)
 #: How the library calls where a model is from.
@@ -106,8 +103,8 @@ class _Reading:
             config = self._json("configs/stages", name, "stage_config.json")
             mesh = self._file(self.root / "configs" / "stages", config.render_asset)
             w, x, y, z = stage.rotation
-            place = matrix(stage.translation, (x, y, z, w) if any(stage.rotation) else _NONE)
-            walls = stage_walls(mesh, _OURS_FROM_HABITAT @ place)
+            place = pose_of(stage.translation, (x, y, z, w))
+            walls = stage_walls(mesh, Z_UP_FROM_Y_UP @ place)
         except InputError as error:
             self.scene.told.append(f"the stage {name!r} cannot be read: {error.problems[0]}")
             return
@@ -130,11 +127,11 @@ class _Reading:
             low, high = -half, half
         scale = np.array(instance.non_uniform_scale or [1.0] * 3) * instance.uniform_scale
         w, x, y, z = instance.rotation
-        place = matrix(instance.translation, (x, y, z, w) if any(instance.rotation) else _NONE)
+        place = pose_of(instance.translation, (x, y, z, w))
         place[:3, :3] *= scale
         # Of the box as it is with Z up, so that its own axes are those of a model made from it.
-        ours = _OURS_FROM_HABITAT @ place @ _OURS_FROM_HABITAT.T
-        ends = apply(_OURS_FROM_HABITAT, box_corners(low.tolist(), high.tolist()))
+        ours = Z_UP_FROM_Y_UP @ place @ Z_UP_FROM_Y_UP.T
+        ends = apply(Z_UP_FROM_Y_UP, box_corners(low.tolist(), high.tolist()))
         try:
             piece = box_piece(name, ours, *lowest_highest(ends))
         except ValueError as error:
@@ -199,19 +196,7 @@ class _Reading:
     def _mesh(self, folder: Path, name: str) -> Bounds:
         """The box of a GLB, all of its nodes."""
         document = GltfDocument(self._file(folder, name))
-        corners = [np.zeros((0, 3))]
-        stack = [(root, np.eye(4)) for root in document.roots]
-        while stack:
-            index, parent = stack.pop()
-            node = document.nodes[index]
-            here: Array = parent @ node.parent_from_node()
-            if node.mesh is not None:
-                corners += [
-                    apply(here, box_corners(low.tolist(), high.tolist()))
-                    for low, high in document.boxes(node.mesh)
-                ]
-            stack += [(child, here) for child in node.children]
-        every = np.concatenate(corners)
+        every = document.corners(document.all_meshes(np.eye(4)))
         if not len(every):
             raise InputError([f"{name}: has no mesh"])
         return lowest_highest(every)
@@ -219,18 +204,11 @@ class _Reading:
     def _file(self, folder: Path, name: str) -> Path:
         """A file of the data set. Raises InputError for one outside it, or none."""
         path = folder / name
-        try:
-            inside = bool(name) and path.resolve().is_relative_to(self.root.resolve())
-        except (OSError, RuntimeError, ValueError):
-            inside = False
-        if not inside:
+        if not name or not inside(self.root, path):
             raise InputError([f"{name[:80]!r}: lies outside the data set's folder"])
-        if not path.is_file():
+        if not is_file(path):
             raise InputError([f"{name}: no such file"])
         return path
-
-
-_NONE = (0.0, 0.0, 0.0, 1.0)
 
 
 def _last(template: str) -> str:

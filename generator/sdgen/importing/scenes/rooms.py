@@ -16,6 +16,7 @@ from typing import Literal
 
 import numpy as np
 import shapely
+from pydantic import ValidationError
 from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
@@ -365,7 +366,7 @@ def _sound(room: FoundRoom) -> FoundRoom | None:
         tried = replace(room, rectangles_m=rectangles)
         try:
             inner_ring(tried.spec("hall"))
-        except OutlineError:
+        except (OutlineError, ValidationError):  # of one piece; out of any home
             continue
         return tried
     return None

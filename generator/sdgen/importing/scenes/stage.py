@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from sdgen.geometry import Array, apply
-from sdgen.importing.scenes.found import KNEE_M, FoundWall, triangles_at
+from sdgen.errors import InputError
+from sdgen.geometry import Array
+from sdgen.importing.scenes.found import KNEE_M, FoundWall, check_reach, triangles_at
 from sdgen.importing.scenes.gltf_document import GltfDocument
 
 #: Cuts: above doors, where walls are whole, and where they are not.
@@ -26,19 +27,13 @@ def stage_walls(path: Path, ours_from_file: Array) -> list[FoundWall]:
     Raises InputError, located, for a file that cannot be read.
     """
     document = GltfDocument(path)
-    found = [np.zeros((0, 3, 3))]
-    stack = [(root, ours_from_file) for root in document.roots]
-    while stack:
-        index, parent = stack.pop()
-        node = document.nodes[index]
-        here = parent @ node.parent_from_node()
-        if node.mesh is not None:
-            points = document.triangles(node.mesh).reshape(-1, 3)
-            found.append(apply(here, points).reshape(-1, 3, 3))
-        stack += [(child, here) for child in node.children]
-    triangles = np.concatenate(found)
+    triangles = document.triangles(document.all_meshes(ours_from_file))
     if not len(triangles):
         return []
+    try:
+        check_reach(triangles)
+    except ValueError as error:
+        raise InputError([f"{path}: {error}"]) from None
     level = _floor_level(triangles)
     top = float(triangles[:, :, 2].max())
     cut = level + (_OVER_DOORS_M if top > level + _OVER_DOORS_M + 0.05 else _CHEST_M)

@@ -2,8 +2,8 @@
 
 ``blind_crops.py draw DATASET LIBRARY FOLDER`` cuts 40 things of models of LIBRARY out of the views
 of a data set that was built with them onto numbered sheets without names; the key goes beside them.
-Cut are things of which four fifths are seen, with 700 pixels and more, whose box touches no edge of
-its picture, in the views that come first by sha256(model + view): every model once, then again
+Cut are things of which nine tenths are seen, with 1,000 pixels and more, whose box touches no edge
+of its picture, in the views that come first by sha256(model + view): every model once, then again
 until there are 40. A reviewer who sees only the sheets writes ``names.txt``, one line
 ``number: answer`` a picture. ``blind_crops.py score FOLDER`` compares that with the synonyms
 written down before (docs/blind-naming/synonyms.yaml, and crops.yaml beside it: what some scans
@@ -25,8 +25,8 @@ from PIL import Image, ImageDraw
 from sdgen.gallery.sheet import contact_sheet
 
 WORDS = Path(__file__).resolve().parent.parent / "docs" / "blind-naming"
-COUNT, PER_PAGE, COLUMNS, SIZE, MARGIN = 40, 20, 5, 256, 0.45
-LEAST_PIXELS, LEAST_SHARE = 700, 0.8
+COUNT, PER_PAGE, COLUMNS, SIZE, MARGIN = 40, 20, 5, 320, 0.8
+LEAST_PIXELS, LEAST_SHARE = 1000, 0.9
 
 
 def candidates(dataset: Path, models: set[str]) -> dict[str, list[tuple[Path, list[int]]]]:

@@ -18,6 +18,7 @@ from sdgen.importing.scenes.fit import Fitter, Wanted
 from sdgen.importing.scenes.found import FoundPiece, FoundScene
 from sdgen.importing.scenes.likeness import side_by_side
 from sdgen.importing.scenes.naming import Named, Namer
+from sdgen.importing.scenes.standing import shifts_m
 from sdgen.library import Asset, Library
 from sdgen.vocabulary import OPENINGS, Facing
 
@@ -106,7 +107,7 @@ def furnished(
     place is told."""
     fitter = Fitter(spec, catalog, library)
     fitted = {fitting.category for fitting in catalog.fittings}
-    things: list[list[ThingItem]] = [[] for _ in spec.rooms]
+    loose: list[list[Sorted]] = [[] for _ in spec.rooms]
     anew = 0
     for k, pieces in enumerate(by_room):
         furniture = []
@@ -118,7 +119,7 @@ def furnished(
             if category.name in OPENINGS:
                 continue
             if not fixed and one.model is not None:
-                things[k].append(_thing(one, library))
+                loose[k].append(one)
             elif not fixed or (category.name in fitted and not spec.as_drawn):
                 anew += 1
             elif one.model is not None:
@@ -140,7 +141,7 @@ def furnished(
         room.model_copy(
             update={
                 "furniture": tuple(one.item for one in fitter.fitted if one.room == k),
-                "things": tuple(things[k]),
+                "things": tuple(_things(loose[k], k, fitter, library)),
             }
         )
         for k, room in enumerate(spec.rooms)
@@ -166,6 +167,24 @@ def _parts(one: Sorted, category: str, scene: FoundScene, library: Library) -> I
         text = f"{one.piece.name}: {wide:.2f} m wide: {len(parts)} of ours side by side"
         scene.told.append(text)
     yield from (replace(one, piece=part) for part in parts)
+
+
+def _things(
+    loose: Sequence[Sorted], room: int, fitter: Fitter, library: Library
+) -> Iterator[ThingItem]:
+    """Small things of a room: ours as they lie, others on the furniture that is there now."""
+    others = [one.piece for one in loose if one.piece.note is None]
+    surfaces = [
+        surface
+        for fitted in fitter.fitted
+        if fitted.room == room
+        for surface in fitter.layout.surfaces_of(fitted.object_id)
+    ]
+    shifts = iter(shifts_m(others, surfaces))
+    for one in loose:
+        x, y, z = one.piece.position_m
+        up = next(shifts) if one.piece.note is None else 0.0
+        yield _thing(replace(one, piece=replace(one.piece, position_m=(x, y, z + up))), library)
 
 
 def _thing(one: Sorted, library: Library) -> ThingItem:

@@ -37,6 +37,8 @@ _THICKEST_M = 0.45
 _DOORWAY_M = 1.4
 #: What begins higher, metres, is over a door.
 _LINTEL_M = 1.7
+#: Things whose bottoms are no further apart than this stand on one floor, metres.
+_LEVEL_M = 0.03
 #: Tiles of one floor with no more between them than twice this, metres, are one floor.
 _SEAM_M = 0.02
 #: A room is wider than twice this everywhere, metres.
@@ -73,11 +75,21 @@ def level_and_square(scene: FoundScene) -> FoundScene:
     return _turned(scene, -turn)
 
 
+def _where_most_stand(scene: FoundScene) -> float:
+    """The level of a floor that is not there: the lowest on which a third as many things stand as
+    on the one with most, for here and there one has sunk or lies on its side."""
+    bottoms = np.sort([piece.position_m[2] for piece in scene.pieces])
+    if len(bottoms) == 0:
+        return 0.0
+    standing = [int(np.sum(np.abs(bottoms - level) <= _LEVEL_M)) for level in bottoms]
+    first = next(k for k, count in enumerate(standing) if 3 * count >= max(standing))
+    return float(np.median(bottoms[np.abs(bottoms - bottoms[first]) <= _LEVEL_M]))
+
+
 def _one_storey(scene: FoundScene) -> FoundScene:
     levels = sorted({round(floor.level_m, 2) for floor in scene.floors})
     if not levels:
-        lowest = min((piece.position_m[2] for piece in scene.pieces), default=0.0)
-        low = min((wall.low_m for wall in scene.walls), default=lowest)
+        low = min((wall.low_m for wall in scene.walls), default=_where_most_stand(scene))
         return moved_down(scene, low)
     storeys = [[levels[0]]]
     for level in levels[1:]:

@@ -76,13 +76,13 @@ def level_and_square(scene: FoundScene) -> FoundScene:
 
 
 def _where_most_stand(scene: FoundScene) -> float:
-    """The level of a floor that is not there: the lowest on which a third as many things stand as
+    """The level of a floor that is not there: the lowest on which half as many things stand as
     on the one with most, for here and there one has sunk or lies on its side."""
     bottoms = np.sort([piece.position_m[2] for piece in scene.pieces])
     if len(bottoms) == 0:
         return 0.0
     standing = [int(np.sum(np.abs(bottoms - level) <= _LEVEL_M)) for level in bottoms]
-    first = next(k for k, count in enumerate(standing) if 3 * count >= max(standing))
+    first = next(k for k, count in enumerate(standing) if 2 * count >= max(standing))
     return float(np.median(bottoms[np.abs(bottoms - bottoms[first]) <= _LEVEL_M]))
 
 

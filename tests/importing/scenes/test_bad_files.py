@@ -160,7 +160,11 @@ GLTF = {
     ),
     "in itself": (
         gltf(nodes=[{"name": "a", "children": [0]}]),
-        "nested more than 200 deep, or in itself",
+        "nodes[0]: is a child of its own",
+    ),
+    "too deep": (
+        gltf(nodes=[*({"children": [k]} for k in range(1, 300)), {"name": "bed"}]),
+        "nodes[200]: is nested more than 200 deep",
     ),
     "a child twice": (
         gltf(nodes=[{"children": [2]}, {"children": [2]}, {"name": "bed"}]),

@@ -347,6 +347,18 @@ def test_a_rotation_without_length_turns_nothing(tmp_path: Path) -> None:
     assert piece.extents_m == (2.0, 2.0, 1.0)
 
 
+@pytest.mark.filterwarnings("error")
+def test_numbers_that_overflow_are_told_without_warnings(tmp_path: Path) -> None:
+    path = tmp_path / "home.gltf"
+    nodes = [
+        {"name": "bed", "mesh": 0, "scale": [1e300, 1, 1], "translation": [1e308, 0, 0]},
+        {"name": "room", "children": [0], "scale": [1e300, 1, 1]},
+    ]
+    path.write_text(json.dumps(gltf(nodes=nodes, scenes=[{"nodes": [1]}])))
+    with pytest.raises(InputError, match="no room was found"):
+        imported("gltf", path)
+
+
 def test_rooms_and_walls_out_of_any_home_are_told(tmp_path: Path) -> None:
     far = {name: ((9e4, 0.0, 0.0), sides) for name, (_, sides) in ROOMS.items()}
     # As far out as no room may be, but for the half of a wall around it.

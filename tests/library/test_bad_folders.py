@@ -297,7 +297,8 @@ def edit_glb(path: Path, edit: Callable[[Any], None]) -> None:
         ("meshes", 7, "meshes: expected a list, got the number 7"),
         ("nodes.0.children", [0], "nodes[0]: is a child of its own"),
         ("nodes.0.mesh", 99, "nodes[0].mesh: there is no 99"),
-        ("nodes.0.name", [1], "not a valid GLB of triangles ("),
+        ("nodes.0.name", [1], "nodes[0].name: expected text, got a list"),
+        ("materials", 7, "not a valid GLB of triangles ("),
     ],
 )
 def test_a_mesh_that_contradicts_itself_is_told_in_plain_words(

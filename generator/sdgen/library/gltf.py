@@ -182,11 +182,14 @@ def parents_of(document: Document) -> dict[int, int]:
                 raise ValueError(f"nodes[{child}]: is a child twice")
             parent[child] = k
     for k in range(len(document.nodes)):
-        at, steps = k, 0
+        at, below = k, {k}
         while at in parent:
-            at, steps = parent[at], steps + 1
-            if steps > _DEEPEST:
-                raise ValueError(f"nodes[{k}]: is nested more than {_DEEPEST} deep, or in itself")
+            at = parent[at]
+            if at in below:
+                raise ValueError(f"nodes[{at}]: is a child of its own")
+            below.add(at)
+            if len(below) > _DEEPEST:
+                raise ValueError(f"nodes[{k}]: is nested more than {_DEEPEST} deep")
     for n, scene in enumerate(document.scenes):
         for index in scene.nodes:
             item_of(document.nodes, index, f"scenes[{n}].nodes")

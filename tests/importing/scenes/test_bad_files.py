@@ -160,7 +160,11 @@ GLTF = {
     ),
     "in itself": (
         gltf(nodes=[{"name": "a", "children": [0]}]),
-        "nested more than 200 deep, or in itself",
+        "nodes[0]: is a child of its own",
+    ),
+    "too deep": (
+        gltf(nodes=[*({"children": [k]} for k in range(1, 300)), {"name": "bed"}]),
+        "nodes[200]: is nested more than 200 deep",
     ),
     "a child twice": (
         gltf(nodes=[{"children": [2]}, {"children": [2]}, {"name": "bed"}]),
@@ -341,6 +345,18 @@ def test_a_rotation_without_length_turns_nothing(tmp_path: Path) -> None:
     path.write_text(json.dumps(gltf(nodes=nodes)))
     (piece,) = read_gltf(path, CATALOG, NAMER).pieces
     assert piece.extents_m == (2.0, 2.0, 1.0)
+
+
+@pytest.mark.filterwarnings("error")
+def test_numbers_that_overflow_are_told_without_warnings(tmp_path: Path) -> None:
+    path = tmp_path / "home.gltf"
+    nodes = [
+        {"name": "bed", "mesh": 0, "scale": [1e300, 1, 1], "translation": [1e308, 0, 0]},
+        {"name": "room", "children": [0], "scale": [1e300, 1, 1]},
+    ]
+    path.write_text(json.dumps(gltf(nodes=nodes, scenes=[{"nodes": [1]}])))
+    with pytest.raises(InputError, match="no room was found"):
+        imported("gltf", path)
 
 
 def test_rooms_and_walls_out_of_any_home_are_told(tmp_path: Path) -> None:

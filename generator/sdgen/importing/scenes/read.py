@@ -7,6 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
+import numpy as np
+
 from sdgen.catalog.home_text import home_text
 from sdgen.catalog.records import Catalog, FurnitureItem, HomeSpec, ThingItem
 from sdgen.errors import InputError, UsageError, did_you_mean
@@ -57,7 +59,9 @@ def import_home(
     """
     if format_ not in FORMATS:
         raise UsageError(f"no format {format_!r}{did_you_mean(format_, list(FORMATS))}")
-    scene = FORMATS[format_](path, catalog, namer)
+    # Numbers of strangers may overflow: what comes of that is refused as not finite.
+    with np.errstate(over="ignore", invalid="ignore"):
+        scene = FORMATS[format_](path, catalog, namer)
     imported = to_home(scene, name, catalog, library, namer)
     return _in_plain_words(_as_a_build_takes_it(imported, catalog, library, violating))
 

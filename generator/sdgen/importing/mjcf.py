@@ -200,8 +200,7 @@ class _Reading:
         if file is None or file.suffix.lower() not in MESHES:
             raise ValueError(f"mesh {name!r}: {given.get('file', '')}: no such mesh")
         pieces, _ = read_mesh(file, self._references)
-        scale = self._document.numbers(element, given, "scale", 3) or (1.0, 1.0, 1.0)
-        return tuple(piece.moved(np.diag([*scale, 1.0])) for piece in pieces)
+        return tuple(piece.moved(self._document.geom_from_mesh(element)) for piece in pieces)
 
     def _paint(self, geom: _Geom) -> Paint | None:
         """A geom's own paint; None where its mesh has the say."""

@@ -178,6 +178,19 @@ class MjcfDocument:
 
     # --- numbers ---------------------------------------------------------------------------------
 
+    def geom_from_mesh(self, mesh: Element) -> Array:
+        """4x4 that takes the vertices of an ``<asset>`` mesh as they are in its file to those of
+        the geom: past its reference frame first, then scaled, as MuJoCo does."""
+        given = self.given(mesh, None)
+        out = np.eye(4)
+        out[:3, 3] = -np.array(self.numbers(mesh, given, "refpos", 3) or (0.0, 0.0, 0.0))
+        quat = self.numbers(mesh, given, "refquat", 4)
+        if quat is not None and math.hypot(*quat) > 0:
+            w, x, y, z = quat
+            out[:3] = rotation_matrix((x, y, z, w)).T @ out[:3]
+        scale = self.numbers(mesh, given, "scale", 3) or (1.0, 1.0, 1.0)
+        return np.asarray(np.diag([*scale, 1.0]) @ out)
+
     def numbers(
         self, element: Element, given: Attributes, key: str, count: int | None = None
     ) -> list[float] | None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from sdgen.errors import InputError
 from sdgen.geometry import rotation_matrix
 from sdgen.importing.scenes.found import FoundPiece
 from sdgen.importing.scenes.mjcf import read_mjcf
@@ -136,3 +137,54 @@ def test_rotations_of_classes_and_copies(usual: str, own: str, tmp_path: Path) -
     assert np.allclose(middle, data.geom_xpos[0], atol=1e-4)
     own_reach = np.abs(data.geom_xmat[0].reshape(3, 3)) @ (0.3, 0.2, 0.1)
     assert np.allclose(reach, own_reach, atol=1e-4)
+
+
+@pytest.mark.parametrize("file", [False, True])
+def test_meshes_with_a_frame_of_reference(tmp_path: Path, file: bool) -> None:
+    vertices = [(0, 0, 0), (1, 0, 0), (1, 2, 0), (0, 2, 0), (0, 0, 0.5), (1, 2, 0.5)]
+    frame = 'scale="2 1 1" refpos=".4 .2 .1" refquat=".7071068 0 0 .7071068"'
+    inline = f'vertex="{" ".join(text(v) for v in vertices)}"'
+    (tmp_path / "m.obj").write_text(
+        "".join(f"v {text(v)}\n" for v in vertices)
+        + "f 1 3 2\nf 1 4 3\nf 1 2 5\nf 2 6 5\nf 2 3 6\nf 3 4 6\nf 4 5 6\nf 4 1 5\n"
+    )
+    source = 'file="m.obj"' if file else inline
+    path = tmp_path / "home.xml"
+    path.write_text(
+        f'<mujoco><asset><mesh name="m" {source} {frame}/></asset><worldbody>'
+        '<body name="bed" pos="1 1 0"><geom type="mesh" mesh="m"/></body></worldbody></mujoco>'
+    )
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    theirs = model.mesh_vert @ data.geom_xmat[0].reshape(3, 3).T + data.geom_xpos[0]
+    (piece,) = read_mjcf(path, CATALOG, NAMER).pieces
+    middle, reach = corners(piece)
+    assert np.allclose(middle - reach, theirs.min(axis=0), atol=1e-4)
+    assert np.allclose(middle + reach, theirs.max(axis=0), atol=1e-4)
+
+
+def test_what_is_only_there_to_collide_has_no_part_in_a_size(tmp_path: Path) -> None:
+    path = tmp_path / "home.xml"
+    path.write_text(
+        '<mujoco><worldbody><body name="bed"><geom type="box" size=".9 1 .2" group="2"/>'
+        '<geom type="box" size="3 3 3" group="3"/></body></worldbody></mujoco>'
+    )
+    (piece,) = read_mjcf(path, CATALOG, NAMER).pieces
+    assert np.allclose(piece.extents_m, (1.8, 2.0, 0.4))
+
+
+def test_nothing_is_dropped_without_a_word(tmp_path: Path) -> None:
+    path = tmp_path / "home.xml"
+    path.write_text(
+        '<mujoco><worldbody><geom type="box" size="1 1 1"/><geom type="box" size="1 1 2"/>'
+        '<body name="bed"><geom type="box" size="1 1 .2"/></body></worldbody></mujoco>'
+    )
+    told = read_mjcf(path, CATALOG, NAMER).unresolved
+    assert told == ["geoms of the world without a name: nobody can tell what they are"]
+    path.write_text(
+        '<mujoco><worldbody><body name="bed"><geom type="mesh" mesh="gone"/></body>'
+        "</worldbody></mujoco>"
+    )
+    with pytest.raises(InputError, match="mesh 'gone': no such mesh in <asset>"):
+        read_mjcf(path, CATALOG, NAMER)

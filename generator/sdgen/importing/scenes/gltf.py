@@ -68,6 +68,8 @@ class _Reading:
         named = name or (node.mesh is not None and not node.children)
         if named and note is None and self._thing(index, here, above, None):
             return
+        if node.mesh is not None and node.children:
+            self._scene.unresolved.append(f"{name or 'a node'}: its own mesh is nothing we know")
         for child in node.children:
             self.node(child, here, (name, *above) if name else above)
 

@@ -103,7 +103,8 @@ class _Reading:
         """Take a body as a thing, if it is one: when a note or its name says so, or when it is the
         last that could be."""
         solids = list(self._solids.of_body(body, childclass))
-        seen = [solid for solid in solids if solid.visual] or solids
+        shown = [solid for solid in solids if solid.shown] or solids
+        seen = [solid for solid in shown if solid.visual] or shown
         if not seen:
             return False
         corners = np.concatenate([solid.corners(np.eye(4)) for solid in seen])
@@ -125,7 +126,12 @@ class _Reading:
         """A geom of the world itself: a part of the building, or a thing that never moves."""
         name = geom.get("name", "")
         solid = self._solids.of_geom(geom, here, childclass)
-        if solid is None or not name:
+        if solid is None:
+            return
+        if not name:
+            text = "geoms of the world without a name: nobody can tell what they are"
+            if text not in self._scene.unresolved:
+                self._scene.unresolved.append(text)
             return
         kind = structure_of(name, self._taker.catalog)
         if kind is not None:

@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from sdgen.errors import InputError
-from sdgen.geometry import Array, apply, box_corners
+from sdgen.geometry import Array, apply, box_corners, lowest_highest
 from sdgen.importing.mjcf_document import Attributes, MjcfDocument
 from sdgen.importing.scenes.mesh_bounds import Bounds, mesh_bounds
 
@@ -18,6 +18,8 @@ from sdgen.importing.scenes.mesh_bounds import Bounds, mesh_bounds
 _FITTED = ("mesh", "sdf", "box", "sphere", "capsule", "cylinder")
 #: Type -> numbers of ``size`` that it takes; without ``fromto``.
 _SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
+#: Groups of geoms that MuJoCo's viewer shows unasked; the others are for collisions.
+_SHOWN = ("0", "1", "2")
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,8 @@ class Solid:
     high: Array
     body_from_geom: Array
     visual: bool
+    #: Of a group that MuJoCo's viewer shows unasked.
+    shown: bool
 
     def corners(self, parent: Array) -> Array:
         """The corners (8, 3) of its box in the frame that ``parent`` leads to."""
@@ -74,12 +78,13 @@ class Solids:
             return None
         visual = given.get("contype") == "0" and given.get("conaffinity") == "0"
         name = given.get("name") or given.get("mesh") or ""
-        return Solid(name, *bounds, here if ends is not None else here @ place, visual)
+        shown = given.get("group", "0").strip() in _SHOWN
+        return Solid(name, *bounds, here if ends is not None else here @ place, visual, shown)
 
     def _box(self, geom: Element, given: Attributes, ends: list[float] | None) -> Bounds | None:
         kind = given.get("type", "sphere")
         if "mesh" in given and kind in _FITTED:
-            return self._mesh(given["mesh"])
+            return self._mesh(geom, given["mesh"])
         needed = _SIZES.get(kind)
         if needed is None:
             return None
@@ -99,32 +104,33 @@ class Solids:
         reach = np.array(size[:3])
         return -reach, reach
 
-    def _mesh(self, name: str) -> Bounds | None:
+    def _mesh(self, geom: Element, name: str) -> Bounds | None:
         """The box of a mesh as a geom has it; None, and said once, when it cannot be had."""
         if name not in self._bounds:
             element = self._meshes.get(name)
+            if element is None:
+                self.document.problem(geom, f"mesh {name[:80]!r}: no such mesh in <asset>")
             self._bounds[name] = None if element is None else self._mesh_box(element)
         return self._bounds[name]
 
     def _mesh_box(self, element: Element) -> Bounds | None:
         given = self.document.given(element, None)
-        scale = np.array(self.document.numbers(element, given, "scale", 3) or [1.0, 1.0, 1.0])
+        moved = self.document.geom_from_mesh(element)
         points = self.document.numbers(element, given, "vertex")
         if points is not None:
             if len(points) % 3:
                 self.document.problem(element, "vertex: its numbers are not three a point")
                 return None
-            rows = np.array(points).reshape(-1, 3) * scale
-            return rows.min(axis=0), rows.max(axis=0)
+            return lowest_highest(apply(moved, np.array(points).reshape(-1, 3)))
         name = given.get("file", "")
         path = self.document.asset_file(given, "meshdir")
         if path is None:
             text = f"file {name[:80]!r}: no such file in the scene's folder"
             self.document.problem(element, text)
             return None
-        return self._file_box(element, name, path, scale)
+        return self._file_box(element, name, path, moved)
 
-    def _file_box(self, element: Element, name: str, path: Path, scale: Array) -> Bounds | None:
+    def _file_box(self, element: Element, name: str, path: Path, moved: Array) -> Bounds | None:
         try:
             low, high = mesh_bounds(path, str(path))
         except ValueError as error:
@@ -133,5 +139,4 @@ class Solids:
         except InputError as error:
             self.document.problems += error.problems
             return None
-        ends = np.array([low * scale, high * scale])
-        return ends.min(axis=0), ends.max(axis=0)
+        return lowest_highest(apply(moved, box_corners(low.tolist(), high.tolist())))

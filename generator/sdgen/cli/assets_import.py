@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sdgen.cli.bar import bar
+from sdgen.importing.member_names import shown_name
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -127,7 +128,7 @@ def _say(report: Report, library: Path) -> None:
         echo_table(_table(report))
     for origin in report.made:
         for note in origin.notes:
-            click.echo(f"{origin.name}: {note}")
+            click.echo(f"{shown_name(origin.name)}: {note}")
     _say_by_reason("not placed", [(o.name, o.why) for o in report.made if not o.placed])
     _say_by_reason("not imported", [(item.name, item.why) for item in report.refused])
     placed = sum(origin.placed for origin in (*report.made, *report.kept))
@@ -141,7 +142,7 @@ def _say(report: Report, library: Path) -> None:
 def _say_by_reason(what: str, named: Sequence[tuple[str, str]]) -> None:
     """A line for each reason, with all that it holds for."""
     for why in dict.fromkeys(why for _, why in named):
-        names = [name for name, its_why in named if its_why == why]
+        names = [shown_name(name) for name, its_why in named if its_why == why]
         click.echo(f"{what}: {', '.join(names)}: {why}")
 
 
@@ -155,7 +156,6 @@ def _table(report: Report) -> Table:
     for origin in report.made:
         asset = origin.asset
         size = " x ".join(f"{100 * value:.1f}" for value in asset.extents_m)
-        table.add_row(
-            origin.name, asset.category, origin.how, size, str(asset.faces), asset.licence
-        )
+        row = (asset.category, origin.how, size, str(asset.faces), asset.licence)
+        table.add_row(shown_name(origin.name), *row)
     return table

@@ -18,9 +18,10 @@ from sdgen.engines.build import build
 from sdgen.errors import AssetError, SdgenError
 from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.importing.frame import stand
-from sdgen.importing.layouts import find_models
+from sdgen.importing.layouts import Candidate, find_models
 from sdgen.importing.reading import read_model
 from sdgen.importing.run import Import, Report, import_models
+from sdgen.importing.scan import Scan
 from sdgen.importing.shelf import Origin
 from sdgen.importing.table import load_table
 from sdgen.importing.tree import References
@@ -286,6 +287,16 @@ BAD = {
     "empty.sdf": "<sdf/>",
     "nan.sdf": "<sdf><model name='m'><link name='l'><visual name='v'><geometry><box><size>nan 1 1"
     "</size></box></geometry></visual></link></model></sdf>",
+    "prefix.urdf": '<robot name="r"><x:link name="a"/></robot>',
+    "two.sdf": "<sdf><model name='m'><link name='l'><visual name='v'><geometry><mesh><scale>1 1"
+    "</scale><uri>two.obj</uri></mesh></geometry></visual></link></model></sdf>",
+    "flat.obj": "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n",
+    "corner.ply": "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 1\n3 0 1 7\n",
+    "zeros.gltf": '{"asset": {"version": "2.0"}, "accessors": [{"componentType": 5126, '
+    '"type": "VEC3", "count": 900000000}], "meshes": [{"primitives": [{"attributes": '
+    '{"POSITION": 0}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0}',
     "short.glb": "glTF",
     "text.ply": "ply\nformat ascii 1.0\nend_header\n",
     "text.dae": "<COLLADA>",
@@ -305,9 +316,36 @@ def test_broken_files_of_strangers_are_told_and_leave_nothing(tmp_path: Path, na
     assert sorted(left) == ["ATTRIBUTION.md", "manifest.yaml"]
 
 
+def test_what_nobody_thought_of_stops_one_model_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = downloads.ycb(downloads.ycb(tmp_path / "ycb"), "013_apple")
+
+    def odd(source: str, candidate: Candidate, references: References) -> Scan:
+        if candidate.name == "013_apple":
+            raise LookupError("a\nthing")
+        return read_model(source, candidate, references)
+
+    monkeypatch.setattr("sdgen.importing.run.read_model", odd)
+    report = run("ycb", root, tmp_path / "lib")
+    assert [origin.name for origin in report.made] == ["003_cracker_box"]
+    (refused,) = report.refused
+    assert refused.why == "textured.obj: nothing can be made of it (LookupError: a thing)"
+
+
+def test_pairs_state_one_matrix_of_real_numbers(tmp_path: Path) -> None:
+    root = downloads.fantastic_breaks(tmp_path / "fb")
+    pair = root / "05" / "00012" / "meta_0.npz"
+    for matrix in (np.eye(4) * 1j, np.zeros((3000, 4, 4)), np.array("abc")):
+        np.savez_compressed(pair, transform=matrix)
+        (refused,) = run("fantastic-breaks", root, tmp_path / "lib", licence="MIT").refused
+        assert "meta_0.npz" in refused.why
+
+
 def test_names_with_blanks_and_other_letters(tmp_path: Path) -> None:
     root = tmp_path / "folder"
     (root / "Käse Teller").mkdir(parents=True)
+    downloads.obj(root / f"{'mug' * 70}.obj", (0.1, 0.1, 0.1), None)
     downloads.obj(root / "Käse Teller" / "große Tasse.obj", (0.1, 0.1, 0.1), None)
     downloads.obj(root / "Käse Teller" / "mug.obj", (0.12, 0.09, 0.1), None)
     report = run("folder", root, tmp_path / "lib", licence="CC0-1.0")

@@ -32,6 +32,8 @@ _AXES: dict[Up, tuple[Axis, ...]] = {"y": ("+y",), "z": ("+z",), "unknown": ("+z
 _TURNS = {"+x": 0.0, "+y": -math.pi / 2, "-x": math.pi, "-y": math.pi / 2}
 #: No thing of a home is longer or shorter than this, metres.
 _LONGEST_M, _SHORTEST_M = 8.0, 0.004
+#: Less is no thickness that can be drawn, or stood on, metres.
+_THINNEST_M = 0.0003
 #: The outermost share of a model that is its back or its front.
 _SKIN = 0.03
 
@@ -89,6 +91,8 @@ def centred(scan: Scan) -> Scan:
     if not _SHORTEST_M <= size.max() <= _LONGEST_M:
         shown = " x ".join(f"{v:.3g}" for v in size)
         raise AssetError([f"{shown} m: no size of a household thing (a wrong unit?)"])
+    if size.min() < _THINNEST_M:
+        raise AssetError([f"it is flat: its thinnest side is {1000 * size.min():.2g} mm"])
     shift = np.eye(4)
     shift[:3, 3] = (-(low[0] + high[0]) / 2, -(low[1] + high[1]) / 2, -low[2])
     return scan.moved(shift)

@@ -42,9 +42,11 @@ def read_configured(path: Path, references: References) -> Scan:
     scale = given.get("scale", [1.0, 1.0, 1.0])
     try:
         matrix = np.diag([*(float(v) for v in scale), 1.0])
+        if matrix.shape != (4, 4) or not np.isfinite(matrix).all() or not np.diag(matrix).all():
+            raise ValueError("scale: expected three numbers that are not 0")
         mass = float(given["mass"]) if "mass" in given else None
         boxes = tuple(found.box for found in _boxes(given.get("user_defined")))
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise AssetError([f"{shown}: {error}"]) from None
     return Scan(
         tuple(piece.moved(matrix) for piece in pieces), up="y", mass_kg=mass, receptacles=boxes
@@ -59,7 +61,7 @@ def read_articulated(path: Path, references: References) -> Scan:
     if config.is_file():
         try:
             boxes = tuple(_boxes(_json(config, references).get("user_defined")))
-        except (TypeError, ValueError) as error:
+        except (TypeError, ValueError, OverflowError) as error:
             raise AssetError([f"{references.shown(config)}: {error}"]) from None
     scan = read_urdf(path, references, "y", boxes)
     placed = _in_scenes(path, references)
@@ -79,7 +81,7 @@ def _in_scenes(path: Path, references: References) -> Array | None:
             for entry in instances if isinstance(instances, list) else ():
                 if str(entry["template_name"]).rsplit("/", 1)[-1] == path.stem:
                     found[_scale_and_up(entry)] += 1
-        except (AssetError, KeyError, TypeError, ValueError):
+        except (AssetError, KeyError, TypeError, ValueError, OverflowError):
             continue  # a scene that is broken says nothing
     if not found:
         return None

@@ -19,7 +19,7 @@ import numpy as np
 from sdgen.errors import AssetError
 from sdgen.geometry import Array
 from sdgen.importing.collada_text import prepared
-from sdgen.importing.pictures import PICTURES, checked_picture
+from sdgen.importing.pictures import PICTURES, bounded, checked_picture, picture_of
 from sdgen.importing.scan import Paint, Piece, Up
 from sdgen.importing.tree import References, files_below, inside
 from sdgen.library.gltf import chunks_of, glb_of
@@ -35,6 +35,8 @@ MESHES: Mapping[str, Up] = {
 }
 #: Triangles of one file; scans of Fantastic Breaks have up to 2.5 million.
 MAX_FACES = 4_000_000
+#: Zeros of one accessor of glTF that has no bytes: sparse ones change some of them.
+_MAX_ZEROS = 1_000_000
 #: What a picture beside a mesh without a material is called.
 _PICTURE_STEMS = ("texture", "texture_map", "diffuse", "albedo", "basecolor", "color")
 
@@ -56,7 +58,7 @@ def read_mesh(path: Path, references: References) -> tuple[tuple[Piece, ...], Up
         elif kind == ".dae":
             raw, scale, up = prepared(raw, shown, references)
         scene = _load(raw, kind, path, references)
-        pieces = tuple(_pieces(scene, transforms, scale))
+        pieces = tuple(_pieces(scene, transforms, scale, shown))
     except AssetError:
         raise
     except ModuleNotFoundError as error:
@@ -90,10 +92,11 @@ def _load(raw: bytes, kind: str, path: Path, references: References) -> Any:
         )
 
 
-def _pieces(scene: Any, transforms: Mapping[str, Any], scale: float) -> Iterator[Piece]:
+def _pieces(scene: Any, transforms: Mapping[str, Any], scale: float, shown: str) -> Iterator[Piece]:
     import trimesh
 
     total = 0
+    pictures: dict[int, Any] = {}
     for node in scene.graph.nodes_geometry:
         matrix, name = scene.graph[node]
         mesh = scene.geometry[name]
@@ -106,7 +109,14 @@ def _pieces(scene: Any, transforms: Mapping[str, Any], scale: float) -> Iterator
         turned[:3] *= scale
         vertices = np.asarray(mesh.vertices, dtype=np.float64)
         faces = np.asarray(mesh.faces, dtype=np.int64)
+        if faces.min() < 0 or faces.max() >= len(vertices):
+            raise ValueError("a face names a corner that is not there")
         uvs, colours, paint = _looks(mesh, transforms)
+        if paint.image is not None:
+            # One for all pieces that it is on; the key is the one that the scene holds.
+            if id(paint.image) not in pictures:
+                pictures[id(paint.image)] = bounded(paint.image, shown)
+            paint = replace(paint, image=pictures[id(paint.image)])
         yield Piece(vertices, faces, uvs, colours, paint).moved(turned)
 
 
@@ -177,7 +187,7 @@ def _with_picture_beside(
     if not near:
         return pieces
     shown = references.shown(near[0])
-    image = checked_picture(references.bytes_of(near[0]), shown)
+    image = picture_of(references.bytes_of(near[0]), shown)
     references.note(f"{shown}: taken as the texture, no material names it")
     return tuple(
         replace(piece, paint=Paint(image)) if piece.uvs is not None else piece for piece in pieces
@@ -235,6 +245,10 @@ def _named_materials(raw: bytes, kind: str) -> tuple[bytes, dict[str, Any]]:
     for name in ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_texture_basisu"):
         if name in needed:
             raise ValueError(f"needs {name}: export it uncompressed (gltf-transform, Blender)")
+    for index, accessor in enumerate(document.get("accessors") or []):
+        # Numbers that no bytes stand for are zeros, as many as it says.
+        if "bufferView" not in accessor and not 0 < int(accessor["count"]) <= _MAX_ZEROS:
+            raise ValueError(f"accessors: {index}: {accessor['count']} numbers of no buffer")
     transforms: dict[str, Any] = {}
     for index, material in enumerate(document.get("materials") or []):
         if not isinstance(material, dict):

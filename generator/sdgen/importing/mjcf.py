@@ -18,7 +18,7 @@ from sdgen.geometry import Array, inverse
 from sdgen.importing import shapes
 from sdgen.importing.mesh_files import MESHES, read_mesh
 from sdgen.importing.mjcf_document import Attributes, MjcfDocument
-from sdgen.importing.pictures import checked_picture
+from sdgen.importing.pictures import picture_of
 from sdgen.importing.scan import Paint, Piece, Scan, ScanJoint
 from sdgen.importing.tree import References
 
@@ -219,7 +219,7 @@ class _Reading:
             return Paint(colour=colour or tint)
         # A tint below white darkens the picture, as MuJoCo draws it.
         shown = self._references.shown(file)
-        return Paint(checked_picture(self._references.bytes_of(file), shown), tint)
+        return Paint(picture_of(self._references.bytes_of(file), shown), tint)
 
     def _colour(self, element: Element, given: Attributes) -> Colour | None:
         found = self._document.numbers(element, given, "rgba", 4)

@@ -43,6 +43,8 @@ _WIDEST_RAD = 1.9
 _DENSITY = 250.0
 _QUALITY = 90
 _NAME = re.compile(r"[^A-Za-z0-9_.-]+")
+#: Characters of an id, which has 100 with the source's name before and a number after it.
+_LONGEST_ID = 70
 
 
 @dataclass(frozen=True)
@@ -147,7 +149,7 @@ def make_model(
 
 def slug(name: str) -> str:
     """A name as ids have it: letters, digits and ``_ . -``."""
-    return _NAME.sub("_", name).strip("_.-") or "model"
+    return _NAME.sub("_", name).strip("_.-")[:_LONGEST_ID].strip("_.-") or "model"
 
 
 def by_link(scan: Scan) -> dict[str, list[Piece]]:

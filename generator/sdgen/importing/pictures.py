@@ -14,6 +14,8 @@ _FORMATS = ("PNG", "JPEG", "BMP", "TGA", "TIFF", "WEBP", "GIF")
 #: Pixels unpacked at once: 8192 x 8192 RGB take 200 MB. JPEGs are unpacked smaller.
 MAX_PIXELS = 8192 * 8192
 _MAX_SIDE = 65_000
+#: Pixels a side of a texture that is kept: those of ours have at most so many.
+LARGEST_SIDE = 4096
 
 
 def checked_picture(data: bytes, shown: str) -> Any:
@@ -31,6 +33,39 @@ def checked_picture(data: bytes, shown: str) -> Any:
         raise AssetError([f"{shown}: a texture too large to be unpacked"]) from None
     except (OSError, SyntaxError, ValueError):
         raise AssetError([f"{shown}: is no picture"]) from None
+    _check_size(image, shown)
+    return image
+
+
+def picture_of(data: bytes, shown: str) -> Any:
+    """A Pillow image no larger than any texture of ours. Raises AssetError, located."""
+    return bounded(checked_picture(data, shown), shown)
+
+
+def bounded(image: Any, shown: str) -> Any:
+    """The image, made smaller where one is larger than any texture of ours: models have many, and
+    all are held at once. A large one is closed. Raises AssetError for one that is too large to be
+    unpacked, or broken."""
+    from PIL import Image
+
+    _check_size(image, shown)
+    if max(image.size) <= LARGEST_SIDE:
+        return image
+    if image.format == "JPEG":
+        image.draft("RGB", (LARGEST_SIDE, LARGEST_SIDE))
+    try:
+        factor = -(-max(image.size) // LARGEST_SIDE)
+        plain = image
+        if image.mode not in ("RGB", "RGBA", "L", "LA"):
+            plain = image.convert("RGBA" if "transparency" in image.info else "RGB")
+        small = plain.reduce(factor)
+        image.close()  # its pixels, which whoever still knows it would hold
+        return small
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
+        raise AssetError([f"{shown}: the texture is broken ({error})"]) from None
+
+
+def _check_size(image: Any, shown: str) -> None:
     width, height = image.size
     if width * height > MAX_PIXELS and image.format == "JPEG" and max(image.size) <= _MAX_SIDE:
         image.draft("RGB", (width // 2, height // 2))
@@ -38,7 +73,6 @@ def checked_picture(data: bytes, shown: str) -> Any:
     if width * height > MAX_PIXELS:
         text = f"a texture of {width} x {height} pixels, at most {MAX_PIXELS} in all"
         raise AssetError([f"{shown}: {text}; make it smaller"])
-    return image
 
 
 def opened(image: Any, shown: str) -> Any:

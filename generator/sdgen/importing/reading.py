@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Mapping
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 
@@ -21,6 +22,8 @@ from sdgen.importing.urdf import read_urdf
 
 #: Axes of sources whose meshes do not say theirs.
 _UP: Mapping[str, Up] = {"ycb": "z", "gso": "z", "fantastic-breaks": "z"}
+#: Bytes of the matrix of a pair, which takes a few hundred.
+_MAX_TRANSFORM = 100_000
 
 
 def read_model(source: str, candidate: Candidate, references: References) -> Scan:
@@ -68,11 +71,18 @@ def _transform(path: Path, references: References) -> Array:
     shown = references.shown(path)
     try:
         # Nothing pickled: that would run what strangers wrote.
-        with np.load(io.BytesIO(references.bytes_of(path)), allow_pickle=False) as data:
-            if "transform" not in data.files:
+        with ZipFile(io.BytesIO(references.bytes_of(path))) as members:
+            if "transform.npy" not in members.namelist():
                 references.note(f"{shown}: has no transform: its size is unknown")
                 return np.eye(4)
-            matrix = np.asarray(data["transform"], dtype=np.float64).reshape(-1, 4, 4)[0]
+            with members.open("transform.npy") as member:
+                raw = member.read(_MAX_TRANSFORM + 1)
+        if len(raw) > _MAX_TRANSFORM:
+            raise ValueError("transform: is larger than a few matrices")
+        given = np.load(io.BytesIO(raw), allow_pickle=False)
+        if given.dtype.kind not in "fiu":
+            raise ValueError("transform: is no matrix of real numbers")
+        matrix = given.astype(np.float64).reshape(-1, 4, 4)[0]
     except Exception as error:  # zip, npy and their headers are a stranger's
         reason = " ".join(str(error).split())[:200] or type(error).__name__
         raise AssetError([f"{shown}: cannot be read ({reason})"]) from None

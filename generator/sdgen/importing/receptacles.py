@@ -28,6 +28,8 @@ _CELLS = 64
 _DEEP_SHARE, _DEEP_M, _WIDE_SHARE = 0.18, 0.008, 0.08
 #: A receptacle box lies on a surface at most so far from its bottom, metres.
 _NEAR_M = 0.08
+#: Receptacle boxes that are looked at: the largest thing of ReplicaCAD has a dozen.
+_MOST_BOXES = 60
 #: Nothing stands under less room than this; what reaches this far over a surface is above it.
 _ROOM_M, _TOUCH_M = 0.04, 0.01
 #: Walls of a space behind a door are nearer than this to its surface, metres.
@@ -44,7 +46,7 @@ def supports_of(
     moving = [mesh.vertices for name, mesh in meshes.items() if name not in still]
     everything = corners_of(list(meshes.values()))
     out: list[Support] = []
-    for given in boxes:
+    for given in boxes[:_MOST_BOXES]:
         found = _under(given, everything, fixed[0])
         if found is not None and not any(_same(found, other) for other in out):
             out.append(found)

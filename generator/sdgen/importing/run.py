@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import hashlib
+import os
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
+
+import numpy as np
 
 from sdgen.catalog.records import Catalog, Category
 from sdgen.engines.in_order import in_order
@@ -202,13 +206,25 @@ class _Importer:
     def __call__(self, job: int) -> Refused | tuple[bool, Origin]:
         candidate = self._found[job]
         try:
-            return self._import(candidate, self._ids[job])
+            # Numbers of strangers overflow: what comes of that is checked, and is nobody's warning.
+            with np.errstate(all="ignore"), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                return self._import(candidate, self._ids[job])
         except InputError as error:
             return Refused(candidate.name, "; ".join(error.problems[:3]))
         except MemoryError:
             return Refused(candidate.name, "too large for this machine's memory")
         except OSError as error:
             return Refused(candidate.name, os_error_in_words(error, candidate.entry))
+        except Exception as error:  # one model of a download must not stop the others
+            if os.environ.get("SDGEN_DEBUG"):
+                raise
+            reason = " ".join(str(error).split())[:200]
+            shown = candidate.entry.name
+            return Refused(
+                candidate.name,
+                f"{shown}: nothing can be made of it ({type(error).__name__}: {reason})",
+            )
 
     def close(self) -> None:
         """Nothing to let go of."""

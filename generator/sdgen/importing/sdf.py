@@ -17,7 +17,7 @@ from sdgen.errors import AssetError
 from sdgen.geometry import Array
 from sdgen.importing import shapes
 from sdgen.importing.mesh_files import MESHES, read_mesh
-from sdgen.importing.pictures import checked_picture
+from sdgen.importing.pictures import picture_of
 from sdgen.importing.scan import Paint, Piece, Scan
 from sdgen.importing.tree import References, files_below
 from sdgen.importing.xml_text import parse_xml
@@ -68,6 +68,8 @@ def _visual(visual: Element, path: Path, references: References) -> tuple[list[P
             raise ValueError(f"{uri}: no such mesh" if file is None else f"{uri}: is no mesh")
         pieces, _ = read_mesh(file, references)
         scale = _numbers(mesh.findtext("scale"), (1.0, 1.0, 1.0))
+        if len(scale) != 3:
+            raise ValueError(f"scale: {len(scale)} numbers, expected three")
         paint = _paint(visual, references)
         out = [piece.moved(np.diag([*scale, 1.0])) for piece in pieces]
         if paint is not None and all(piece.paint.image is None for piece in out):
@@ -103,7 +105,7 @@ def _paint(visual: Element, references: References) -> Paint | None:
     picture = references.find(references.folder, albedo) if albedo else None
     picture = picture or (_ogre_texture(name, references) if name else None)
     if picture is not None:
-        image = checked_picture(references.bytes_of(picture), references.shown(picture))
+        image = picture_of(references.bytes_of(picture), references.shown(picture))
         return Paint(image)
     diffuse = material.findtext("diffuse")
     if diffuse is None:

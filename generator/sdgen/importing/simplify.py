@@ -20,6 +20,8 @@ from sdgen.library.shape import see_through
 _SAME = 1e-5
 #: Of a view: more back faces than this are a hole that shows (``validate`` allows 3 %).
 _HOLES = 0.02
+#: Cells along a side of the grid that what quadrics cannot thin is rounded to: at first, and last.
+_CELLS, _FEWEST_CELLS = 256, 8
 #: Fewest faces a part keeps.
 _FEWEST = 12
 #: Edges sharper than this are drawn sharp.
@@ -116,29 +118,50 @@ def _thinned(parts: Mapping[str, Solid], budget: int) -> dict[str, Solid]:
     total = sum(len(solid.faces) for solid in parts.values())
     if total <= budget:
         return dict(parts)
-    import fast_simplification
-
     out = {}
     for name, solid in parts.items():
         target = max(_FEWEST, int(budget * len(solid.faces) / total))
         if len(solid.faces) <= target:
             out[name] = solid
             continue
-        best = solid
-        for agg in (5, 7, 9):  # more eager, until the budget is kept
-            points, faces = fast_simplification.simplify(
-                best.vertices.astype(np.float32),
-                best.faces.astype(np.int32),
-                target_count=target,
-                agg=agg,
-            )
-            made = _compact(np.asarray(points, np.float64), np.asarray(faces, np.int64))
-            if len(made.faces) >= _FEWEST // 3:
-                best = made
-            if len(best.faces) <= target:
-                break
+        best = _by_quadrics(solid, target)
+        cells = _CELLS
+        while len(best.faces) > target and cells >= _FEWEST_CELLS:
+            # Needles, fans and loose shells withstand quadrics: rounded to a grid they do not.
+            best, cells = _by_quadrics(_rounded(solid, cells), target), cells // 2
         out[name] = best
     return out
+
+
+def _by_quadrics(solid: Solid, target: int) -> Solid:
+    import fast_simplification
+
+    best = solid
+    for agg in (5, 7, 9):  # more eager, until the budget is kept
+        if len(best.faces) <= target:
+            break
+        points, faces = fast_simplification.simplify(
+            best.vertices.astype(np.float32),
+            best.faces.astype(np.int32),
+            target_count=target,
+            agg=agg,
+        )
+        made = _compact(np.asarray(points, np.float64), np.asarray(faces, np.int64))
+        if len(made.faces) >= _FEWEST // 3:
+            best = made
+    return best
+
+
+def _rounded(solid: Solid, cells: int) -> Solid:
+    """The mesh with the points of each cell of a grid, ``cells`` along its longest side, made one:
+    the middle of theirs (Rossignac and Borrel, "Multi-resolution 3D Approximations", 1993)."""
+    step = float(np.ptp(solid.vertices, axis=0).max()) / cells
+    keys = np.round(solid.vertices / step).astype(np.int64)
+    _, inverse, counts = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
+    inverse = inverse.ravel()
+    sums = np.zeros((len(counts), 3))
+    np.add.at(sums, inverse, solid.vertices)
+    return _compact(sums / counts[:, None], inverse[solid.faces])
 
 
 def _compact(vertices: Array, faces: Ints) -> Solid:

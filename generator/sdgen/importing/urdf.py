@@ -17,7 +17,7 @@ from sdgen.errors import AssetError
 from sdgen.geometry import Z_UP_FROM_Y_UP, Array
 from sdgen.importing import shapes
 from sdgen.importing.mesh_files import MESHES, read_mesh
-from sdgen.importing.pictures import checked_picture
+from sdgen.importing.pictures import picture_of
 from sdgen.importing.scan import Box, LinkBox, Paint, Piece, Scan, ScanJoint, Up
 from sdgen.importing.tree import References
 from sdgen.importing.urdf_tree import UrdfTree, name_in, numbers, origin, urdf_tree
@@ -156,7 +156,7 @@ def _paint(
     if texture is not None:
         file = references.find(path.parent, texture.get("filename", ""))
         if file is not None:
-            return Paint(checked_picture(references.bytes_of(file), references.shown(file)))
+            return Paint(picture_of(references.bytes_of(file), references.shown(file)))
     colour = material.find("color")
     if colour is not None:
         r, g, b = numbers(colour, "rgba", (0.7, 0.7, 0.7, 1.0))[:3]

@@ -49,7 +49,10 @@ def parse_xml(raw: bytes, shown: str, max_bytes: int = MAX_BYTES) -> ElementTree
     if len(raw) > max_bytes:
         raise AssetError([f"{shown}: is larger than {max_bytes // 1_000_000} MB"])
     refuse_entities(raw, shown)
-    return ElementTree.fromstring(raw)
+    try:
+        return ElementTree.fromstring(raw)
+    except (ElementTree.ParseError, ValueError) as error:  # prefixes of no namespace
+        raise AssetError([f"{shown}: not valid XML: {error}"]) from None
 
 
 class _Refused(Exception):

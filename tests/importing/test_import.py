@@ -342,6 +342,40 @@ def test_pairs_state_one_matrix_of_real_numbers(tmp_path: Path) -> None:
         assert "meta_0.npz" in refused.why
 
 
+@pytest.mark.parametrize(
+    ("said", "rubs"), [("0.9", 0.9), ("100000", 0.6), ("-1", 0.6), (None, 0.6)]
+)
+def test_friction_is_what_a_file_says_if_things_rub_so(
+    tmp_path: Path, said: str | None, rubs: float
+) -> None:
+    root = tmp_path / "folder"
+    root.mkdir()
+    mu = f"<friction><ode><mu>{said}</mu></ode></friction>" if said else ""
+    geometry = "<geometry><box><size>.08 .08 .1</size></box></geometry>"
+    (root / "mug.sdf").write_text(
+        f"<sdf><model name='mug'><link name='l'><visual name='v'>{geometry}</visual>"
+        f"<collision name='c'>{geometry}<surface>{mu}</surface></collision></link></model></sdf>"
+    )
+    (root / "two").mkdir()
+    friction = f'friction="{said} .01"' if said else ""
+    (root / "two" / "mug.xml").write_text(
+        f'<mujoco><worldbody><body><geom type="box" size=".04 .04 .05" {friction}/></body>'
+        "</worldbody></mujoco>"
+    )
+    downloads.replicacad(tmp_path / "cad")
+    config = next((tmp_path / "cad").rglob("*.object_config.json"))
+    given = json.loads(config.read_text())
+    if said:
+        given["friction_coefficient"] = float(said)
+    config.write_text(json.dumps(given))
+    made = [
+        *run("folder", root, tmp_path / "lib", licence="MIT").made,
+        *run("folder", root / "two", tmp_path / "lib", licence="MIT").made,
+        *run("replicacad", tmp_path / "cad", tmp_path / "lib", licence="MIT").made,
+    ]
+    assert [origin.asset.friction for origin in made] == [rubs] * 3
+
+
 def test_names_with_blanks_and_other_letters(tmp_path: Path) -> None:
     root = tmp_path / "folder"
     (root / "Käse Teller").mkdir(parents=True)

@@ -45,11 +45,17 @@ def read_configured(path: Path, references: References) -> Scan:
         if matrix.shape != (4, 4) or not np.isfinite(matrix).all() or not np.diag(matrix).all():
             raise ValueError("scale: expected three numbers that are not 0")
         mass = float(given["mass"]) if "mass" in given else None
+        rubs = given.get("friction_coefficient")
+        friction = None if rubs is None else float(rubs)
         boxes = tuple(found.box for found in _boxes(given.get("user_defined")))
     except (TypeError, ValueError, OverflowError) as error:
         raise AssetError([f"{shown}: {error}"]) from None
     return Scan(
-        tuple(piece.moved(matrix) for piece in pieces), up="y", mass_kg=mass, receptacles=boxes
+        tuple(piece.moved(matrix) for piece in pieces),
+        up="y",
+        mass_kg=mass,
+        friction=friction,
+        receptacles=boxes,
     )
 
 

@@ -95,6 +95,7 @@ def read_mjcf_model(path: Path, references: References) -> Scan:
         up="z",
         joints=tuple(joints.values()),
         mass_kg=sum(body.mass_kg for body in bodies) or None,
+        friction=reading.friction(bodies),
         words=(document.root.get("model", ""),),
     )
     return scan if root is None else scan.moved(inverse(root.at))
@@ -109,6 +110,14 @@ class _Reading:
         self._meshes = document.assets("mesh")
         self._textures = document.assets("texture")
         self._materials = document.assets("material")
+
+    def friction(self, bodies: Sequence[_Body]) -> float | None:
+        """Sliding friction of the first geom that says one."""
+        for geom in (geom for body in bodies for geom in body.geoms):
+            said = self._document.numbers(geom.element, geom.given, "friction")
+            if said:
+                return said[0]
+        return None
 
     def bodies(
         self, element: Element, parent: _Body | None, at: Array, childclass: str | None

@@ -43,6 +43,8 @@ _WIDEST_RAD = 1.9
 _DENSITY = 250.0
 _QUALITY = 90
 _NAME = re.compile(r"[^A-Za-z0-9_.-]+")
+#: Sliding friction of things of a home, and that of a model that says none (see ``Asset``).
+FRICTION, FRICTION_UNSAID = (0.2, 1.2), 0.6
 #: Characters of an id, which has 100 with the source's name before and a number after it.
 _LONGEST_ID = 70
 
@@ -122,6 +124,7 @@ def make_model(
         attribution=terms.attribution,
         extents_m=(float(extents[0]), float(extents[1]), float(extents[2])),
         mass_kg=_mass(scan, choice, category, corners, extents),
+        friction=_friction(scan.friction),
         parts=tuple(parts),
         joints=joints,
         variants=variants,
@@ -298,6 +301,12 @@ def _in_hollow(support: Support, hollow: Container) -> Support:
 
 def _part(name: str, mesh: MeshData, joint: str | None, texture: str | None = None) -> Part:
     return Part(name=name, faces=len(mesh.faces), joint=joint, texture=texture)
+
+
+def _friction(said: float | None) -> float:
+    """What a file says, if things of a home rub so: many have 0, or 100000 that nothing slips."""
+    least, most = FRICTION
+    return FRICTION_UNSAID if said is None or not least <= said <= most else round(said, 3)
 
 
 def _mass(

@@ -90,12 +90,13 @@ class LinkBox:
 @dataclass(frozen=True)
 class Scan:
     """One model of a source. ``up`` is the axis that its format has up; ``words`` further describe
-    the model, ``mass_kg`` is what the source says."""
+    the model; ``mass_kg`` and ``friction`` (Coulomb's, sliding) are what the source says."""
 
     pieces: tuple[Piece, ...]
     up: Up = "unknown"
     joints: tuple[ScanJoint, ...] = ()
     mass_kg: float | None = None
+    friction: float | None = None
     receptacles: tuple[Box, ...] = ()
     words: tuple[str, ...] = ()
     licence: str | None = None

@@ -52,7 +52,9 @@ def read_sdf(path: Path, references: References) -> Scan:
     if not pieces:
         raise AssetError([f"{shown}: nothing of it is drawn"])
     words = (model.get("name", ""), *fuel_words(path.parent, references))
-    return Scan(tuple(pieces), up="z", mass_kg=mass or None, words=words)
+    mu = model.findtext("link/collision/surface/friction/ode/mu")
+    friction = None if mu is None else _number(mu, -1.0)
+    return Scan(tuple(pieces), up="z", mass_kg=mass or None, friction=friction, words=words)
 
 
 def _visual(visual: Element, path: Path, references: References) -> tuple[list[Piece], bool]:

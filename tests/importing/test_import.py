@@ -300,6 +300,7 @@ BAD = {
     "short.glb": "glTF",
     "text.ply": "ply\nformat ascii 1.0\nend_header\n",
     "text.dae": "<COLLADA>",
+    "empty.dae": "<COLLADA/>",
     "text.gltf": '{"asset": {"version": "2.0"}, "meshes": 7}',
 }
 

@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator
 from xml.etree.ElementTree import Element, tostring
 
+from sdgen.errors import AssetError
 from sdgen.importing.scan import Up
 from sdgen.importing.tree import MAX_BYTES, References
 from sdgen.importing.xml_text import parse_xml
@@ -19,6 +20,8 @@ def prepared(raw: bytes, shown: str, references: References) -> tuple[bytes, flo
     """The file without broken materials, metres of its unit, and its up axis, which trimesh does
     not apply. Raises AssetError, located, for what is no XML."""
     root = parse_xml(raw, shown, MAX_BYTES)
+    if not any(True for _ in _named(root, "instance_visual_scene")):
+        raise AssetError([f"{shown}: holds no scene"])
     metres, up = _asset(root)
     sound = _materials(root)
     lost: set[str] = set()

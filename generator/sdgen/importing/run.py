@@ -216,6 +216,8 @@ class _Importer:
             return Refused(candidate.name, "too large for this machine's memory")
         except OSError as error:
             return Refused(candidate.name, os_error_in_words(error, candidate.entry))
+        except SdgenError as error:
+            return Refused(candidate.name, str(error))
         except Exception as error:  # one model of a download must not stop the others
             if os.environ.get("SDGEN_DEBUG"):
                 raise

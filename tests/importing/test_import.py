@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import os
 import shutil
@@ -20,7 +21,7 @@ from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.importing.frame import stand
 from sdgen.importing.layouts import Candidate, find_models
 from sdgen.importing.reading import read_model
-from sdgen.importing.run import Import, Report, import_models
+from sdgen.importing.run import Import, Report, import_models, opened_source
 from sdgen.importing.scan import Scan
 from sdgen.importing.shelf import Origin
 from sdgen.importing.table import load_table
@@ -375,6 +376,96 @@ def test_friction_is_what_a_file_says_if_things_rub_so(
         *run("replicacad", tmp_path / "cad", tmp_path / "lib", licence="MIT").made,
     ]
     assert [origin.asset.friction for origin in made] == [rubs] * 3
+
+
+MINE = "- {id: mine, category: mug, licence: MIT, source: me, extents_m: [1, 1, 1]"
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (f"assets:\n{MINE}, mas_kg: 2}}\n", "assets: mine: "),
+        ("assets: [\n", "manifest.yaml:"),
+        ("- a\n", "is no manifest"),
+        ("assets: 7\n", "is no manifest"),
+        ("assets: [3]\n", "assets: entry 1: "),
+    ],
+)
+def test_a_manifest_with_a_fault_is_not_written_anew(tmp_path: Path, text: str, told: str) -> None:
+    root, library = downloads.ycb(tmp_path / "ycb"), tmp_path / "lib"
+    library.mkdir()
+    (library / "manifest.yaml").write_text(text)
+    with pytest.raises(AssetError, match=told):
+        run("ycb", root, library)
+    assert (library / "manifest.yaml").read_text() == text
+    assert not (library / "imports").exists()
+
+
+def test_models_of_two_downloads_with_one_name_are_two(tmp_path: Path) -> None:
+    library = tmp_path / "lib"
+    for number, name in enumerate(("a", "b")):
+        downloads.obj(tmp_path / name / "mug.obj", (0.1, 0.1, 0.1 + 0.01 * number), None)
+        assert len(run("folder", tmp_path / name, library, licence="MIT").made) == 1
+    assert set(load_library([library]).assets) >= {"folder_mug", "folder_mug_2"}
+    # Again, and from a copy elsewhere: nothing is new. Moved and changed it is the same model.
+    assert run("folder", tmp_path / "b", library, licence="MIT").made == ()
+    copy = shutil.copytree(tmp_path / "a", tmp_path / "elsewhere" / "a")
+    assert run("folder", copy, library, licence="MIT").made == ()
+    shutil.rmtree(tmp_path / "a")
+    downloads.obj(copy / "mug.obj", (0.1, 0.1, 0.13), None)
+    (changed,) = run("folder", copy, library, licence="MIT").made
+    assert changed.asset.id == "folder_mug"
+
+
+def test_a_library_does_not_import_itself(tmp_path: Path) -> None:
+    root = tmp_path / "src"
+    downloads.obj(root / "mug.obj", (0.1, 0.1, 0.1), None)
+    with pytest.raises(AssetError, match="is the download itself"):
+        run("folder", root, root, licence="MIT")
+    for _ in range(2):
+        run("folder", root, root / "lib", licence="MIT")
+    assert len(list((root / "lib" / "imports").iterdir())) == 1
+
+
+def test_archives_in_a_download_share_one_limit_and_lie_in_it(tmp_path: Path) -> None:
+    zeros = bytes(30_000_000)
+    with zipfile.ZipFile(tmp_path / "outer.zip", "w") as outer:
+        for number in range(4):
+            inner = io.BytesIO()
+            with zipfile.ZipFile(inner, "w", zipfile.ZIP_DEFLATED) as packed:
+                packed.writestr("mug.obj", zeros)
+            outer.writestr(f"{number}.zip", inner.getvalue())
+    with opened_source(tmp_path / "outer.zip") as (roots, refused):
+        assert len(roots) == 2
+        assert [item.name for item in refused] == ["1.zip", "2.zip", "3.zip"]
+        assert all("unpacks to more than" in item.why for item in refused)
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    (folder / "link.zip").symlink_to(tmp_path / "outer.zip")
+    with opened_source(folder) as (roots, refused):
+        assert len(roots) == 1
+        assert [item.why for item in refused] == ["lies outside folder"]
+
+
+def test_stopped_it_leaves_a_library_that_builds(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = downloads.ycb(downloads.ycb(tmp_path / "ycb"), "013_apple")
+
+    def stop(done: int, of: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        import_models(Import("ycb", root, tmp_path / "lib"), CATALOG, stop)
+    assert "ycb_003_cracker_box" in load_library([tmp_path / "lib"]).assets
+
+
+def test_a_picture_inside_that_cannot_be_read_is_told(tmp_path: Path) -> None:
+    root = downloads.replicacad(tmp_path / "cad")
+    mesh = next(root.rglob("*.glb"))
+    mesh.write_bytes(mesh.read_bytes().replace(b"\x89PNG", b"\x89PNX"))
+    origin = one(run("replicacad", root, tmp_path / "lib", licence="MIT"))
+    assert any("picture" in note for note in origin.notes)
 
 
 def test_names_with_blanks_and_other_letters(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sdgen.cli.bar import bar
-from sdgen.importing.member_names import shown_name
+from sdgen.importing.member_names import plain, shown_name
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -128,7 +128,7 @@ def _say(report: Report, library: Path) -> None:
         echo_table(_table(report))
     for origin in report.made:
         for note in origin.notes:
-            click.echo(f"{shown_name(origin.name)}: {note}")
+            click.echo(f"{shown_name(origin.name)}: {plain(note)}")
     _say_by_reason("not placed", [(o.name, o.why) for o in report.made if not o.placed])
     _say_by_reason("not imported", [(item.name, item.why) for item in report.refused])
     placed = sum(origin.placed for origin in (*report.made, *report.kept))
@@ -136,14 +136,15 @@ def _say(report: Report, library: Path) -> None:
         f"{library}: {len(report.made)} imported, {len(report.kept)} there already, "
         f"{len(report.refused)} not imported; builds place {placed} of them"
     )
-    click.echo(f"Build with them: sdgen build --assets {library}")
+    if placed:
+        click.echo(f"Build with them: sdgen build --assets {library}")
 
 
 def _say_by_reason(what: str, named: Sequence[tuple[str, str]]) -> None:
     """A line for each reason, with all that it holds for."""
     for why in dict.fromkeys(why for _, why in named):
         names = [shown_name(name) for name, its_why in named if its_why == why]
-        click.echo(f"{what}: {', '.join(names)}: {why}")
+        click.echo(f"{what}: {', '.join(names)}: {plain(why)}")
 
 
 def _table(report: Report) -> Table:

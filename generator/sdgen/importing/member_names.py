@@ -22,10 +22,14 @@ _DRIVE = re.compile(r"[A-Za-z]:")
 def shown_name(name: str) -> str:
     """A name as a message may show it: without control characters, its beginning where long."""
     cut = f"{name[:_LONGEST_SHOWN]}..." if len(name) > _LONGEST_SHOWN else name
-    plain = "".join(
-        char if char.isprintable() else char.encode("unicode_escape").decode() for char in cut
+    return plain(cut) or "(no name)"
+
+
+def plain(text: str) -> str:
+    """A text that holds words of strangers, without control characters."""
+    return "".join(
+        char if char.isprintable() else char.encode("unicode_escape").decode() for char in text
     )
-    return plain or "(no name)"
 
 
 def name_parts(name: str) -> tuple[str, ...]:

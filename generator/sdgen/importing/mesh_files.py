@@ -51,14 +51,17 @@ def read_mesh(path: Path, references: References) -> tuple[tuple[Piece, ...], Up
     raw = references.bytes_of(path)
     up = MESHES[kind]
     transforms: Mapping[str, Any] = {}
+    textured: frozenset[str] = frozenset()
     scale = 1.0
     try:
         if kind in (".glb", ".gltf"):
-            raw, transforms = _named_materials(raw, kind)
+            raw, transforms, textured = _named_materials(raw, kind)
         elif kind == ".dae":
             raw, scale, up = prepared(raw, shown, references)
         scene = _load(raw, kind, path, references)
         pieces = tuple(_pieces(scene, transforms, scale, shown))
+        for number in _without_picture(scene, textured):
+            references.note(f"{shown}: the picture of its {number} cannot be read: left out")
     except AssetError:
         raise
     except ModuleNotFoundError as error:
@@ -232,8 +235,19 @@ class _Resolver:
         raise ValueError(f"{name}: nothing is written into a source")
 
 
-def _named_materials(raw: bytes, kind: str) -> tuple[bytes, dict[str, Any]]:
-    """A glTF file whose materials have names of ours, and the texture transforms by these names.
+def _without_picture(scene: Any, textured: frozenset[str]) -> list[str]:
+    """Names of materials that should have a picture, of which trimesh has read none."""
+    bare: set[str] = set()
+    for mesh in scene.geometry.values():
+        material: Any = getattr(getattr(mesh, "visual", None), "material", None)
+        if getattr(material, "baseColorTexture", "") is None:
+            bare.add(str(material.name))
+    return sorted(bare & textured)
+
+
+def _named_materials(raw: bytes, kind: str) -> tuple[bytes, dict[str, Any], frozenset[str]]:
+    """A glTF file whose materials have names of ours, the texture transforms by these names, and
+    the names of those that have a picture.
 
     trimesh tells materials by name only, and leaves out KHR_texture_transform.
     """
@@ -250,17 +264,20 @@ def _named_materials(raw: bytes, kind: str) -> tuple[bytes, dict[str, Any]]:
         if "bufferView" not in accessor and not 0 < int(accessor["count"]) <= _MAX_ZEROS:
             raise ValueError(f"accessors: {index}: {accessor['count']} numbers of no buffer")
     transforms: dict[str, Any] = {}
+    textured: set[str] = set()
     for index, material in enumerate(document.get("materials") or []):
         if not isinstance(material, dict):
             raise ValueError(f"materials: {index} is no object")
         material["name"] = f"material-{index}"
         texture = (material.get("pbrMetallicRoughness") or {}).get("baseColorTexture") or {}
         found = (texture.get("extensions") or {}).get("KHR_texture_transform")
+        if texture:
+            textured.add(material["name"])
         if isinstance(found, dict):
             transforms[material["name"]] = _uv_matrix(found)
     if kind == ".glb":
-        return glb_of(document, blob), transforms
-    return json.dumps(document).encode(), transforms
+        return glb_of(document, blob), transforms, frozenset(textured)
+    return json.dumps(document).encode(), transforms, frozenset(textured)
 
 
 def _uv_matrix(given: Mapping[str, Any]) -> tuple[tuple[float, ...], ...]:

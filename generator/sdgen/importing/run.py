@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
+import signal
+import threading
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -24,16 +27,16 @@ from sdgen.errors import (
     os_error_in_words,
 )
 from sdgen.geometry import Array, vec3
-from sdgen.importing.archives import is_archive, unpack
+from sdgen.importing.archives import DEFAULT_LIMITS, is_archive, unpack
 from sdgen.importing.frame import stand
 from sdgen.importing.layouts import Candidate, find_models
 from sdgen.importing.licences import Terms, nearer, terms_of
 from sdgen.importing.model import FURNITURE_OFF, SMALL_OFF, Budget, make_model, slug
 from sdgen.importing.reading import read_model
-from sdgen.importing.shelf import Origin, held, origins, put, write_manifest
+from sdgen.importing.shelf import Origin, held, kept_entries, origins, put, write_manifest
 from sdgen.importing.sizes import difference, fits
 from sdgen.importing.table import Table, load_table
-from sdgen.importing.tree import References
+from sdgen.importing.tree import References, inside
 from sdgen.library.licences import NON_COMMERCIAL
 from sdgen.library.meshes import check_extents, read_glb, read_hulls
 from sdgen.rejection import causes_in_words
@@ -100,26 +103,29 @@ def import_models(
     with opened_source(asked.root) as (roots, refused), held(asked.library):
         found = _found(asked, roots, names)
         terms = terms_of(asked.source, roots[0], asked.licence, asked.attribution)
+        kept_entries(asked.library)  # a manifest that nobody can read is told of before the work
         before = origins(asked.library)
         work = (asked, found, table, catalog, terms, before)
         made: list[Origin] = []
         kept: list[Origin] = []
-        with closing(in_order(_Importer, work, len(found), workers)) as outcomes:
-            for outcome in outcomes:
-                name = found[outcome.job].name
-                if isinstance(outcome.error, SceneRejected):
-                    why = causes_in_words(outcome.error.causes)
-                    refused.append(Refused(name, f"the process that made it died ({why})"))
-                elif outcome.error is not None:
-                    raise outcome.error
-                elif isinstance(outcome.result, Refused):
-                    refused.append(outcome.result)
-                else:
-                    new, origin = outcome.result
-                    (made if new else kept).append(origin)
-                if on_model is not None:
-                    on_model(outcome.job + 1, len(found))
-        write_manifest(asked.library, list(origins(asked.library).values()))
+        try:
+            with closing(in_order(_Importer, work, len(found), workers)) as outcomes:
+                for outcome in outcomes:
+                    name = found[outcome.job].name
+                    if isinstance(outcome.error, SceneRejected):
+                        why = causes_in_words(outcome.error.causes)
+                        refused.append(Refused(name, f"the process that made it died ({why})"))
+                    elif outcome.error is not None:
+                        raise outcome.error
+                    elif isinstance(outcome.result, Refused):
+                        refused.append(outcome.result)
+                    else:
+                        new, origin = outcome.result
+                        (made if new else kept).append(origin)
+                    if on_model is not None:
+                        on_model(outcome.job + 1, len(found))
+        finally:  # what is there when it is stopped builds
+            write_manifest(asked.library, list(origins(asked.library).values()))
     return Report(tuple(made), tuple(kept), tuple(refused))
 
 
@@ -131,6 +137,31 @@ def check_packages() -> None:
             f"importing needs {', '.join(_PACKAGES[name] for name in missing)}: "
             "pip install 'sdgen[assets]' (in a checkout: pip install '.[assets]')"
         )
+    with _signals_wait():
+        for name in ("trimesh", "trimesh.creation", "scipy.ndimage", "scipy.spatial", *_PACKAGES):
+            import_module(name)
+
+
+@contextmanager
+def _signals_wait() -> Iterator[None]:
+    """Ctrl-C counts afterwards: trimesh catches whatever is raised while it imports, and a stop
+    with it."""
+    if threading.current_thread() is not threading.main_thread():
+        yield  # signals are another thread's
+        return
+    came: list[int] = []
+    before = {
+        number: signal.signal(number, lambda got, _: came.append(got))
+        for number in (signal.SIGINT, signal.SIGTERM)
+        if signal.getsignal(number) is not None
+    }
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        for got in came[:1]:
+            signal.raise_signal(got)
 
 
 @contextmanager
@@ -138,23 +169,39 @@ def opened_source(path: Path) -> Iterator[tuple[list[Path], list[Refused]]]:
     """Folders of a download, and archives of it that are broken.
 
     Archives, also those that lie in the folder or the archive itself (Fuel packs each model), are
-    unpacked for as long as they are needed.
+    unpacked for as long as they are needed, all within the limits of one. Raises AssetError.
     """
     with scratch_folder() as scratch:
         roots: list[Path] = []
         refused: list[Refused] = []
+        left = DEFAULT_LIMITS.total_bytes
         if path.is_dir():
             roots.append(path.resolve())
         else:
             roots.append(unpack(path, scratch / _bare(path), shown=path.name).resolve())
+            packed = DEFAULT_LIMITS.ratio * path.stat().st_size
+            left = min(left, max(DEFAULT_LIMITS.ratio_from, packed)) - _size(roots[0])
         for number, entry in enumerate(sorted(roots[0].iterdir())):
-            if entry.is_file() and is_archive(entry):
-                try:
-                    place = scratch / f"{number}" / _bare(entry)
-                    roots.append(unpack(entry, place, shown=entry.name).resolve())
-                except AssetError as error:
-                    refused.append(Refused(entry.name, "; ".join(error.problems[:3])))
+            if not entry.is_file() or not is_archive(entry):
+                continue
+            if not inside(roots[0], entry):
+                refused.append(Refused(entry.name, f"lies outside {path.name}"))
+                continue
+            if left <= 0:
+                text = "the archives in it unpack to too much together: a bomb"
+                raise AssetError([f"{path.name}: {text}"])
+            try:
+                place = scratch / f"{number}" / _bare(entry)
+                limits = replace(DEFAULT_LIMITS, total_bytes=left)
+                roots.append(unpack(entry, place, limits, entry.name).resolve())
+                left -= _size(roots[-1])
+            except AssetError as error:
+                refused.append(Refused(entry.name, "; ".join(error.problems[:3])))
         yield roots, refused
+
+
+def _size(folder: Path) -> int:
+    return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
 
 
 def _bare(path: Path) -> str:
@@ -170,6 +217,10 @@ def _found(asked: Import, roots: Sequence[Path], names: Sequence[str]) -> list[C
         except AssetError:
             if len(roots) == 1:
                 raise
+    library = asked.library.resolve()
+    if library in roots:
+        raise AssetError([f"{asked.library}: is the download itself: name another folder"])
+    found = [candidate for candidate in found if not inside(library, candidate.entry)]
     if not found:
         raise AssetError([f"{asked.root}: no model of {asked.source} here, nor in its archives"])
     return _wanted(found, names) if names else found
@@ -201,7 +252,11 @@ class _Importer:
         self._catalog = catalog
         self._terms = terms
         self._before = before
-        self._ids = _ids(asked.source, found, before)
+        self._ids = _ids(asked, found, before)
+        self._called: dict[str, list[Origin]] = {}
+        for old in before.values():
+            if old.source == asked.source:
+                self._called.setdefault(old.name, []).append(old)
 
     def __call__(self, job: int) -> Refused | tuple[bool, Origin]:
         candidate = self._found[job]
@@ -242,9 +297,10 @@ class _Importer:
             return Refused(candidate.name, why)
         scan = read_model(self._asked.source, candidate, references)
         digest = self._digest(references, repr((row, terms)))
-        old = self._before.get(asset_id)
-        if old is not None and old.digest == digest and not self._asked.overwrite:
-            return False, old
+        known = (self._before.get(asset_id), *self._called.get(candidate.name, ()))
+        same = next((old for old in known if old is not None and old.digest == digest), None)
+        if same is not None and not self._asked.overwrite:
+            return False, same
         notes = references.notes
         scan, choice = stand(scan, candidate.name, self._table, self._catalog, notes)
         notes += choice.doubts
@@ -270,7 +326,7 @@ class _Importer:
             name=candidate.name,
             kind=candidate.kind,
             entry=candidate.place,
-            root=str(self._asked.root),
+            root=str(self._asked.root.resolve()),
             digest=digest,
             how=choice.how,
             why=why,
@@ -312,13 +368,20 @@ def _why_not_placed(extents_m: Array, category: Category) -> str:
     return difference(vec3(extents_m), category)
 
 
-def _ids(source: str, found: Sequence[Candidate], before: Mapping[str, Origin]) -> list[str]:
-    """An id for each model: the one it had, else one that no other model has."""
+def _ids(asked: Import, found: Sequence[Candidate], before: Mapping[str, Origin]) -> list[str]:
+    """An id for each model: the one it had, else one that no other model has, of this download or
+    of another that is still there."""
+
+    def another(old: Origin, candidate: Candidate) -> bool:
+        root = Path(old.root)
+        moved = root.exists() and root.resolve() != asked.root.resolve()
+        return old.entry != candidate.place or moved
+
     out: list[str] = []
     for candidate in found:
-        base = f"{source.replace('-', '_')}_{slug(candidate.name)}"
+        base = f"{asked.source.replace('-', '_')}_{slug(candidate.name)}"
         name, number = base, 2
-        while name in out or (name in before and before[name].entry != candidate.place):
+        while name in out or (name in before and another(before[name], candidate)):
             name, number = f"{base}_{number}", number + 1
         out.append(name)
     return out

@@ -18,6 +18,7 @@ from sdgen.dataset.output_file import write_output
 from sdgen.errors import AssetError, InputError
 from sdgen.files import read_plain
 from sdgen.importing.manifest import manifest_of
+from sdgen.importing.tree import is_file
 from sdgen.library.manifest import MAX_BYTES, MAX_VALUES, manifest_bytes
 from sdgen.library.records import Asset
 from sdgen.locks import FileLock
@@ -92,38 +93,49 @@ def write_manifest(library: Path, found: Sequence[Origin]) -> None:
     """``manifest.yaml`` of all models, and whom to name for them.
 
     Models that were not imported (made by hand, copied to be retextured) stay in it, and surfaces.
+    Raises AssetError as :func:`kept_entries` does.
     """
-    there = _manifest_there(library)
-    assets = [origin.asset for origin in found] + _not_imported(library, there)
-    assets.sort(key=lambda asset: asset.id)
-    rest = {"surfaces": there.get("surfaces") or []}
+    mine, surfaces = kept_entries(library)
+    assets = sorted([*(origin.asset for origin in found), *mine], key=lambda asset: asset.id)
+    rest = {"surfaces": surfaces}
     write_output(library / "manifest.yaml", manifest_of(_HEAD, assets, rest))
     write_output(
         library / "ATTRIBUTION.md", _attribution([a for a in assets if a.attribution]).encode()
     )
 
 
-def _not_imported(library: Path, there: Mapping[str, Any]) -> list[Asset]:
-    """The models of the manifest that is there which have no record of an import."""
-    entries = there.get("assets")
-    out = []
-    for entry in entries if isinstance(entries, list) else []:
-        try:
-            asset = Asset.model_validate_json(json.dumps(entry))
-        except ValidationError:
-            continue
-        if not (library / record_name(asset.id)).exists() and _files_there(library, asset):
-            out.append(asset)
-    return out
+def kept_entries(library: Path) -> tuple[list[Asset], list[Any]]:
+    """What a library's manifest has that no import made: models without a record, and surfaces.
 
-
-def _manifest_there(library: Path) -> Mapping[str, Any]:
-    """What the library's manifest says; nothing where there is none."""
+    Raises AssetError, located, for a manifest that cannot be read: writing it anew would lose that.
+    """
     path = library / "manifest.yaml"
     if not path.exists():
-        return {}
-    value = parse_yaml(manifest_bytes(library), str(path), MAX_BYTES, MAX_VALUES).value
-    return value if isinstance(value, dict) else {}
+        return [], []
+    source = parse_yaml(manifest_bytes(library), str(path), MAX_BYTES, MAX_VALUES)
+    value = source.value if isinstance(source.value, dict) else {}
+    entries, surfaces = value.get("assets") or [], value.get("surfaces") or []
+    lists = isinstance(entries, list) and isinstance(surfaces, list)
+    if source.noted or not isinstance(source.value, dict) or not lists:
+        raise AssetError(source.problems or [f"{path}: is no manifest: mend it, or move it away"])
+    models: list[Asset] = []
+    problems: list[str] = []
+    for number, entry in enumerate(entries):
+        name = entry.get("id") if isinstance(entry, dict) else None
+        if isinstance(name, str) and is_file(library / record_name(name)):
+            continue
+        try:
+            models.append(Asset.model_validate_json(json.dumps(entry)))
+        except (ValidationError, ValueError, TypeError) as error:
+            called = name if isinstance(name, str) else f"entry {number + 1}"
+            text = str(error)
+            if isinstance(error, ValidationError):
+                first = error.errors(include_url=False)[0]
+                text = f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
+            problems.append(f"{path}: assets: {called}: {text}")
+    if problems:
+        raise AssetError(problems)
+    return models, surfaces
 
 
 def _attribution(assets: Sequence[Asset]) -> str:

@@ -71,6 +71,10 @@ def _key(words: Sequence[str]) -> str:
     return "".join(map(_stem, words))
 
 
+#: Characters of a name that are looked at.
+_LONGEST = 500
+
+
 @dataclass(frozen=True)
 class Found:
     """What a text says it is: ``phrase`` of it, and the categories that it means, likeliest first.
@@ -99,7 +103,7 @@ class Words:
         count least, and what comes after "with" or "for" only when nothing comes before. Where a
         phrase says that it is none of ours, nothing before that counts.
         """
-        words = words_of(text)
+        words = words_of(text[:_LONGEST])
         cut = next((at for at, word in enumerate(words) if word in self.then), len(words))
         found = tuple(self._phrases(words[:cut])) or tuple(self._phrases(words))
         real = not any(self._has(words, word) for word in self.unreal)

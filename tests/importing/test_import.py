@@ -20,8 +20,9 @@ from sdgen.errors import AssetError, SdgenError
 from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.importing.frame import stand
 from sdgen.importing.layouts import Candidate, find_models
+from sdgen.importing.opened import opened_source
 from sdgen.importing.reading import read_model
-from sdgen.importing.run import Import, Report, import_models, opened_source
+from sdgen.importing.run import Import, Report, import_models
 from sdgen.importing.scan import Scan
 from sdgen.importing.shelf import Origin
 from sdgen.importing.table import load_table
@@ -531,7 +532,7 @@ def test_a_data_set_has_the_narrowest_licence_of_its_models() -> None:
 def test_a_plain_install_says_what_is_missing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("sdgen.importing.run.find_spec", lambda name: None)
+    monkeypatch.setattr("sdgen.importing.packages.find_spec", lambda name: None)
     with pytest.raises(SdgenError, match=r"xatlas: pip install 'sdgen\[assets\]'"):
         run("ycb", downloads.ycb(tmp_path / "ycb"), tmp_path / "lib")
     assert not (tmp_path / "lib").exists()

@@ -14,8 +14,8 @@ from sdgen.importing.glb_file import model_glb
 from sdgen.importing.layouts import Candidate, find_models
 from sdgen.importing.manifest import manifest_of
 from sdgen.importing.model import by_link, hulls_text, jpeg, painted
+from sdgen.importing.opened import opened_source
 from sdgen.importing.reading import read_model
-from sdgen.importing.run import opened_source
 from sdgen.importing.shelf import Origin
 from sdgen.importing.table import load_table
 from sdgen.importing.tree import References

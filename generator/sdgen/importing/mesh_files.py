@@ -60,8 +60,8 @@ def read_mesh(path: Path, references: References) -> tuple[tuple[Piece, ...], Up
             raw, scale, up = prepared(raw, shown, references)
         scene = _load(raw, kind, path, references)
         pieces = tuple(_pieces(scene, transforms, scale, shown))
-        for number in _without_picture(scene, textured):
-            references.note(f"{shown}: the picture of its {number} cannot be read: left out")
+        for name in _without_picture(scene, textured):
+            references.note(f"{shown}: the picture of its {name} cannot be read: left out")
     except AssetError:
         raise
     except ModuleNotFoundError as error:

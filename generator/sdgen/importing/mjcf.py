@@ -17,7 +17,7 @@ from sdgen.errors import AssetError
 from sdgen.geometry import Array, inverse
 from sdgen.importing import shapes
 from sdgen.importing.mesh_files import MESHES, read_mesh
-from sdgen.importing.mjcf_document import Attributes, MjcfDocument
+from sdgen.importing.mjcf_document import Attributes, MjcfDocument, viewers_show
 from sdgen.importing.pictures import picture_of
 from sdgen.importing.scan import Paint, Piece, Scan, ScanJoint
 from sdgen.importing.tree import References
@@ -34,11 +34,6 @@ class _Geom:
     element: Element
     given: Attributes
     at: Array
-
-    @property
-    def group(self) -> str:
-        """Its group; viewers show 0 to 2."""
-        return self.given.get("group", "0").strip()
 
     @property
     def met(self) -> bool:
@@ -244,14 +239,14 @@ class _Reading:
 
 
 def _drawn(bodies: Sequence[_Body]) -> list[tuple[_Body, _Geom]]:
-    """What viewers show: groups 0 to 2; of these what nothing bumps into, where there is any."""
+    """What viewers show; of these what nothing bumps into, where there is any."""
     out = [
         (body, geom)
         for body in bodies
         for geom in body.geoms
         if geom.given.get("type") not in _UNSEEN
     ]
-    out = [pair for pair in out if pair[1].group in ("0", "1", "2")] or out
+    out = [pair for pair in out if viewers_show(pair[1].given)] or out
     out = [pair for pair in out if not pair[1].met] or out
     once: dict[tuple[str, ...], tuple[_Body, _Geom]] = {}
     for body, geom in out:  # some draw one mesh twice, in two groups

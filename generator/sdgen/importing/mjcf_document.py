@@ -235,6 +235,11 @@ class MjcfDocument:
         return np.eye(3)
 
 
+def viewers_show(geom: Attributes) -> bool:
+    """True for a geom of the groups that MuJoCo's viewer shows unasked; others only collide."""
+    return geom.get("group", "0").strip() in ("0", "1", "2")
+
+
 def _over(usual: Attributes, own: Attributes) -> Attributes:
     """Attributes over those of a class; a rotation goes over one that is written another way."""
     if any(key in own for key in _TURNS):

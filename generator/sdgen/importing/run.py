@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import os
-import signal
-import threading
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import closing, contextmanager
-from dataclasses import dataclass, field, replace
-from importlib import import_module
-from importlib.util import find_spec
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -27,11 +23,12 @@ from sdgen.errors import (
     os_error_in_words,
 )
 from sdgen.geometry import Array, vec3
-from sdgen.importing.archives import DEFAULT_LIMITS, is_archive, unpack
 from sdgen.importing.frame import stand
 from sdgen.importing.layouts import Candidate, find_models
 from sdgen.importing.licences import Terms, nearer, terms_of
 from sdgen.importing.model import FURNITURE_OFF, SMALL_OFF, Budget, make_model, slug
+from sdgen.importing.opened import Refused, opened_source
+from sdgen.importing.packages import check_packages
 from sdgen.importing.reading import read_model
 from sdgen.importing.shelf import Origin, held, kept_entries, origins, put, write_manifest
 from sdgen.importing.sizes import difference, fits
@@ -40,18 +37,9 @@ from sdgen.importing.tree import References, inside
 from sdgen.library.licences import NON_COMMERCIAL
 from sdgen.library.meshes import check_extents, read_glb, read_hulls
 from sdgen.rejection import causes_in_words
-from sdgen.scratch import scratch_folder
 
 #: Raised when models come out otherwise: a library's older ones are made anew.
 VERSION = 2
-#: Modules that the extra "assets" brings, and the packages they are in.
-_PACKAGES = {
-    "coacd": "coacd",
-    "collada": "pycollada",
-    "fast_simplification": "fast-simplification",
-    "scipy": "scipy",
-    "xatlas": "xatlas",
-}
 
 
 @dataclass(frozen=True)
@@ -67,14 +55,6 @@ class Import:
     attribution: str | None = None
     non_commercial: bool = False
     overwrite: bool = False
-
-
-@dataclass(frozen=True)
-class Refused:
-    """A model that did not come in, and why."""
-
-    name: str
-    why: str
 
 
 @dataclass(frozen=True)
@@ -127,85 +107,6 @@ def import_models(
         finally:  # what is there when it is stopped builds
             write_manifest(asked.library, list(origins(asked.library).values()))
     return Report(tuple(made), tuple(kept), tuple(refused))
-
-
-def check_packages() -> None:
-    """Raise SdgenError when what an import needs beyond a plain install is not there."""
-    missing = [name for name in _PACKAGES if find_spec(name) is None]
-    if missing:
-        raise SdgenError(
-            f"importing needs {', '.join(_PACKAGES[name] for name in missing)}: "
-            "pip install 'sdgen[assets]' (in a checkout: pip install '.[assets]')"
-        )
-    with _signals_wait():
-        for name in ("trimesh", "trimesh.creation", "scipy.ndimage", "scipy.spatial", *_PACKAGES):
-            import_module(name)
-
-
-@contextmanager
-def _signals_wait() -> Iterator[None]:
-    """Ctrl-C counts afterwards: trimesh catches whatever is raised while it imports, and a stop
-    with it."""
-    if threading.current_thread() is not threading.main_thread():
-        yield  # signals are another thread's
-        return
-    came: list[int] = []
-    before = {
-        number: signal.signal(number, lambda got, _: came.append(got))
-        for number in (signal.SIGINT, signal.SIGTERM)
-        if signal.getsignal(number) is not None
-    }
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
-        for got in came[:1]:
-            signal.raise_signal(got)
-
-
-@contextmanager
-def opened_source(path: Path) -> Iterator[tuple[list[Path], list[Refused]]]:
-    """Folders of a download, and archives of it that are broken.
-
-    Archives, also those that lie in the folder or the archive itself (Fuel packs each model), are
-    unpacked for as long as they are needed, all within the limits of one. Raises AssetError.
-    """
-    with scratch_folder() as scratch:
-        roots: list[Path] = []
-        refused: list[Refused] = []
-        left = DEFAULT_LIMITS.total_bytes
-        if path.is_dir():
-            roots.append(path.resolve())
-        else:
-            roots.append(unpack(path, scratch / _bare(path), shown=path.name).resolve())
-            packed = DEFAULT_LIMITS.ratio * path.stat().st_size
-            left = min(left, max(DEFAULT_LIMITS.ratio_from, packed)) - _size(roots[0])
-        for number, entry in enumerate(sorted(roots[0].iterdir())):
-            if not entry.is_file() or not is_archive(entry):
-                continue
-            if not inside(roots[0], entry):
-                refused.append(Refused(entry.name, f"lies outside {path.name}"))
-                continue
-            if left <= 0:
-                text = "the archives in it unpack to too much together: a bomb"
-                raise AssetError([f"{path.name}: {text}"])
-            try:
-                place = scratch / f"{number}" / _bare(entry)
-                limits = replace(DEFAULT_LIMITS, total_bytes=left)
-                roots.append(unpack(entry, place, limits, entry.name).resolve())
-                left -= _size(roots[-1])
-            except AssetError as error:
-                refused.append(Refused(entry.name, "; ".join(error.problems[:3])))
-        yield roots, refused
-
-
-def _size(folder: Path) -> int:
-    return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
-
-
-def _bare(path: Path) -> str:
-    return path.name.split(".")[0] or "archive"
 
 
 def _found(asked: Import, roots: Sequence[Path], names: Sequence[str]) -> list[Candidate]:

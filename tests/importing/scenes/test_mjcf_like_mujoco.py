@@ -43,6 +43,14 @@ places = st.tuples(three, turns).map(lambda p: f'pos="{text(p[0])}" {p[1]}')
 orders = st.sampled_from(["xyz", "zyx", "XYZ", "ZXY", "xyx", "ZyX"])
 
 
+def posed(path: Path) -> tuple[Any, Any]:
+    """A file as MuJoCo reads it: the model, and where all is."""
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    return model, data
+
+
 def corners(piece: FoundPiece) -> Any:
     turn = rotation_matrix(piece.quat_xyzw)
     half = np.array(piece.extents_m) / 2
@@ -63,9 +71,7 @@ def test_a_box_lies_where_mujoco_has_it(
         f'<body name="bed" {inner}><geom type="box" size=".3 .2 .1" {geom}/></body>'
         "</frame></worldbody></mujoco>"
     )
-    model = mujoco.MjModel.from_xml_path(str(path))
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
+    _, data = posed(path)
     (piece,) = read_mjcf(path, CATALOG, NAMER).pieces
     middle, reach = corners(piece)
     assert np.allclose(middle, data.geom_xpos[0], atol=1e-4)
@@ -129,9 +135,7 @@ def test_rotations_of_classes_and_copies(usual: str, own: str, tmp_path: Path) -
         f"<mujoco><default>{usual}</default><worldbody>"
         f'<body name="bed">{geom}</body></worldbody></mujoco>'
     )
-    model = mujoco.MjModel.from_xml_path(str(path))
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
+    _, data = posed(path)
     (piece,) = read_mjcf(path, CATALOG, NAMER).pieces
     middle, reach = corners(piece)
     assert np.allclose(middle, data.geom_xpos[0], atol=1e-4)
@@ -154,9 +158,7 @@ def test_meshes_with_a_frame_of_reference(tmp_path: Path, file: bool) -> None:
         f'<mujoco><asset><mesh name="m" {source} {frame}/></asset><worldbody>'
         '<body name="bed" pos="1 1 0"><geom type="mesh" mesh="m"/></body></worldbody></mujoco>'
     )
-    model = mujoco.MjModel.from_xml_path(str(path))
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
+    model, data = posed(path)
     theirs = model.mesh_vert @ data.geom_xmat[0].reshape(3, 3).T + data.geom_xpos[0]
     (piece,) = read_mjcf(path, CATALOG, NAMER).pieces
     middle, reach = corners(piece)

@@ -11,15 +11,13 @@ import numpy as np
 
 from sdgen.errors import InputError
 from sdgen.geometry import Array, apply, box_corners, lowest_highest
-from sdgen.importing.mjcf_document import Attributes, MjcfDocument
+from sdgen.importing.mjcf_document import Attributes, MjcfDocument, viewers_show
 from sdgen.importing.scenes.mesh_bounds import Bounds, mesh_bounds
 
 #: Types of geoms that are fitted to their mesh, where they name one.
 _FITTED = ("mesh", "sdf", "box", "sphere", "capsule", "cylinder")
 #: Type -> numbers of ``size`` that it takes; without ``fromto``.
 _SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
-#: Groups of geoms that MuJoCo's viewer shows unasked; the others are for collisions.
-_SHOWN = ("0", "1", "2")
 
 
 @dataclass(frozen=True)
@@ -31,7 +29,6 @@ class Solid:
     high: Array
     body_from_geom: Array
     visual: bool
-    #: Of a group that MuJoCo's viewer shows unasked.
     shown: bool
 
     def corners(self, parent: Array) -> Array:
@@ -78,7 +75,7 @@ class Solids:
             return None
         visual = given.get("contype") == "0" and given.get("conaffinity") == "0"
         name = given.get("name") or given.get("mesh") or ""
-        shown = given.get("group", "0").strip() in _SHOWN
+        shown = viewers_show(given)
         return Solid(name, *bounds, here if ends is not None else here @ place, visual, shown)
 
     def _box(self, geom: Element, given: Attributes, ends: list[float] | None) -> Bounds | None:

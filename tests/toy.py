@@ -277,7 +277,13 @@ def bundle(
         scene=made,
         graph=build_graph(made, infos(), catalog(), facts),
         anomalies=Anomalies(
-            anomalies=anomaly_records(result.positives, facts, catalog(), who),
+            anomalies=anomaly_records(
+                result.positives,
+                facts,
+                catalog(),
+                who,
+                {(p.object_id, p.hazard) for p in result.positives},
+            ),
             lookalikes=(Lookalike(object_id=512, near_miss_of="sharp_object", evidence=shelf),),
             certificate=certificate(catalog(), ASSETS_SHA256, result),
         ),

@@ -199,9 +199,11 @@ class Remedy(Record):
 class Anomaly(Record):
     """One instance of a hazard, with the measured terms that prove it.
 
-    A view shows it with ``evidence_pixels_needed``, at 640 x 480, of ``evidence_parts``, with 100
-    of the whole object, and with ``evidence_outdoors_needed`` of the outdoors seen through the
-    opening that the object fills.
+    It is ``drawn`` when the scene was asked for it; else what was put there for another hazard is
+    this one, too. A view shows it with ``evidence_pixels_needed``, at 640 x 480, of
+    ``evidence_parts``, with 100 of the whole object and of each of ``evidence_objects`` (the heater
+    that the laundry is near), and with ``evidence_outdoors_needed`` of the outdoors seen through
+    the opening that the object fills.
     """
 
     id: str
@@ -214,8 +216,10 @@ class Anomaly(Record):
     relation: str | None
     target_id: int | None
     room_id: int
+    drawn: bool = True
     evidence: dict[str, EvidenceValue]
     evidence_parts: tuple[str, ...]
+    evidence_objects: tuple[int, ...] = ()
     evidence_pixels_needed: int = Field(default=EVIDENCE_PIXELS, ge=1)
     evidence_outdoors_needed: int = Field(default=0, ge=0)
     report: bool

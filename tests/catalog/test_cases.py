@@ -28,7 +28,12 @@ def test_each_category_meets_each_target_in_the_order_written() -> None:
     shared = {(c.state, c.relation, c.rooms, c.avoid_zones, c.max_height_m) for c in found}
     assert shared == {("BROKEN", "ON", ("kitchen",), ("doorway",), 1.0)}
     assert unique_anomaly("spill", found[1]) == UniqueAnomaly(
-        hazard="spill", category="vase", state="BROKEN", relation="ON", target="floor"
+        hazard="spill",
+        category="vase",
+        state="BROKEN",
+        relation="ON",
+        target="floor",
+        room="kitchen",
     )
 
 

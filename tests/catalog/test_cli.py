@@ -38,7 +38,9 @@ def test_list_for_people() -> None:
 
 def test_enumerate() -> None:
     rows = json.loads(call("enumerate", "--json").output)
-    assert all(set(row) == {"hazard", "category", "state", "relation", "target"} for row in rows)
+    assert all(
+        set(row) == {"hazard", "category", "state", "relation", "target", "room"} for row in rows
+    )
     counted = sum(row["unique_anomalies"] for row in json.loads(call("list", "--json").output))
     assert len(rows) == counted
     assert call("enumerate").output.splitlines()[-1] == f"{counted} unique anomalies"

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from sdgen.catalog.cases import cases
+from sdgen.catalog.load import load_catalog
 from sdgen.catalog.predicate_yaml import read_predicate
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.catalog.terms import Predicate
@@ -147,12 +148,23 @@ def test_what_could_never_be_built_is_told(
     assert any(problem in line for line in found), found
 
 
-def test_one_object_cannot_be_two_hazards(tmp_path: Path) -> None:
+def test_an_object_may_be_two_hazards_but_no_near_miss_is_one(tmp_path: Path) -> None:
     puddle = HAZARD.replace("category: vase", "category: puddle").replace(
         "{place: vase,", "{place: puddle, state: SPILLED,"
     )
-    (found,) = problems(write(tmp_path, hazards__wobbly_vase=puddle))
-    assert "anomalies[0]: puddle ON coffee_table satisfies the hazard 'spill', too" in found
+    assert load_catalog([write(tmp_path, hazards__wobbly_vase=puddle)]).hazard("wobbly_vase")
+    near = "lookalikes:\n  - {place: puddle, state: SPILLED, relation: ON, target: desk}\n"
+    (found,) = problems(write(tmp_path / "near", hazards__wobbly_vase=HAZARD + near))
+    assert "lookalikes[0]: puddle ON desk satisfies the hazard 'spill': it would be" in found
+
+
+@pytest.mark.parametrize("key", ["zone", "avoid_zones"])
+def test_zones_are_where_people_walk(tmp_path: Path, key: str) -> None:
+    rug = HAZARD.replace("target: coffee_table", f"target: rug, {key}: walkway")
+    assert load_catalog([write(tmp_path, hazards__wobbly_vase=rug)]).hazard("wobbly_vase")
+    high = rug.replace("target: rug", "target: [rug, desk]")
+    (found,) = problems(write(tmp_path / "high", hazards__wobbly_vase=high))
+    assert "anomalies[0].target: walkway are of floors and of what lies flat there: desk" in found
 
 
 def test_a_misspelt_folder_and_replacing_nothing_are_told(tmp_path: Path) -> None:

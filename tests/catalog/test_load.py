@@ -133,11 +133,30 @@ def test_replacing_is_asked_for(tmp_path: Path) -> None:
             "relation: ON",
             "anomalies[0]: missing key 'target'",
         ),
-        ("target: coffee_table", "target: coffee_table, zone: doorway", "needs 'target: floor'"),
         (
             "target: coffee_table",
-            "target: coffee_table, avoid_zones: doorway",
-            "anomalies[0].avoid_zones: avoid_zones needs 'target: floor'",
+            "target: coffee_table, before: {of: door}",
+            "anomalies[0].before: before needs 'target: floor'",
+        ),
+        (
+            "target: coffee_table",
+            "target: floor, over_edge: {min_m: 0.01, max_m: 0.1}",
+            "anomalies[0].over_edge: over_edge needs 'relation: ON' and furniture to be on",
+        ),
+        (
+            "target: coffee_table",
+            "target: coffee_table, over_edge: {min_m: 0.1, max_m: 0.01}",
+            "anomalies[0].over_edge.min_m: min_m (0.1) is above max_m (0.01)",
+        ),
+        (
+            "target: coffee_table",
+            "target: coffee_table, near: {to: stov, max_m: 0.3}",
+            "anomalies[0].near.to: unknown category 'stov'",
+        ),
+        (
+            "target: coffee_table",
+            "target: coffee_table, near: {to: stove}",
+            "anomalies[0].near: missing key 'max_m'",
         ),
         (
             "target: coffee_table",

@@ -11,8 +11,9 @@ from sdgen.facts import bodies_of
 from sdgen.freespace import opening_rectangle
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
-from sdgen.hazards.placing import IN_THE_WAY_M, inject_candidate
+from sdgen.hazards.placing import inject_candidate
 from sdgen.hazards.splits import SplitModels
+from sdgen.hazards.spots import IN_THE_WAY_M
 from sdgen.home.clutter import add_clutter
 from sdgen.home.context import FLOOR_OFF_WALLS_M, Everything
 from sdgen.home.layout import Layout

@@ -31,7 +31,7 @@ def test_labels_name_the_parts_that_show_them_and_how_many_pixels_do(
     hazard = toy.catalog().hazard("stove_on").model_copy(update=changes)
     catalog = toy.catalog().model_copy(update={"hazards": (hazard,)})
     positives = survey(facts, catalog).positives
-    (record,) = anomaly_records(positives, facts, catalog, toy.household())
+    (record,) = anomaly_records(positives, facts, catalog, toy.household(), {})
     assert (record.evidence_parts, record.evidence_pixels_needed) == (parts, pixels)
 
 
@@ -46,13 +46,13 @@ def test_what_is_only_set_is_related_as_its_hazard_asks():
     scene = toy.scene(1)
     facts = facts_of(scene, toy.infos(), toy.catalog())
     positives = survey(facts, toy.catalog()).positives
-    plain = anomaly_records(positives, facts, toy.catalog(), toy.household())
+    plain = anomaly_records(positives, facts, toy.catalog(), toy.household(), {})
     assert [(record.relation, record.target_id) for record in plain] == [(None, None)]
 
     changes = {"relation": "ON", "message": "The {object} on the {target} is on."}
     asking = toy.catalog().hazard("stove_on").model_copy(update=changes)
     catalog = toy.catalog().model_copy(update={"hazards": (asking,)})
-    (record,) = anomaly_records(positives, facts, catalog, toy.household())
+    (record,) = anomaly_records(positives, facts, catalog, toy.household(), {})
     assert record.relation == "ON"
     assert facts.category(record.target_id) == "floor"
     assert record.message == "The stove on the floor is on."

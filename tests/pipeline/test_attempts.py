@@ -4,19 +4,23 @@ from collections import Counter
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from sdgen.catalog.predicate import Verdict
 from sdgen.engines.protocol import Outcome
 from sdgen.engines.tally import Tally
 from sdgen.errors import SceneRejected
 from sdgen.facts import bodies_of
+from sdgen.hazards.certify import Positive, Survey
 from sdgen.hazards.placing import Injected
 from sdgen.home.layout import Intent
 from sdgen.options import BuildOptions
 from sdgen.pipeline import scene as scene_module
-from sdgen.pipeline.attempt import placed, staying_bodies
-from sdgen.pipeline.contents import Contents, Reduced, lost, without
+from sdgen.pipeline.attempt import _unproved, placed, staying_bodies
+from sdgen.pipeline.contents import Contents, Culprit, Reduced, culprits, lost, without
 from sdgen.pipeline.finish import check_undone, with_history
+from sdgen.pipeline.rest import Rested
 from sdgen.pipeline.scene import (
     HOME_TRIES,
     OVERLAP_HOMES,
@@ -117,7 +121,7 @@ def test_a_try_that_lost_what_a_household_always_has_is_rejected():
 @pytest.mark.parametrize(("culprit", "hazard"), [(9, "spill"), (77, None)])
 def test_an_anomaly_or_furniture_at_fault_rejects_the_try(culprit, hazard):
     there = contents()
-    there = replace(there, anomalies={9: Injected("spill", 9, None)})
+    there = replace(there, anomalies={9: Culprit("spill", ("spill",))})
     rejection = without(there, offence(there, culprit))
     assert isinstance(rejection, Rejection)
     assert rejection.cause.hazard == hazard
@@ -194,3 +198,45 @@ def test_an_open_fridge_is_in_the_way_and_a_dropped_thing_is_picked_up():
         )
     }
     assert [body.item.id for body in staying_bodies(bodies, {11, 40})] == [11, 9]
+
+
+def positive(object_id, hazard, value=True, sure=True):
+    return Positive(object_id, hazard, Verdict(value, sure))
+
+
+def proved_of(positives):
+    """What ``_unproved`` says where milk was put for one hazard and drawn for another, a stove lit
+    for the first, and a cushion lies about."""
+    there = contents(
+        lookalikes={},
+        anomalies=culprits(
+            [Injected("warm_milk", 40, None, (11,)), Injected("refrigerated_food_out", 40, None)]
+        ),
+    )
+    facts = SimpleNamespace(bodies={})
+    rested = Rested(there, facts, None, {})
+    return _unproved(rested, Survey(tuple(positives), 9), None)
+
+
+def test_what_is_put_for_one_hazard_may_be_others_too():
+    """The drawn pairs must hold; others of the same objects are implied, of all else a mistake."""
+    drawn = [positive(40, "warm_milk"), positive(40, "refrigerated_food_out")]
+    assert proved_of(drawn) == {}
+    assert proved_of([*drawn, positive(11, "stove_on"), positive(40, "tripping_hazard")]) == {}
+    (missed,) = proved_of(drawn[:1]).values()
+    assert (missed.cause.check, missed.cause.hazard) == ("not_proved", "warm_milk")
+    (accident,) = proved_of([*drawn, positive(9, "tripping_hazard")]).values()
+    assert (accident.cause.check, accident.cause.hazard) == ("accidental", None)
+    (doubt,) = proved_of([*drawn, positive(11, "stove_on", sure=False)]).values()
+    assert (doubt.cause.check, doubt.cause.other) == ("in_doubt", "stove_on")
+    unsure = [drawn[0], positive(40, "refrigerated_food_out", sure=False)]
+    (missed,) = proved_of(unsure).values()
+    assert missed.cause.check == "not_proved"
+
+
+def test_culprits_are_all_that_was_put_changed_and_brought():
+    first = Injected("warm_milk", 40, None, (11,))
+    assert culprits([first, Injected("stove_on", 11, None)]) == {
+        40: Culprit("warm_milk", ("warm_milk",)),
+        11: Culprit("warm_milk", ("stove_on",)),
+    }

@@ -25,12 +25,13 @@ from sdgen.vocabulary import EVIDENCE_PIXELS
 class Marked:
     """An anomaly or a near miss: its object, the parts that show it (empty = all), and how many
     pixels of these, and of the outdoors through the opening that it fills, do at the reference
-    size."""
+    size; of each object ``beside`` a glance is to be seen with it."""
 
     object_id: int
     parts: tuple[str, ...] = ()
     pixels: int = EVIDENCE_PIXELS
     outdoors: int = 0
+    beside: tuple[int, ...] = ()
 
 
 def shows(
@@ -46,6 +47,10 @@ def shows(
             among = np.flatnonzero(out[:, k])
             needed = share * glance_pixels(part_area(library, item, parts))
             out[among, k] = shows_pixels(library, item, cast, poses[among], parts, needed)
+        for key in one.beside:
+            among, other = np.flatnonzero(out[:, k]), scene.object(key)
+            needed = glance_pixels(part_area(library, other, ()))
+            out[among, k] = shows_pixels(library, other, cast, poses[among], (), needed)
         if one.outdoors:
             among = np.flatnonzero(out[:, k])
             opening = outer_opening(scene.home, item.id)

@@ -10,13 +10,18 @@ from sdgen.catalog.terms.term import Case
 
 def cases(recipe: Recipe) -> list[Case]:
     """What a recipe can make, in its order: one case a category and target, if it has targets."""
+    # What stands in each of the rooms that it names, or lies on its floor, is a way of its own to
+    # happen: "stove" and "floor" alone say too little.
+    rooms: list[tuple[str, ...]] = [(room,) for room in recipe.rooms] or [()]
     if isinstance(recipe, SetRecipe):
-        return [Case(category, recipe.state, recipe.rooms) for category in recipe.categories]
+        return [
+            Case(category, recipe.state, room) for category in recipe.categories for room in rooms
+        ]
     return [
         Case(
             category,
             recipe.state,
-            recipe.rooms,
+            room,
             recipe.relation,
             target,
             recipe.zone,
@@ -27,6 +32,7 @@ def cases(recipe: Recipe) -> list[Case]:
         )
         for category in recipe.categories
         for target in recipe.targets
+        for room in (rooms if target == "floor" else [recipe.rooms])
     ]
 
 
@@ -39,4 +45,5 @@ def unique_anomaly(hazard: str, case: Case) -> UniqueAnomaly:
         state=case.state,
         relation=case.relation,
         target=case.target,
+        room=case.rooms[0] if case.rooms and case.target in (None, "floor") else None,
     )

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from sdgen.catalog.activity import Activity
 from sdgen.catalog.cases import cases
 from sdgen.catalog.entry import Entry
-from sdgen.catalog.records import Category, Hazard, HouseholdTemplate
+from sdgen.catalog.records import Category, Hazard, HouseholdTemplate, PlaceRecipe, Recipe
 from sdgen.catalog.terms.term import Case
+from sdgen.vocabulary import FLAT_M
 
 
 def check_recipes(entry: Entry, hazard: Hazard) -> None:
@@ -28,10 +29,12 @@ def check_recipes(entry: Entry, hazard: Hazard) -> None:
 def check_among(
     entries: Mapping[str, Entry], hazards: Sequence[Hazard], categories: Sequence[Category]
 ) -> None:
-    """Note predicates that normal homes satisfy, and recipes that surely make another hazard.
+    """Note predicates that normal homes satisfy, and lookalikes that surely are a hazard.
 
-    Only what follows from recipes alone; a build's first tries find the rest.
+    Only what follows from recipes alone; a build's first tries find the rest. Anomalies may be
+    several hazards at once.
     """
+    high = {c.name for c in categories if c.extents_max_m[2] > FLAT_M and c.kind != "structure"}
     normal = [c.name for c in categories if c.lives or c.kind == "furniture"]
     for hazard in hazards:
         entry = entries[hazard.id]
@@ -42,14 +45,27 @@ def check_among(
             entry.problem(text, "predicate")
         for key, recipes in (("anomalies", hazard.anomalies), ("lookalikes", hazard.lookalikes)):
             for index, recipe in enumerate(recipes):
-                for case in cases(recipe):
-                    for other in hazards:
-                        # What a pack claims of shipped recipes is no mistake in their files.
-                        blamed = hazard.pack != "core" or other.pack == "core"
-                        if other.id == hazard.id or not blamed:
-                            continue
-                        if not other.predicate.possible(case).be_false:
-                            entry.problem(_twice(key, _words(case), other.id), key, index)
+                for zones, raised in _raised(recipe, high):
+                    text = f"{zones} are of floors and of what lies flat there: {raised} does not"
+                    entry.problem(text, key, index, "target")
+        for index, recipe in enumerate(hazard.lookalikes):
+            for case in cases(recipe):
+                for other in hazards:
+                    # What a pack claims of shipped recipes is no mistake in their files.
+                    blamed = hazard.pack != "core" or other.pack == "core"
+                    if other.id == hazard.id or not blamed:
+                        continue
+                    if not other.predicate.possible(case).be_false:
+                        text = f"{_words(case)} satisfies the hazard {other.id!r}"
+                        entry.problem(f"{text}: it would be an anomaly", "lookalikes", index)
+
+
+def _raised(recipe: Recipe, high: Collection[str]) -> Iterator[tuple[str, str]]:
+    """Zones that a recipe asks for or avoids, and a target that is no floor to walk on."""
+    if isinstance(recipe, PlaceRecipe):
+        zones = recipe.zone or recipe.avoid_zones
+        if zones:
+            yield from ((", ".join(zones), name) for name in recipe.targets if name in high)
 
 
 def check_choices(
@@ -83,13 +99,6 @@ def check_activities(
                         if blamed and not hazard.predicate.possible(case).be_false:
                             text = f"{_words(case)} satisfies the hazard {hazard.id!r}"
                             entry.problem(text, "members", index)
-
-
-def _twice(key: str, name: str, other: str) -> str:
-    """What to say of a recipe whose object satisfies another hazard, too."""
-    if key == "lookalikes":
-        return f"{name} satisfies the hazard {other!r}: it would be an anomaly"
-    return f"{name} satisfies the hazard {other!r}, too, and no object may be both: narrow one"
 
 
 def _words(case: Case) -> str:

@@ -13,10 +13,12 @@ from sdgen.catalog.consistency import check_recipes
 from sdgen.catalog.entry import Entry, as_record
 from sdgen.catalog.predicate_yaml import read_predicate
 from sdgen.catalog.records import (
+    Before,
     Concern,
     Group,
     Hazard,
     Label,
+    Near,
     PlaceRecipe,
     RemedyRule,
     SetRecipe,
@@ -52,6 +54,22 @@ _PLACEHOLDERS = ("object", "target", "room")
 _Height = Annotated[float, between(0.0, 10.0)]
 
 
+_NEAR = Annotated[Near | None, Expect("{to: [categories], max_m: metres}")]
+
+
+class OverEdge(Record):
+    """How far over the edge of what it is on a thing reaches, metres; below 0: so far within."""
+
+    min_m: Annotated[float, between(-0.3, 0.5)]
+    max_m: Annotated[float, between(-0.3, 0.5)]
+
+    @model_validator(mode="after")
+    def _check(self) -> OverEdge:
+        if self.min_m > self.max_m:
+            refuse(problem(("min_m",), f"min_m ({self.min_m:g}) is above max_m ({self.max_m:g})"))
+        return self
+
+
 class PlaceYaml(Record):
     """A recipe that puts a new object somewhere."""
 
@@ -65,6 +83,9 @@ class PlaceYaml(Record):
     rooms: RoomNames = ()
     min_height_m: _Height | None = None
     max_height_m: _Height | None = None
+    near: _NEAR = None
+    before: Annotated[Before | None, Expect("{of: [categories], max_m: metres}")] = None
+    over_edge: Annotated[OverEdge | None, Expect("{min_m: metres, max_m: metres}")] = None
     weight: Weight = 1.0
 
     @model_validator(mode="after")
@@ -73,18 +94,25 @@ class PlaceYaml(Record):
         if low is not None and high is not None and low > high:
             text = f"min_height_m ({low:g}) is above max_height_m ({high:g})"
             refuse(problem(("min_height_m",), text))
-        if self.target != ("floor",):
-            # Nothing looks at zones where things are put on or into furniture.
+        if self.relation == "INSIDE":
+            # Nothing looks at zones where things are put into furniture.
             for key, zones in (("zone", self.zone), ("avoid_zones", self.avoid_zones)):
                 if zones:
-                    refuse(problem((key,), f"{key} needs 'target: floor'"))
+                    refuse(problem((key,), f"{key} needs 'relation: ON'"))
+        if self.before is not None and self.target != ("floor",):
+            refuse(problem(("before",), "before needs 'target: floor'"))
+        if self.over_edge is not None and (self.relation != "ON" or "floor" in self.target):
+            refuse(problem(("over_edge",), "over_edge needs 'relation: ON' and furniture to be on"))
         if self.zone and self.avoid_zones:
             refuse(problem(("avoid_zones",), "avoid_zones does nothing beside a zone"))
         return self
 
     def record(self) -> PlaceRecipe:
         """The record of it."""
-        return as_record(self, PlaceRecipe, categories=self.place, targets=self.target)
+        edge = self.over_edge and (self.over_edge.min_m, self.over_edge.max_m)
+        return as_record(
+            self, PlaceRecipe, categories=self.place, targets=self.target, over_edge=edge
+        )
 
 
 class SetYaml(Record):
@@ -93,7 +121,14 @@ class SetYaml(Record):
     set: Categories
     state: State
     rooms: RoomNames = ()
+    near: _NEAR = None
     weight: Weight = 1.0
+
+    @model_validator(mode="after")
+    def _check(self) -> SetYaml:
+        if self.near is not None and self.near.bring:
+            refuse(problem(("near", "bring"), "only what is placed brings something along"))
+        return self
 
     def record(self) -> SetRecipe:
         """The record of it."""

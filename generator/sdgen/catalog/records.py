@@ -24,6 +24,7 @@ from sdgen.catalog.words import (
     Rectangle,
     RoomName,
     RoomNames,
+    State,
     Text,
     Word,
     between,
@@ -46,12 +47,33 @@ CategoryKind = Literal["small", "furniture", "opening", "structure", "hazard_onl
 # --- how to make an anomaly or a lookalike ------------------------------------------------------
 
 
+class Near(Record):
+    """No farther than ``max_m``, box to box, from something of the categories ``to`` (in
+    ``to_state``, if any). ``bring``: what is in another state is brought into it, and where there
+    is none, one is put there, too."""
+
+    to: Annotated[tuple[str, ...], names_of("category"), Expect("a category or a list of them")]
+    to_state: State | None = None
+    max_m: Annotated[float, between(0.0, 5.0)]
+    bring: bool = False
+
+
+class Before(Record):
+    """On the floor before the front of something of the categories ``of``, or before or behind a
+    door or a window, with its middle no farther than ``max_m`` from it."""
+
+    of: Annotated[tuple[str, ...], names_of("category"), Expect("a category or a list of them")]
+    max_m: Annotated[float, between(0.05, 3.0)] = 0.6
+
+
 class PlaceRecipe(Record):
     """Put a new object of one of ``categories`` (in ``state``, if any) ``relation`` a target.
 
     ``targets`` are receptacle categories or ``floor``; ``zone`` asks for a spot in such a zone
-    (with target ``floor``), ``avoid_zones`` for one clear of them; ``rooms`` restricts rooms.
-    Models that come in one of the states of ``not_state`` (a cut apple) are left out.
+    (on the floor or on what lies flat on it), ``avoid_zones`` for one clear of them; ``rooms``
+    restricts rooms. Models that come in one of the states of ``not_state`` (a cut apple) are left
+    out. ``near`` and ``before`` name other things it is to be by; ``over_edge`` [least, most] says
+    how far it reaches over the edge of its target, metres, with less than 0 within it.
     """
 
     kind: Literal["place"] = "place"
@@ -65,16 +87,21 @@ class PlaceRecipe(Record):
     rooms: tuple[str, ...] = ()
     min_height_m: float | None = None
     max_height_m: float | None = None
+    near: Near | None = None
+    before: Before | None = None
+    over_edge: tuple[float, float] | None = None
     weight: AboveZero = 1.0
 
 
 class SetRecipe(Record):
-    """Bring an object that the home already has into ``state`` (a joint or a mesh variant)."""
+    """Bring an object that the home already has into ``state`` (a joint or a mesh variant); one
+    that is ``near`` something, if it says so."""
 
     kind: Literal["set"] = "set"
     categories: tuple[str, ...]
     state: str
     rooms: tuple[str, ...] = ()
+    near: Near | None = None
     weight: AboveZero = 1.0
 
 
@@ -664,10 +691,12 @@ class Catalog(Record):
 
 
 class UniqueAnomaly(Record):
-    """An enumerated (hazard, category, state, relation, target category)."""
+    """An enumerated (hazard, category, state, relation, target category), with the room type where
+    a recipe sets what is in rooms of some types."""
 
     hazard: str
     category: str
     state: str | None
     relation: str | None
     target: str | None
+    room: str | None = None

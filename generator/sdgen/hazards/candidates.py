@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sdgen.catalog.cases import unique_anomaly
+from sdgen.catalog.cases import cases, unique_anomaly
 from sdgen.catalog.records import Recipe, SetRecipe, UniqueAnomaly
 from sdgen.catalog.terms.term import Case
 from sdgen.home.context import HomeContext
@@ -40,14 +40,18 @@ def candidates(
 
 def _possible(recipe: Recipe, present: Collection[str], context: HomeContext) -> Iterator[Case]:
     """What :func:`~sdgen.catalog.cases.cases` says of a recipe, as far as the home has it."""
-    for category in recipe.categories:
+    near = recipe.near
+    if near is not None and not any(
+        name in present or (near.bring and context.models(name)) for name in near.to
+    ):
+        return
+    rooms = {room.type for room in context.home.rooms}
+    for case in cases(recipe):
+        there = case.target in present and bool(context.models(case.category))
         if isinstance(recipe, SetRecipe):
-            if category in present:
-                yield Case(category, recipe.state)
-        elif context.models(category):
-            for target in recipe.targets:
-                if target in present:
-                    yield Case(category, recipe.state, (), recipe.relation, target)
+            there = case.category in present
+        if there and (not case.rooms or not rooms.isdisjoint(case.rooms)):
+            yield case
 
 
 def weighted_order(among: Sequence[Candidate], rng: Rng) -> list[Candidate]:

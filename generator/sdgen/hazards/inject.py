@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 
 from sdgen.catalog.records import Hazard, PlaceRecipe
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
-from sdgen.hazards.placing import Injected, already_set, inject_candidate
+from sdgen.hazards.placing import Injected, already_set, inject_candidate, is_set_so
 from sdgen.hazards.splits import withheld_anomaly
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
@@ -32,13 +32,35 @@ def inject(
         allowed = candidates(hazard_id, hazard.anomalies, layout, context)
         if training:
             allowed = [one for one in allowed if not withheld_anomaly(one.unique)]
-        taken = {other.object_id for other in anomalies}
+        taken = _objects(anomalies)
         order = weighted_order(allowed, rng)[:CANDIDATES_TRIED]
-        injected = _inject_first(order, layout, context, taken, rng)
+        injected = _brought_already(order, anomalies, layout, context)
+        injected = injected or _inject_first(order, layout, context, taken, rng)
         if injected is None:
             return _no_place(hazard_id, allowed, layout, context)
         anomalies.append(injected)
     return tuple(anomalies)
+
+
+def _objects(injected: Sequence[Injected]) -> set[int]:
+    """Ids of what these put, changed and brought along."""
+    return {key for one in injected for key in (one.object_id, *one.brought)}
+
+
+def _brought_already(
+    order: Sequence[Candidate],
+    anomalies: Sequence[Injected],
+    layout: Layout,
+    context: HomeContext,
+) -> Injected | None:
+    """What another anomaly brought into the very state that this hazard is: the stove that was
+    switched on under a pan."""
+    for candidate in order:
+        for other in anomalies:
+            for key in other.brought:
+                if is_set_so(candidate, layout.items[key], layout, context):
+                    return Injected(candidate.unique.hazard, key, layout.items[key])
+    return None
 
 
 def _no_place(
@@ -66,14 +88,14 @@ def add_lookalikes(
     everyday thing, and no near miss.
     """
     lookalikes: list[Injected] = []
-    anomalous = {other.object_id for other in anomalies}
+    anomalous = _objects(anomalies)
     put = {other.hazard for other in anomalies if other.before is None}
     for hazard in context.catalog.hazards:
         wanted = rng.random() < LOOKALIKE_SHARE
         order = weighted_order(candidates(hazard.id, hazard.lookalikes, layout, context), rng)
         if not wanted:
             continue
-        taken = {other.object_id for other in (*anomalies, *lookalikes)}
+        taken = _objects([*anomalies, *lookalikes])
         order = order[:LOOKALIKE_CANDIDATES_TRIED]
         injected = _inject_first(order, layout, context, taken, rng, benign=True)
         if injected is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe
 from sdgen.facts import Facts
@@ -11,7 +11,10 @@ from sdgen.hazards.certify import Positive
 from sdgen.hazards.evidence import evidence_of
 from sdgen.hazards.placing import Injected
 from sdgen.households import decide
-from sdgen.scene import Anomaly, Household, Lookalike, Remedy
+from sdgen.scene import Anomaly, EvidenceValue, Household, Lookalike, Remedy
+
+#: Evidence that names a thing which makes an anomaly together with its object.
+SHOWN_WITH = ("nearest_id", "above_id", "held_id", "faces_id", "away_from_id")
 
 
 def anomaly_records(
@@ -19,8 +22,12 @@ def anomaly_records(
     facts: Facts,
     catalog: Catalog,
     household: Household,
+    drawn: Collection[tuple[int, str]],
 ) -> tuple[Anomaly, ...]:
-    """Anomalies sorted by object id; ids ``a00`` … follow that order and say nothing else."""
+    """Anomalies sorted by object id; ids ``a00`` … follow that order and say nothing else.
+
+    ``drawn`` are the pairs of object and hazard that the scene was asked for.
+    """
     records = []
     ordered = sorted(positives, key=lambda p: (p.object_id, p.hazard))
     for number, positive in enumerate(ordered):
@@ -42,8 +49,10 @@ def anomaly_records(
                 relation=relation,
                 target_id=target,
                 room_id=item.room_id,
+                drawn=(item.id, hazard.id) in drawn,
                 evidence=evidence,
                 evidence_parts=parts,
+                evidence_objects=_shown_with(evidence, facts, item.id),
                 evidence_pixels_needed=pixels,
                 evidence_outdoors_needed=hazard.evidence_outdoors,
                 report=report,
@@ -69,6 +78,20 @@ def _relation(hazard: Hazard, facts: Facts, object_id: int) -> tuple[str | None,
             if targets:
                 return relation, targets[0]
     return None, None
+
+
+def _shown_with(
+    evidence: Mapping[str, EvidenceValue], facts: Facts, object_id: int
+) -> tuple[int, ...]:
+    """The other things that make it an anomaly and are to be seen with it, by what was measured:
+    the heater it is near, the bed below. What it lies on is seen anyhow, and what a child climbs
+    on matters where it is seen from above alone."""
+    found = {
+        value
+        for key, value in evidence.items()
+        if key.rstrip("_0123456789") in SHOWN_WITH and isinstance(value, int)
+    }
+    return tuple(sorted(key for key in found if key in facts.bodies and key != object_id))
 
 
 def _words(category: str) -> str:

@@ -49,7 +49,9 @@ def _withheld(peers: tuple[tuple[str, str | None], ...]) -> frozenset[str]:
 
 def withheld_anomaly(anomaly: UniqueAnomaly) -> bool:
     """True for a unique anomaly that train never shows."""
-    key = (anomaly.hazard, anomaly.category, anomaly.state, anomaly.relation, anomaly.target)
+    key = [anomaly.hazard, anomaly.category, anomaly.state, anomaly.relation, anomaly.target]
+    if anomaly.room is not None:
+        key.append(anomaly.room)
     # A hazard with one way to happen (fridge_open) has no target and is never withheld.
     return anomaly.target is not None and unit_hash("anomaly", *key) < WITHHELD_ANOMALIES
 

@@ -87,6 +87,15 @@ class Ground:
         lines = [part for part in parts if isinstance(part, LineString) and part.length > 0]
         return replace(self, walls=MultiLineString(lines))
 
+    def within(self, shape: BaseGeometry) -> Ground:
+        """The same floor where what lies there has its middle in a shape, or stands at a wall that
+        is in it."""
+        if self.area is not None:
+            return replace(self, area=self.area.intersection(shape))
+        parts = shapely.get_parts(self.walls.intersection(shape)).tolist() if self.walls else []
+        lines = [part for part in parts if isinstance(part, LineString) and part.length > 0]
+        return replace(self, walls=MultiLineString(lines))
+
     def __post_init__(self) -> None:
         for shape in (self.outline, self.area, self.avoid, self.off):
             if shape is not None:

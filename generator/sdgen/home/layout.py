@@ -312,9 +312,14 @@ class Layout:
         )
         return at_rest(item, asset)
 
+    def box_of(self, item: ObjectInstance) -> tuple[Vec3, Vec3]:
+        """The lowest and the highest corner, in its own frame, of an object as it is drawn."""
+        low, high = drawn(self.library.info(item.asset), item.variant, item.joints).box_m.tolist()
+        return tuple(low), tuple(high)
+
     def bulk_of(self, item: ObjectInstance) -> Bulk:
         """What an object fills as it is drawn."""
-        low, high = drawn(self.library.info(item.asset), item.variant, item.joints).box_m.tolist()
+        low, high = self.box_of(item)
         x, y, z = np.subtract(high, low).tolist()
         return Bulk((x, y, z), ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2))
 

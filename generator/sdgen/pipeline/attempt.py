@@ -27,10 +27,12 @@ SETTLE_ROUNDS = 4
 
 @dataclass(frozen=True)
 class Proved:
-    """Settled, rounded contents whose labels hold, and how they were reached."""
+    """Settled, rounded contents whose labels hold, and how they were reached; ``drawn`` are the
+    pairs of object and hazard that were asked for."""
 
     facts: Facts
     surveyed: Survey
+    drawn: frozenset[tuple[int, str]]
     lookalikes: tuple[Injected, ...]
     settled: Settled
     taken_away: Counter[Cause]
@@ -87,23 +89,26 @@ def placed(
 
 
 def _unproved(rested: Rested, surveyed: Survey, library: Library) -> dict[int, Rejection]:
-    """Objects for whose sake the labels do not hold: exactly the drawn pairs hold, none is in
-    doubt, and nothing benign stands in a door's way."""
+    """Objects for whose sake the labels do not hold: the drawn pairs hold, of other things than
+    theirs none does, none is in doubt, and nothing benign stands in a door's way."""
     contents = rested.contents
     wrong: dict[int, Rejection] = {}
-    proved: set[int] = set()
+    proved: set[tuple[int, str]] = set()
     for positive in surveyed.positives:
-        key, made = positive.object_id, contents.anomalies.get(positive.object_id)
-        if made is not None and made.hazard == positive.hazard:
-            if positive.verdict.value and positive.verdict.sure:
-                proved.add(key)
-            continue
+        key, culprit = positive.object_id, contents.anomalies.get(positive.object_id)
+        if culprit is not None:
+            # What makes one hazard may make another, too: that pair is implied.
+            if positive.verdict.sure:
+                proved.add((key, positive.hazard))
+                continue
+            if positive.hazard in culprit.drawn:
+                continue
         check = "accidental" if positive.verdict.sure else "in_doubt"
         wrong[key] = contents.objection(key, "proof", check, other=positive.hazard)
     for key in swing_blocked(_benign_bodies(rested)):
         wrong[key] = contents.objection(key, "proof", "in_door_swing")
-    for key in contents.anomalies:
-        if key not in proved:
+    for key, culprit in contents.anomalies.items():
+        if any((key, hazard) not in proved for hazard in culprit.drawn):
             wrong[key] = contents.objection(key, "proof", "not_proved")
     return wrong
 
@@ -136,6 +141,9 @@ def _proved(
     return Proved(
         facts=rested.facts,
         surveyed=surveyed,
+        drawn=frozenset(
+            (key, hazard) for key, one in contents.anomalies.items() for hazard in one.drawn
+        ),
         lookalikes=tuple(contents.lookalikes[k] for k in sorted(contents.lookalikes)),
         settled=rested.settled,
         taken_away=taken_away,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from sdgen.catalog.records import Catalog
 from sdgen.hazards.inject import add_lookalikes, inject
@@ -16,14 +17,23 @@ from sdgen.scene import ObjectInstance, Pose
 from sdgen.seeding import Rng
 
 
+class Culprit(NamedTuple):
+    """Why an object is no everyday thing: it was put there, or brought into a state, for
+    ``hazard``, and is to be an anomaly of each of the ``drawn`` ones (of none: it was brought
+    along)."""
+
+    hazard: str
+    drawn: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True)
 class Contents:
     """Every object of a scene by id, what placed ones are meant to lie on or in, and which were
-    put (or switched) there as drawn anomalies and as lookalikes."""
+    put (or switched) there for the drawn anomalies, and as lookalikes."""
 
     items: Mapping[int, ObjectInstance]
     intents: Mapping[int, Intent]
-    anomalies: Mapping[int, Injected]
+    anomalies: Mapping[int, Culprit]
     lookalikes: Mapping[int, Injected]
 
     def benign(self) -> list[ObjectInstance]:
@@ -41,11 +51,11 @@ class Contents:
         limit: float | None = None,
     ) -> Rejection:
         """A rejection for the sake of one object; its hazard is at fault if it is an anomaly."""
-        injected = self.anomalies.get(object_id)
+        culprit = self.anomalies.get(object_id)
         return reject(
             stage,
             check,
-            hazard=None if injected is None else injected.hazard,
+            hazard=None if culprit is None else culprit.hazard,
             category=self.items[object_id].category,
             other=other,
             objects=(object_id,),
@@ -88,14 +98,25 @@ def place_contents(
     lookalikes: tuple[Injected, ...] = ()
     if not home.as_drawn:
         lookalikes = add_lookalikes(layout, home.context, anomalies, rng)
-        add_clutter(layout, home.context, rng, {injected.object_id for injected in anomalies})
+        add_clutter(layout, home.context, rng, culprits(anomalies))
     labelled = [Injected(name, key, None) for key, name in home.things.anomalies.items()]
     return Contents(
         items=dict(layout.items),
         intents=dict(layout.intents),
-        anomalies={injected.object_id: injected for injected in (*labelled, *anomalies)},
+        anomalies=culprits((*labelled, *anomalies)),
         lookalikes={injected.object_id: injected for injected in lookalikes},
     )
+
+
+def culprits(anomalies: Sequence[Injected]) -> dict[int, Culprit]:
+    """By id, what these anomalies put, changed and brought along."""
+    out: dict[int, Culprit] = {}
+    for one in anomalies:
+        first, drawn = out.get(one.object_id, Culprit(one.hazard))
+        out[one.object_id] = Culprit(first, (*drawn, one.hazard))
+        for other in one.brought:
+            out.setdefault(other, Culprit(one.hazard))
+    return out
 
 
 def lost(before: Contents, after: Contents, catalog: Catalog) -> Rejection | None:

@@ -51,7 +51,9 @@ def finish(
     """The bundle of a proved scene, as if it were the first try."""
     catalog = home.context.catalog
     facts, scene = proved.facts, proved.facts.scene
-    anomalies = anomaly_records(proved.surveyed.positives, facts, catalog, spec.household)
+    anomalies = anomaly_records(
+        proved.surveyed.positives, facts, catalog, spec.household, proved.drawn
+    )
     looked = looked_at(
         home, facts, anomalies, proved.lookalikes, options, client, spec.lane("cameras")
     )

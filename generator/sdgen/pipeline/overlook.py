@@ -134,6 +134,7 @@ def looked_at(
             one.evidence_parts,
             one.evidence_pixels_needed,
             one.evidence_outdoors_needed,
+            one.evidence_objects,
         )
         for one in anomalies
     ]

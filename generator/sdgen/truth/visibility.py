@@ -143,14 +143,16 @@ def evidence_pixels(view: ViewVisibility, anomaly: Anomaly) -> int:
 
 
 def shows(view: ViewVisibility, anomaly: Anomaly, width: int, height: int) -> bool:
-    """True when a view shows what makes an anomaly one, and enough of the object beside."""
+    """True when a view shows what makes an anomaly one, and enough of the object and of what makes
+    it one together with it."""
     needed = evidence_pixels_needed(width, height, anomaly.evidence_pixels_needed)
     outdoors = evidence_pixels_needed(width, height, anomaly.evidence_outdoors_needed)
     if (view.outdoors or {}).get(anomaly.object_id, 0) < outdoors:
         return False
-    whole = sum(item.pixels for item in view.objects if item.object_id == anomaly.object_id)
-    return evidence_pixels(view, anomaly) >= needed and whole >= evidence_pixels_needed(
-        width, height
+    pixels = {item.object_id: item.pixels for item in view.objects}
+    whole = evidence_pixels_needed(width, height)
+    return evidence_pixels(view, anomaly) >= needed and all(
+        pixels.get(key, 0) >= whole for key in (anomaly.object_id, *anomaly.evidence_objects)
     )
 
 

@@ -194,7 +194,9 @@ def _anomalies(
         yield Problem("label", f"{where}: object {object_id}, {hazard}: listed and does not hold")
     if pairs != set(stored):
         return
-    derived = anomaly_records(holding, facts, catalog, item.household)
+    # What a scene was asked for is in no other record.
+    drawn = {pair for pair, anomaly in stored.items() if anomaly.drawn}
+    derived = anomaly_records(holding, facts, catalog, item.household, drawn)
     for text in islice(differences(item.anomalies.anomalies, derived, "anomalies"), SHOWN):
         yield Problem("label", f"{where}: {text}")
 

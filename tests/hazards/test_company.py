@@ -1,0 +1,208 @@
+"""Recipes that name other things: near them, before them, over an edge; what they bring along."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+import shapely
+from sdgen.catalog.cases import cases, unique_anomaly
+from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import Before, Near, PlaceRecipe, SetRecipe
+from sdgen.facts import Body
+from sdgen.facts.body import gaps
+from sdgen.hazards.candidates import Candidate, candidates
+from sdgen.hazards.inject import inject
+from sdgen.hazards.placing import Injected, inject_candidate
+from sdgen.hazards.splits import SplitModels
+from sdgen.home.layout import Layout
+from sdgen.pipeline.furnished import FurnishedHome, furnished_home
+from sdgen.pipeline.spec import node_ids
+from sdgen.rejection import Rejection
+from sdgen.seeding import lane
+
+from tests.shipped import shipped_library
+
+CATALOG = load_catalog()
+LIBRARY = shipped_library()
+TRIES = 12
+
+
+@pytest.fixture(scope="module")
+def home() -> FurnishedHome:
+    """The first base home that can be furnished."""
+    models = SplitModels(LIBRARY, "test")
+    for base in CATALOG.homes:
+        ids = node_ids(lane(3, 0, "ids:0"))
+        made = furnished_home(base, CATALOG, LIBRARY, models, ids, lane(3, 0, "furnish"))
+        if isinstance(made, FurnishedHome):
+            return made
+    raise AssertionError("no base home can be furnished")
+
+
+def categories(layout: Layout, *names: str) -> list[int]:
+    return [item.id for item in layout.items.values() if item.category in names]
+
+
+def place(**changes: Any) -> PlaceRecipe:
+    values = {"categories": ("towel",), "relation": "ON", "targets": ("floor",)}
+    return PlaceRecipe(**(values | changes))
+
+
+def put(
+    home: FurnishedHome, recipe: PlaceRecipe | SetRecipe, hazard: str = "spill"
+) -> tuple[Layout, Injected]:
+    """The layout after the first try of a dozen that finds a place."""
+    for k in range(TRIES):
+        layout = home.layout.copy(node_ids(lane(3, k, "ids"), home.ids))
+        for candidate in candidates(hazard, [recipe], layout, home.context):
+            before = dict(layout.items), dict(layout.intents)
+            made = inject_candidate(candidate, layout, home.context, (), lane(3, k, "near"))
+            if made is not None:
+                return layout, made
+            assert (layout.items, layout.intents) == before, "what does not fit changes nothing"
+    raise AssertionError(f"no place in {TRIES} tries")
+
+
+def gap(layout: Layout, one: int, other: int) -> float:
+    a, b = (Body(layout.items[k], layout.info(k)) for k in (one, other))
+    return float(gaps(a.low, a.high, b.low[None], b.high[None])[0])
+
+
+def test_near_what_is_there(home: FurnishedHome) -> None:
+    layout, made = put(home, place(near=Near(to=("bed",), max_m=0.3)))
+    assert made.brought == ()
+    assert min(gap(layout, made.object_id, k) for k in categories(layout, "bed")) <= 0.3
+
+
+def test_near_what_is_there_and_is_brought_into_a_state(home: FurnishedHome) -> None:
+    near = Near(to=("stove",), to_state="ON", max_m=0.05, bring=True)
+    layout, made = put(home, place(categories=("mug",), targets=("stove",), near=near))
+    (stove,) = made.brought
+    assert layout.items[stove].category == "stove"
+    assert "ON" in layout.items[stove].states
+    assert "ON" not in home.layout.items[stove].states
+    assert gap(layout, made.object_id, stove) <= 0.05
+
+
+def test_without_bring_a_stove_stays_off(home: FurnishedHome) -> None:
+    near = Near(to=("stove",), to_state="ON", max_m=0.05)
+    with pytest.raises(AssertionError, match="no place"):
+        put(home, place(categories=("mug",), targets=("stove",), near=near))
+
+
+def test_what_is_not_there_is_brought_along(home: FurnishedHome) -> None:
+    assert not categories(home.layout, "heater")
+    near = Near(to=("heater",), to_state="ON", max_m=0.35, bring=True)
+    layout, made = put(home, place(categories=("laundry_basket",), near=near))
+    (heater,) = made.brought
+    assert "ON" in layout.items[heater].states
+    assert layout.items[heater].room_id == layout.items[made.object_id].room_id
+    assert gap(layout, made.object_id, heater) <= 0.35
+    assert set(layout.items) - set(home.layout.items) == {heater, made.object_id}
+
+
+def test_furniture_is_never_brought(home: FurnishedHome) -> None:
+    near = Near(to=("bathtub",), max_m=0.2, bring=True)
+    layout = home.layout.copy(node_ids(lane(3, 0, "ids"), home.ids))
+    for key in categories(layout, "bathtub"):
+        layout.drop(key)
+    recipe = place(near=near)
+    candidate = Candidate(unique_anomaly("spill", cases(recipe)[0]), recipe)
+    before = dict(layout.items)
+    assert inject_candidate(candidate, layout, home.context, (), lane(3, 0, "x")) is None
+    assert layout.items == before
+
+
+def test_before_the_front_door(home: FurnishedHome) -> None:
+    before = Before(of=("front_door",), max_m=1.2)
+    layout, made = put(home, place(categories=("cardboard_box",), before=before))
+    (door,) = categories(layout, "front_door")
+    low, high = layout.box_of(layout.items[door])
+    world = layout.items[door].pose.matrix()
+    x, y, _ = np.linalg.inv(world)[:3] @ (*layout.items[made.object_id].pose.position_m, 1.0)
+    assert low[0] - 1.2 <= x <= high[0] + 1.2
+    assert low[1] <= y <= high[1]
+
+
+@pytest.mark.parametrize("reach_m", [(0.04, 0.12), (-0.06, -0.02)])
+def test_over_an_edge(home: FurnishedHome, reach_m: tuple[float, float]) -> None:
+    """So far beyond the surface, and over nothing that would catch it."""
+    recipe = place(
+        categories=("frying_pan",),
+        targets=("kitchen_table", "desk", "dining_table", "coffee_table"),
+        over_edge=reach_m,
+    )
+    layout, made = put(home, recipe)
+    item = layout.items[made.object_id]
+    body = Body(item, layout.info(item.id))
+    (target,) = {layout.intents[item.id].target_id}
+    surface = min(layout.surfaces_of(target), key=lambda s: abs(s.z_m - float(body.low[2]))).edge
+    corners = shapely.points(body.corners[:, :2])
+    beyond = float(shapely.distance(corners, surface).max())
+    if reach_m[0] > 0:
+        # Its box reaches so far; the handle's end is rounded and points a little askew.
+        assert reach_m[0] - 0.04 <= beyond <= reach_m[1] + 0.01
+    else:
+        assert beyond <= 0.005
+        nearest = float(shapely.distance(corners, surface.exterior).min())
+        assert -reach_m[1] - 0.005 <= nearest <= -reach_m[0] + 0.04
+
+
+def test_set_only_what_is_near(home: FurnishedHome) -> None:
+    near = Near(to=("bed",), max_m=0.8)
+    layout, made = put(
+        home, SetRecipe(categories=("wardrobe", "nightstand"), state="OPEN", near=near)
+    )
+    beds = categories(layout, "bed", "child_bed")
+    assert min(gap(layout, made.object_id, k) for k in beds) <= 2.0
+    far = SetRecipe(categories=("stove",), state="ON", near=Near(to=("bed",), max_m=0.01))
+    with pytest.raises(AssertionError, match="no place"):
+        put(home, far)
+
+
+@pytest.mark.parametrize(
+    "recipe",
+    [
+        SetRecipe(categories=("stove",), state="ON", rooms=("kitchen", "living_room")),
+        place(targets=("floor",), rooms=("kitchen", "living_room")),
+    ],
+)
+def test_each_room_is_a_way_of_its_own_for_what_is_set_or_on_a_floor(
+    home: FurnishedHome, recipe: PlaceRecipe | SetRecipe
+) -> None:
+    found = [unique_anomaly("stove_on", case) for case in cases(recipe)]
+    assert [one.room for one in found] == ["kitchen", "living_room"]
+    for candidate in candidates("stove_on", [recipe], home.layout, home.context):
+        layout = home.layout.copy(node_ids(lane(3, 1, "ids"), home.ids))
+        made = inject_candidate(candidate, layout, home.context, (), lane(3, 1, "room"))
+        if made is not None:
+            room = home.context.room_type(layout.items[made.object_id].room_id)
+            assert room == candidate.unique.room
+
+
+def test_on_furniture_the_room_says_no_more() -> None:
+    recipe = place(targets=("desk",), rooms=("office", "bedroom"))
+    assert [unique_anomaly("spill", case).room for case in cases(recipe)] == [None]
+
+
+def test_a_stove_lit_for_a_pan_is_the_stove_that_is_on(home: FurnishedHome) -> None:
+    """Two drawn hazards share the object, as one is brought along by the other."""
+    near = Near(to=("stove",), to_state="ON", max_m=0.05, bring=True)
+    pan = place(categories=("mug",), targets=("stove",), near=near)
+    hot = CATALOG.hazard("spill").model_copy(update={"id": "hot_pan", "anomalies": (pan,)})
+    catalog = CATALOG.model_copy(update={"hazards": (*CATALOG.hazards, hot)})
+    context = type(home.context)(
+        home.context.home, home.context.zones, catalog, home.context.models, home.context.reach
+    )
+    for k in range(TRIES):
+        layout = home.layout.copy(node_ids(lane(3, k, "ids"), home.ids))
+        made = inject(["hot_pan", "stove_on"], layout, context, False, lane(3, k, "both"))
+        if not isinstance(made, Rejection):
+            first, second = made
+            assert first.brought == (second.object_id,)
+            assert second.hazard == "stove_on"
+            assert second.before is not None
+            return
+    raise AssertionError("never placed")

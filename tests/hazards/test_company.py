@@ -206,3 +206,16 @@ def test_a_stove_lit_for_a_pan_is_the_stove_that_is_on(home: FurnishedHome) -> N
             assert second.before is not None
             return
     raise AssertionError("never placed")
+
+
+def test_several_are_brought_along_or_nothing_is_changed(home: FurnishedHome) -> None:
+    near = Near(to=("plate", "bowl"), to_state="DIRTY", max_m=0.6, bring=True, count=3)
+    table = ("kitchen_table", "kitchen_counter", "dining_table")
+    recipe = place(categories=("mug",), state="DIRTY", targets=table, near=near)
+    layout, made = put(home, recipe)
+    assert len(set(made.brought)) == 3
+    for key in made.brought:
+        assert "DIRTY" in layout.items[key].states
+        assert gap(layout, made.object_id, key) <= 0.6
+    with pytest.raises(AssertionError, match="no place"):
+        put(home, recipe.model_copy(update={"near": near.model_copy(update={"max_m": 0.0})}))

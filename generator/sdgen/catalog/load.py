@@ -67,7 +67,8 @@ def load_catalog(
     problems: list[str] = []
     folders = [open_folder(data_path("hazard_catalog"), "core", "hazard_catalog")]
     shipped = extension_names()
-    for name in extensions:
+    # In order of id, whichever way they are named: what is built does not depend on it.
+    for name in sorted(set(extensions)):
         if name not in shipped:
             near = did_you_mean(name, shipped) if shipped else " (none are shipped)"
             problems.append(f"unknown extension pack {name!r}{near}")

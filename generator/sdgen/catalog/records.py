@@ -50,12 +50,19 @@ CategoryKind = Literal["small", "furniture", "opening", "structure", "hazard_onl
 class Near(Record):
     """No farther than ``max_m``, box to box, from something of the categories ``to`` (in
     ``to_state``, if any). ``bring``: what is in another state is brought into it, and where there
-    is none, one is put there, too."""
+    is none, one is put there, too; with a ``count`` above 1 so many are put there."""
 
     to: Annotated[tuple[str, ...], names_of("category"), Expect("a category or a list of them")]
     to_state: State | None = None
     max_m: Annotated[float, between(0.0, 5.0)]
     bring: bool = False
+    count: Annotated[int, between(1, 8)] = 1
+
+    @model_validator(mode="after")
+    def _brought(self) -> Near:
+        if self.count > 1 and not self.bring:
+            refuse(problem(("count",), "counts what is brought along: it needs 'bring: true'"))
+        return self
 
 
 class Before(Record):

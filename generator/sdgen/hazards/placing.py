@@ -128,7 +128,9 @@ def _place(
     if recipe.near is None:
         put = put_by(candidate, recipe, thing, None, layout, context, rng, benign)
         return None if put is None else Injected(hazard, put, None)
-    for companion in companions(recipe.near, layout, context, taken, rng):
+    several = recipe.near.count > 1
+    found = () if several else companions(recipe.near, layout, context, taken, rng)
+    for companion in found:
         # First, since what comes to stand on a burner is in its flame's way.
         if companion.before is not None:
             layout.put(companion.item)
@@ -143,11 +145,15 @@ def _place(
     put = put_by(candidate, recipe, thing, None, layout, context, rng, benign)
     if put is None:
         return None
-    brought = _brought_along(candidate, recipe.near, layout.items[put], layout, context, rng)
-    if brought is None:
-        layout.drop(put)
-        return None
-    return Injected(hazard, put, None, (brought,))
+    brought: list[int] = []
+    while len(brought) < recipe.near.count:
+        other = _brought_along(candidate, recipe.near, layout.items[put], layout, context, rng)
+        if other is None:
+            for key in (put, *brought):
+                layout.drop(key)
+            return None
+        brought.append(other)
+    return Injected(hazard, put, None, tuple(brought))
 
 
 def _brought_along(

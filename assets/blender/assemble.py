@@ -212,6 +212,29 @@ def add_standing_states(entries: dict[str, dict]) -> None:
                     entry["states"] = [rule, *entry["states"]]
 
 
+#: Of what stands open like this, so many radians at the most are ajar.
+AJAR_AT_MOST = {"front_door": 0.5, "door": 0.5, "double_door": 0.5, "fridge": 0.75, "freezer": 0.75}
+
+
+def add_parts_of_states(entries: dict[str, dict]) -> None:
+    """Give doors and fridges AJAR, a part of OPEN, and stoves with a lit oven ON and OVEN_ON."""
+    for entry in entries.values():
+        at_most = AJAR_AT_MOST.get(entry["category"])
+        revolute = {j["name"] for j in entry["joints"] if j["type"] == "revolute"}
+        ajar = [
+            {"state": "AJAR", "joint": rule["joint"], "min": rule["min"], "max": at_most}
+            | {key: rule[key] for key in ("parts",) if key in rule}
+            for rule in entry["states"]
+            if rule["state"] == "OPEN" and rule.get("joint") in revolute and at_most is not None
+        ]
+        lit = [
+            {"state": state, "variants": ["oven_lit"], "parts": ["oven_light"]}
+            for state in ("ON", "OVEN_ON")
+            if entry["category"] == "stove" and "oven_lit" in entry["variants"]
+        ]
+        entry["states"] += [rule for rule in (*ajar, *lit) if rule not in entry["states"]]
+
+
 def add_sets(entries: dict[str, dict]) -> None:
     """Name the suites of `suites.yaml` and the tags of `tags.yaml` in the records of their members,
     and in no other's."""
@@ -363,6 +386,7 @@ def main() -> int:
             if "resting" not in entry:
                 entry["resting"] = resting(entry)
         add_standing_states(entries)
+        add_parts_of_states(entries)
         drop_unstable(entries)
         add_sets(entries)
         lay_on_cushions(entries)

@@ -12,8 +12,19 @@ from pathlib import Path
 
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard
-from sdgen.catalog.terms import HeightTerm, Term, ZoneTerm
-from sdgen.catalog.terms.distance import DistanceTerm
+from sdgen.catalog.terms import (
+    AboveTerm,
+    CountTerm,
+    DistanceTerm,
+    EdgeTerm,
+    FacingAwayTerm,
+    FacingTerm,
+    HeightTerm,
+    HoldsTerm,
+    OverhangTerm,
+    Term,
+    ZoneTerm,
+)
 from sdgen.vocabulary import EVIDENCE_PIXELS
 
 PAGES = Path(__file__).resolve().parent.parent / "docs" / "hazards"
@@ -30,10 +41,17 @@ def within(term: Term) -> Iterator[Term]:
 def thresholds(hazard: Hazard) -> Iterator[str]:
     """The hazard's own limits and margins, in words."""
     for term in within(hazard.predicate):
-        if isinstance(term, HeightTerm | DistanceTerm):
+        if isinstance(term, HeightTerm | DistanceTerm | OverhangTerm | EdgeTerm | AboveTerm):
             yield f"{term.in_words()}; undecided within {term.margin_m:g} m of it"
         elif isinstance(term, ZoneTerm):
             yield f"{term.in_words()}; undecided within {term.margin:.0%} of it"
+        elif isinstance(term, FacingTerm | FacingAwayTerm):
+            yield f"{term.in_words()}; undecided within {term.margin_deg:g} degrees of it"
+        elif isinstance(term, CountTerm):
+            near = f"; undecided within {term.margin_m:g} m of it" if term.within_m else ""
+            yield f"{term.in_words()}{near}"
+        elif isinstance(term, HoldsTerm):
+            yield term.in_words()
 
 
 def concerned(hazard: Hazard) -> str:

@@ -7,7 +7,7 @@ import math
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from sdgen.catalog.predicate import Related, Verdict, ZoneShare
+from sdgen.catalog.predicate import Related, Verdict, ZoneGap, ZoneShare
 from sdgen.catalog.terms import (
     AllTerm,
     AnyTerm,
@@ -21,6 +21,8 @@ from sdgen.catalog.terms import (
     StateTerm,
     ZoneTerm,
 )
+from sdgen.kleene import NO as NO_
+from sdgen.kleene import Kleene
 
 from .worlds import Thing, World, on
 
@@ -89,6 +91,45 @@ def test_distance_to_the_nearest() -> None:
     assert not verdict(near, Thing(gaps={("stove",): ((0.48, 7),)})).sure
     assert verdict(near, Thing()) == Verdict(False, True)
     assert verdict(far, Thing()) == Verdict(True, True)
+
+
+def test_distance_to_a_zone_that_something_in_a_state_makes() -> None:
+    near = DistanceTerm(to_zone=("heat",), max_m=0.5)
+    cold, hot = ZoneGap(0.1, "heat:a", 7), ZoneGap(0.3, "heat:b", 8)
+    thing = Thing("towel", zone_gaps=(("heat", cold), ("heat", hot)))
+    stoves = {"_7": Thing("stove", states=("OFF",)), "_8": Thing("stove", states=("ON",))}
+    nearest = {"distance_m": 0.1, "zone_name": "heat:a"}
+    assert verdict(near, thing, **stoves) == Verdict(True, True, nearest)
+    on = near.model_copy(update={"to_state": "ON"})
+    found = verdict(on, thing, **stoves)
+    assert found == Verdict(True, True, {"distance_m": 0.3, "zone_name": "heat:b"})
+    assert verdict(DistanceTerm(to_zone=("water",), max_m=0.5), thing) == Verdict(False, True)
+    # What nothing makes is in no state.
+    bare = Thing(zone_gaps=(("heat", ZoneGap(0.1, "heat:c")),))
+    assert verdict(near, bare).value
+    assert verdict(on, bare) == Verdict(False, True)
+    # Whether it is at its height may be undecided, seen from above it does not matter.
+    level = Thing(zone_gaps=(("heat", ZoneGap(0.1, "heat:c", level=Kleene(True, False))),))
+    assert not verdict(near, level).sure
+    assert verdict(near.model_copy(update={"from_above": True}), level).sure
+    # So may be whether it is in the same room, where that is asked for.
+    next_door = Thing(zone_gaps=(("heat", ZoneGap(0.1, "heat:c", together=Kleene(False))),))
+    assert verdict(near, next_door).value
+    same = near.model_copy(update={"same_room": True})
+    assert verdict(same, next_door) == Verdict(False, True)
+
+
+def test_distance_within_its_room_and_seen_from_above() -> None:
+    near = DistanceTerm(to=("stove",), max_m=0.5, same_room=True)
+    gaps: dict[tuple[str, ...], tuple[tuple[float, int], ...]] = {("stove",): ((0.1, 7), (0.2, 8))}
+    thing = Thing(gaps=gaps, elsewhere={7: Kleene(False)})
+    assert verdict(near, thing) == Verdict(True, True, {"distance_m": 0.2, "nearest_id": 8})
+    assert verdict(near, Thing(gaps=gaps, elsewhere={7: NO_, 8: NO_})) == Verdict(False, True)
+    doubt = Thing(gaps=gaps, elsewhere={7: NO_, 8: Kleene(True, False)})
+    assert not verdict(near, doubt).sure
+    above = DistanceTerm(to=("stove",), max_m=0.5, from_above=True)
+    assert verdict(above, Thing(gaps=gaps)) == Verdict(False, True)
+    assert verdict(above, Thing(above=gaps)).evidence == {"distance_m": 0.1, "nearest_id": 7}
 
 
 def test_zone_takes_the_largest_share() -> None:

@@ -62,6 +62,10 @@ KNIFE = CategoryTerm(any_of=("knife",))
             "distance: {to: stove, to_state: ON, max_m: 0.5}",
             DistanceTerm(to=("stove",), to_state="ON", max_m=0.5),
         ),
+        (
+            "distance: {to_zone: [heat, water], from_above: true, same_room: true, max_m: 1}",
+            DistanceTerm(to_zone=("heat", "water"), from_above=True, same_room=True, max_m=1.0),
+        ),
         ("zone: [doorway, walkway]", ZoneTerm(any_of=("doorway", "walkway"))),
         (
             "zone: {kind: heat, overlap: 0.3, margin: 0.1}",
@@ -121,6 +125,15 @@ def test_each_term_is_read(text: str, term: Predicate) -> None:
         ("height: {min_m: 2, max_m: 1}", "height.min_m: min_m (2) is above max_m (1)"),
         ("height: {max_cm: 130}", "height.max_cm: unknown key (did you mean 'max_m'?)"),
         ("distance: {max_m: 1}", "distance: missing key 'to'"),
+        (
+            "distance: {to: stove, to_zone: heat, max_m: 1}",
+            "to_zone: give either 'to' or 'to_zone'",
+        ),
+        (
+            "distance: {to_zone: het, max_m: 1}",
+            "to_zone: unknown zone 'het' (did you mean 'heat'?)",
+        ),
+        ("distance: {to: stove, same_room: yes, max_m: 1}", "same_room: expected true or false"),
         ("height: {max_m: 0.02}", "height: nothing is surely within these limits"),
         ("height: {min_m: 0}", "height.min_m: 0 is no lower limit: nothing is less; leave it out"),
         ("distance: {to: stove, min_m: 0.0, max_m: 1}", "distance.min_m: 0 is no lower limit"),

@@ -2,14 +2,28 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.predicate import Bearing, ReachHeight, Related, ZoneShare
+from sdgen.catalog.predicate import (
+    Bearing,
+    Member,
+    Overlooked,
+    ReachHeight,
+    Related,
+    Span,
+    ZoneGap,
+    ZoneShare,
+)
 from sdgen.errors import InputError
+from sdgen.kleene import YES, Kleene
+
+NOT_OVER = Span(0.0, 0.0, 0.0)
+NO_EDGE = Span(math.inf, math.inf, math.inf)
 
 
 @dataclass
@@ -26,6 +40,14 @@ class Thing:
     gaps: dict[tuple[str, ...], tuple[tuple[float, int], ...]] = field(default_factory=dict)
     bearings: dict[tuple[str, ...], tuple[Bearing, ...]] = field(default_factory=dict)
     climbed_m: float = 0.0
+    above: dict[tuple[str, ...], tuple[tuple[float, int], ...]] = field(default_factory=dict)
+    zone_gaps: tuple[tuple[str, ZoneGap], ...] = ()
+    elsewhere: dict[int, Kleene] = field(default_factory=dict)
+    overhang: Span = NOT_OVER
+    edge: Span = NO_EDGE
+    overlooked: dict[tuple[str, ...], tuple[Overlooked, ...]] = field(default_factory=dict)
+    sharing: tuple[Member, ...] = ()
+    carried: dict[str, tuple[Member, ...]] = field(default_factory=dict)
 
 
 @dataclass
@@ -61,9 +83,47 @@ class World:
         self.dear += 1
         return self.things[object_id].related.get(relation, ())
 
-    def gaps(self, object_id: int, categories: Collection[str]) -> tuple[tuple[float, int], ...]:
+    def gaps(
+        self, object_id: int, categories: Collection[str], from_above: bool = False
+    ) -> tuple[tuple[float, int], ...]:
         self.dear += 1
-        return self.things[object_id].gaps.get(tuple(categories), ())
+        thing = self.things[object_id]
+        return (thing.above if from_above else thing.gaps).get(tuple(categories), ())
+
+    def zone_gaps(
+        self, object_id: int, kinds: Collection[str], from_above: bool = False
+    ) -> tuple[ZoneGap, ...]:
+        self.dear += 1
+        found = (gap for kind, gap in self.things[object_id].zone_gaps if kind in kinds)
+        return tuple(gap._replace(level=YES) if from_above else gap for gap in found)
+
+    def together(self, object_id: int, other: int) -> Kleene:
+        return self.things[object_id].elsewhere.get(other, YES)
+
+    def overhang(self, object_id: int) -> Span:
+        self.dear += 1
+        return self.things[object_id].overhang
+
+    def edge(self, object_id: int) -> Span:
+        self.dear += 1
+        return self.things[object_id].edge
+
+    def overlooked(self, object_id: int, categories: Collection[str]) -> tuple[Overlooked, ...]:
+        self.dear += 1
+        return self.things[object_id].overlooked.get(tuple(categories), ())
+
+    def sharing(self, object_id: int, categories: Collection[str]) -> tuple[Member, ...]:
+        self.dear += 1
+        return self._of(self.things[object_id].sharing, categories)
+
+    def carried(
+        self, object_id: int, categories: Collection[str], relation: str
+    ) -> tuple[Member, ...]:
+        self.dear += 1
+        return self._of(self.things[object_id].carried.get(relation, ()), categories)
+
+    def _of(self, members: tuple[Member, ...], categories: Collection[str]) -> tuple[Member, ...]:
+        return tuple(m for m in members if self.things[m.object_id].category in categories)
 
     def bearings(self, object_id: int, categories: Collection[str]) -> tuple[Bearing, ...]:
         self.dear += 1

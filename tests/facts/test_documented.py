@@ -1,12 +1,23 @@
 """The tables of thresholds in the documents are those of the code."""
 
+import inspect
 import math
+import re
+import sys
 
 import pytest
-from sdgen.catalog.terms import distance, height
+from sdgen.catalog.terms import above, count, distance, edge, height, overhang
 from sdgen.facts import thresholds as t
+from sdgen.facts.brinks import STEP_M
 from sdgen.resources import data_path
-from sdgen.vocabulary import CHILD_REACH_M, RELATIONS, TAGS, ZONE_SHARE, ZONE_SHARE_MARGIN
+from sdgen.vocabulary import (
+    CHILD_REACH_M,
+    HEADING_MARGIN_DEG,
+    RELATIONS,
+    TAGS,
+    ZONE_SHARE,
+    ZONE_SHARE_MARGIN,
+)
 
 OUTPUT = data_path("hazard_catalog").parent / "output" / "README.md"
 PAGES = (data_path("hazard_catalog", "README.md"), OUTPUT)
@@ -31,6 +42,8 @@ ROWS = (
     ("NEAR_WATER", "gap from its footprint to the water zone, m", "less than", t.NEAR_WATER_M),
     ("zones", "overlap of its heights with the zone's, m", "at least", t.ZONE_LEVEL_M),
     ("reach", "gap from above to what is climbed on, m", "at most", t.CLIMB_NEAR_M),
+    ("overhang, edge", "m from its lowest point down to what catches it", "at most", t.CAUGHT_M),
+    ("overhang, edge", "width of a gap that is no edge, m", "at most", t.CLOSED_GAP_M),
     ("room", "m by which the next room's outline is farther", "at least", t.ROOM_M),
     ("room", "m from the nearest outline, or it is outdoors", "at most", t.OUTDOORS_M),
 )
@@ -38,7 +51,9 @@ ROWS = (
 SENTENCES = (
     f"`height` is undecided within {height.MARGIN_M:g} m, `distance` within "
     f"{distance.MARGIN_M:g} m, `zone` (at least {ZONE_SHARE:g} of the footprint) within "
-    f"{ZONE_SHARE_MARGIN:g} of it",
+    f"{ZONE_SHARE_MARGIN:g} of it, `overhang` within {overhang.MARGIN_M:g} m, `edge` within "
+    f"{edge.MARGIN_M:g} m, `above` within {above.MARGIN_M:g} m, the `within_m` of `count` within "
+    f"{count.MARGIN_M:g} m, `facing` and `facing_away` within {HEADING_MARGIN_DEG:g} degrees",
     f"`IN_REACH_OF_CHILD`: loose, at most {CHILD_REACH_M:g} m above where a child gets to stand "
     "and not `INSIDE` something that",
     f"`NEAR_EDGE`: its centre less than {t.NEAR_EDGE_M:g} m from the edge",
@@ -74,6 +89,34 @@ def test_the_page_of_relations_has_every_threshold_with_its_source():
     assert f"`NEAR_EDGE` | its centre is less than {t.NEAR_EDGE_M:g} m" in flat
     assert f"`IN_DOORWAY`, `IN_WALKWAY` | at least {ZONE_SHARE:g} of its footprint" in flat
     assert f"less than {t.BEARING_LEAST_M:g} m away" in flat
+    assert f"more than {t.CAUGHT_M.limit:g} m above the floor" in flat
+    assert f"at most {t.CAUGHT_M.limit:g} m lower" in flat
+    assert f"parts of it that are narrower than {t.CLOSED_GAP_M.limit:g} m" in flat
+    assert f"drawn in by {t.CLOSED_GAP_M.limit / 2:g} m" in flat
+    assert f"every {1000 * STEP_M:g} mm" in flat
+
+
+def test_the_page_of_relations_names_what_every_term_measures():
+    """What a term puts into the evidence, as its source has it."""
+    text = RELATIONS_PAGE.read_text(encoding="utf-8")
+    for term in (
+        "overhang",
+        "edge",
+        "above",
+        "distance",
+        "facing",
+        "facing_away",
+        "count",
+        "holds",
+    ):
+        module = sys.modules[f"sdgen.catalog.terms.{term}"]
+        names = re.findall(
+            r'"([a-z_]+(?:_m|_id|_deg|_name))": |"(count|held)": ', inspect.getsource(module)
+        )
+        names += re.findall(r'_name: ClassVar\[str\] = "(\w+)"()', inspect.getsource(module))
+        assert names
+        for pair in names:
+            assert f"`{''.join(pair)}`" in text, (term, pair)
 
 
 def test_every_relation_tag_and_threshold_is_there():

@@ -32,6 +32,7 @@ def all_of(facts):
     return (
         {key: facts.related(*key) for key in keys},
         {k: (facts.zones(k), facts.room_ids(k), facts.tags(k)) for k in facts.bodies},
+        {k: (facts.overhang(k), facts.edge(k), facts.carriers(k)) for k in facts.bodies},
         facts.edges(),
     )
 
@@ -49,6 +50,18 @@ def test_facts_are_the_same_with_and_without_what_is_known(empty):
     assert all_of(second) == all_of(Facts(after, INFOS, PROPERTIES))
     assert second.bodies[TABLE] is known.bodies[TABLE]
     assert second.bodies[FRIDGE] is not known.bodies[FRIDGE]
+
+
+def test_the_ground_beside_furniture_is_found_once_for_all_that_is_put_there(empty):
+    known = Facts(empty, INFOS, PROPERTIES)
+    spots = ((2, 2), (2.1, 1.9))
+    first, second = (
+        Facts(with_things(empty, thing(APPLE, "apple", *spot, 0.75)), INFOS, PROPERTIES, known)
+        for spot in spots
+    )
+    assert first.edge(APPLE) != second.edge(APPLE)
+    assert len(known.grounds._found) == 3  # as measured, with the least and with the most
+    assert first.grounds._found == second.grounds._found == {}
 
 
 def test_another_home_tells_nothing(empty):

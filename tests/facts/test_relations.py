@@ -5,11 +5,12 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sdgen.catalog.terms import HeightTerm, ZoneTerm
+from sdgen.catalog.terms import HeightTerm, RelationTerm, ZoneTerm
 from sdgen.facts import Edge, Facts, room_at
+from sdgen.kleene import YES
 from sdgen.scene import Zone
 
-from .scenes import DOOR, FLOOR, HALL, INFOS, ROOM, asset, facts, scene, thing
+from .scenes import DOOR, FLOOR, HALL, INFOS, ROOM, asset, facts, scene, square, thing
 
 HEAT = Zone(
     name="heat:a",
@@ -135,6 +136,56 @@ def test_a_door_is_between_its_rooms_and_a_box_in_its_zone_blocks_it():
     assert "IN_DOORWAY" in f.tags(1)
     (share,) = f.zones(1)
     assert share.fraction == pytest.approx(1.0)
+
+
+def test_a_box_blocks_the_front_door_and_a_predicate_can_ask_for_that():
+    front = asset("front_door", (0.12, 0.9, 2.1))
+    where = Zone(
+        name="doorway:a",
+        kind="doorway",
+        polygon_m=((0.0, 1.5), (0.9, 1.5), (0.9, 2.5), (0.0, 2.5)),
+        z_min_m=0,
+        z_max_m=0.5,
+        room_id=ROOM,
+        source_id=20,
+    )
+    door = thing(20, "front_door", -0.06, 2).model_copy(update={"fixed": True})
+    f = facts(door, thing(1, "box", 0.5, 2), zones=[where], more=[front])
+    blocks = RelationTerm(relation="BLOCKS", targets=("front_door",))
+    assert blocks.evaluate(1, f).evidence["target_id"] == 20
+    assert not RelationTerm(relation="BLOCKS", targets=("door",)).evaluate(1, f).value
+
+
+def test_distance_from_above_is_between_outlines_whatever_the_heights():
+    """Turned by 45 degrees, the box's own box is wider than its outline."""
+    turned = thing(2, "box", 2.0, 1, 1.5, yaw=math.pi / 4)
+    f = facts(thing(1, "stove", 1, 1), turned, thing(3, "box", 1, 1, 0.9))
+    assert f.gaps(2, {"stove"}, True) == ((pytest.approx(0.7 - 0.15 * math.sqrt(2)), 1),)
+    assert f.gaps(3, {"stove"}, True) == ((0.0, 1),)
+    assert f.gaps(2, {"tv"}, True) == ()
+
+
+def test_gaps_to_zones_are_those_of_near_heat_also_for_what_is_fixed():
+    f = facts(thing(1, "stove", 2, 2), thing(2, "apple", 2.54, 2, 0.9), zones=[HEAT])
+    (near,) = f.related(2, "NEAR_HEAT")
+    (gap,) = f.zone_gaps(2, {"heat"})
+    assert (gap.gap_m, gap.source_id) == (near.evidence["gap_m"], 1)
+    assert f.zone_gaps(1, {"heat"}) == ()  # its own
+    assert f.zone_gaps(2, {"water"}) == ()
+    below = facts(thing(1, "stove", 2, 2), thing(2, "tv", 2.5, 2), zones=[HEAT])
+    assert below.zone_gaps(2, {"heat"}) == ()
+    assert [z.gap_m for z in below.zone_gaps(2, {"heat"}, True)] == [pytest.approx(0.15)]
+
+
+def test_what_is_above_something_is_measured_from_where_one_sits_or_lies():
+    seat = {"name": "seat", "part": "body", "z_m": 0.45, "polygon_m": square(0.3)}
+    sofa = asset("sofa", (0.9, 2.0, 0.8), supports=[seat])
+    f = facts(thing(1, "sofa", 1, 2), thing(2, "box", 1.8, 2, 1.4), more=[sofa])
+    (found,) = f.overlooked(2, {"sofa"})
+    assert found == (1, pytest.approx(0.2), pytest.approx(0.95), YES)
+    (found,) = facts(thing(1, "sofa", 1, 2), thing(2, "box", 1.8, 2, 1.4)).overlooked(2, {"sofa"})
+    assert found.drop_m == pytest.approx(0.6)  # no surface: the top of its box
+    assert facts(thing(1, "sofa", 3, 2), thing(2, "box", 4.5, 2, 1.4)).overlooked(2, {"sofa"}) == ()
 
 
 def test_what_lies_across_the_border_of_two_zones_is_in_them_together():

@@ -146,6 +146,71 @@ def height(t, x, y):
     return facts(thing(2, "apple", 2 + x, 2 + y, t))
 
 
+PLANK = asset("plank", (0.6, 0.1, 0.02))
+
+
+def over_an_edge(t, x, y):
+    """A plank that reaches by ``t`` over the edge of a table."""
+    plank = thing(2, "plank", 2.2 + t + x, 2 + y, 0.75)
+    return facts(thing(1, "table", 2 + x, 2 + y), plank, more=[PLANK])
+
+
+def over_a_drop(t, x, y):
+    """It reaches over what is ``t`` high."""
+    top = {"name": "top", "part": "body", "z_m": t, "polygon_m": square(0, 0, 0.24)}
+    block = asset("block", (0.5, 0.5, t), supports=[top])
+    plank = thing(2, "plank", 2.1 + x, 2 + y, t)
+    return facts(thing(1, "block", 2 + x, 2 + y), plank, more=[PLANK, block])
+
+
+def over_a_stove(t, x, y):
+    """What is below the plank's end is fixed and ``t`` high."""
+    low = asset("stove", (0.6, 0.6, t))
+    plank, below = thing(2, "plank", 2.3 + x, 2 + y, 0.75), thing(3, "stove", 2.81 + x, 2 + y)
+    return facts(thing(1, "table", 2 + x, 2 + y), plank, below, more=[PLANK, low])
+
+
+def at_an_edge(t, x, y):
+    return facts(thing(1, "table", 2 + x, 2 + y), thing(2, "box", 2.35 - t + x, 2 + y, 0.75))
+
+
+def at_a_gap(t, x, y):
+    """Another table goes on beyond a gap."""
+    tables = thing(1, "table", 1.3 + x, 2 + y), thing(3, "table", 2.3 + t + x, 2 + y)
+    return facts(*tables, thing(2, "box", 1.64 + x, 2 + y, 0.75))
+
+
+def at_a_wall(t, x, y):
+    """The table's edge is ``t`` off the wall; the box is at that edge."""
+    table = thing(1, "table", 3.5 - t, 2 + y)
+    return facts(table, thing(2, "box", 3.84 - t, 2 + y, 0.75))
+
+
+def beside_below(t, x, y):
+    return facts(thing(1, "stove", 1.5 + x, 2 + y), thing(2, "apple", 1.84 + t + x, 2 + y, 1.6))
+
+
+def higher_by(t, x, y):
+    return facts(thing(1, "stove", 1.5 + x, 2 + y), thing(2, "apple", 1.5 + x, 2 + y, 0.9 + t))
+
+
+def above_through_the_door(t, x, y):
+    return facts(thing(1, "stove", 3.6, 2 + y), thing(2, "apple", t, 2 + y, 1.6))
+
+
+def two_plates(t, x, y):
+    plates = thing(2, "plate", 1.7 + x, 2 + y, 0.75), thing(3, "plate", 2.3 + t + x, 2 + y, 0.75)
+    return facts(thing(1, "table", 2 + x, 2 + y), *plates)
+
+
+def apart(t, x, y):
+    return facts(thing(2, "apple", 1.5 + x, 2 + y), thing(3, "apple", 1.58 + t + x, 2 + y))
+
+
+def apart_through_the_door(t, x, y):
+    return facts(thing(2, "apple", t, 2 + y), thing(3, "apple", 3.7, 2 + y))
+
+
 def through_the_door(t, x, y):
     return facts(thing(2, "apple", t, 2 + y))
 
@@ -158,6 +223,12 @@ def ajar(t, x, y):
     """A fridge whose door opens; the apple is in it or stands before it."""
     fridge = thing(1, "fridge", 2 + x, 2 + y, joints={"door": t})
     return facts(thing(2, "apple", 2 + x, 2 + y, 0.5), thing(3, "box", 3 + x, 2 + y), fridge)
+
+
+def inside_ajar(t, x, y):
+    """A fridge whose door opens, on a table."""
+    fridge = thing(2, "fridge", 2 + x, 2 + y, 0.75, joints={"door": t})
+    return facts(thing(1, "table", 2 + x, 2 + y), fridge)
 
 
 #: What is moved, the predicate of object 2 (or another), from where it holds to where it does not.
@@ -185,6 +256,49 @@ SWEEPS = {
     "height": (height, "height: {max_m: 1.3}", 1.2, 1.4),
     "height of two": (height, "height: {min_m: 0.2, max_m: 1.3}", 1.0, 1.4),
     "distance": (close, "distance: {to: stove, max_m: 0.5}", 0.3, 0.7),
+    "distance from above": (
+        beside_below,
+        "distance: {to: stove, from_above: true, max_m: 0.3}",
+        0.1,
+        0.5,
+    ),
+    "distance.same_room": (
+        apart_through_the_door,
+        "distance: {to: apple, same_room: true, max_m: 1}",
+        3.9,
+        4.2,
+    ),
+    "distance to a zone": (near("heat"), "distance: {to_zone: heat, max_m: 0.3}", 0.1, 0.5),
+    "distance to a zone, level": (near_level, "distance: {to_zone: heat, max_m: 0.3}", 1.3, 1.5),
+    "facing": (facing, "facing: {to: tv, max_deg: 60}", 0.0, math.pi),
+    "overhang": (over_an_edge, "overhang: {min_m: 0.05}", 0.1, 0.0),
+    "overhang, caught by the floor": (over_a_drop, "overhang: {min_m: 0.05}", 0.4, 0.1),
+    "overhang, caught by a stove": (over_a_stove, "overhang: {min_m: 0.05}", 0.3, 0.74),
+    "overhang at most": (over_an_edge, "overhang: {max_m: 0.05}", 0.0, 0.1),
+    "edge": (at_an_edge, "edge: {max_m: 0.08}", 0.0, 0.2),
+    "edge at least": (at_an_edge, "edge: {min_m: 0.08}", 0.2, 0.0),
+    "edge, caught by the floor": (over_a_drop, "edge: {max_m: 0.08}", 0.4, 0.1),
+    "edge, gap": (at_a_gap, "edge: {max_m: 0.08}", 0.3, 0.0),
+    "edge, wall": (at_a_wall, "edge: {max_m: 0.08}", 0.3, 0.0),
+    "above, aside": (beside_below, "above: {of: stove, within_m: 0.3}", 0.0, 0.6),
+    "above, higher": (higher_by, "above: {of: stove}", 0.5, 0.0),
+    "above, room": (
+        above_through_the_door,
+        "above: {of: stove, within_m: 0.5}",
+        3.9,
+        4.2,
+    ),
+    "count on the same": (two_plates, "count: {of: plate, min: 2, on: same}", 0.0, 0.4),
+    "count within": (apart, "count: {of: apple, min: 2, within_m: 0.5}", 0.3, 0.7),
+    "count within, room": (
+        apart_through_the_door,
+        "count: {of: apple, min: 2, within_m: 1}",
+        3.9,
+        4.2,
+    ),
+    "holds ON": (two_plates, "holds: {category: plate, relation: ON, min: 2}", 0.0, 0.4),
+    "holds INSIDE": (inside, "holds: {category: apple, relation: INSIDE}", 0.2, 0.3),
+    "holds state": (inside_ajar, "holds: {category: fridge, state: CLOSED}", 0.0, 0.8),
     "facing_away": (facing, "facing_away: {from: tv, min_deg: 100}", math.pi, 0.0),
     "room": (through_the_door, "room: kitchen", 3.9, 4.2),
     "room, outdoors": (out_of_the_house, "room: kitchen", 0.0, 0.3),
@@ -198,7 +312,14 @@ SWEEPS = {
     ),
     "distance.to_state": (ajar, "distance: {to: fridge, to_state: CLOSED, max_m: 1}", 0.0, 0.8),
 }
-OF = {"state": 1, "CLOSE target_state": 3, "distance.to_state": 3}
+OF = {
+    "holds ON": 1,
+    "holds INSIDE": 1,
+    "holds state": 1,
+    "state": 1,
+    "CLOSE target_state": 3,
+    "distance.to_state": 3,
+}
 
 
 def verdicts(name, points, x, y):

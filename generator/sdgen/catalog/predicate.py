@@ -76,6 +76,44 @@ class ReachHeight(NamedTuple):
     climbed_id: int | None = None
 
 
+class Span(NamedTuple):
+    """A length as measured, metres, and the least and the most that it may be where something it
+    hangs on is undecided."""
+
+    measured_m: float
+    least_m: float
+    most_m: float
+
+
+class Overlooked(NamedTuple):
+    """Something lower than an object: the gap between their outlines seen from above, and how far
+    its top lies below the object's lowest point, metres; whether both are in one room."""
+
+    target_id: int
+    gap_m: float
+    drop_m: float
+    together: Kleene = YES
+
+
+class ZoneGap(NamedTuple):
+    """A zone, the gap to it from an object's footprint, metres, and what makes it (None: no
+    object). ``level`` says whether its range of heights meets the object's, ``together`` whether
+    it is in the object's room."""
+
+    gap_m: float
+    name: str
+    source_id: int | None = None
+    level: Kleene = YES
+    together: Kleene = YES
+
+
+class Member(NamedTuple):
+    """Something that may be one of several, and whether it is."""
+
+    object_id: int
+    belongs: Kleene
+
+
 class FactSource(Protocol):
     """Everything a predicate may ask about a scene. It has no household in it."""
 
@@ -108,8 +146,46 @@ class FactSource(Protocol):
         """Candidates of ``relation`` with the object as its source, unsure ones too."""
         ...
 
-    def gaps(self, object_id: int, categories: Collection[str]) -> Sequence[tuple[float, int]]:
-        """Gap in metres to each other object of these categories, and its id, nearest first."""
+    def gaps(
+        self, object_id: int, categories: Collection[str], from_above: bool = False
+    ) -> Sequence[tuple[float, int]]:
+        """Gap in metres to each other object of these categories, and its id, nearest first:
+        between the boxes or, ``from_above``, between the outlines on the floor plan."""
+        ...
+
+    def zone_gaps(
+        self, object_id: int, kinds: Collection[str], from_above: bool = False
+    ) -> Sequence[ZoneGap]:
+        """Zones of these kinds that the object does not make itself, nearest first: those at its
+        heights or, ``from_above``, at any."""
+        ...
+
+    def together(self, object_id: int, other: int) -> Kleene:
+        """Whether two objects are in one room."""
+        ...
+
+    def overhang(self, object_id: int) -> Span:
+        """How far the object reaches beyond all that would catch it: 0 where it is ON nothing."""
+        ...
+
+    def edge(self, object_id: int) -> Span:
+        """How far the object's outline is from where a drop begins; infinite where there is none,
+        and where it is ON nothing."""
+        ...
+
+    def overlooked(self, object_id: int, categories: Collection[str]) -> Sequence[Overlooked]:
+        """Things of these categories that are, or may be, in the object's room, nearest first."""
+        ...
+
+    def sharing(self, object_id: int, categories: Collection[str]) -> Sequence[Member]:
+        """Other objects of these categories, and whether they are ON or INSIDE something that the
+        object is ON or INSIDE, too; by id."""
+        ...
+
+    def carried(
+        self, object_id: int, categories: Collection[str], relation: str
+    ) -> Sequence[Member]:
+        """Objects of these categories, and whether the object holds them, ON or INSIDE; by id."""
         ...
 
     def bearings(self, object_id: int, categories: Collection[str]) -> Sequence[Bearing]:

@@ -92,6 +92,16 @@ class Reader:
         harmless = low if default is _REQUIRED else default
         return self._take(key, _number(low, high), "a number", default, harmless)
 
+    def whole(self, key: str, default: Any = _REQUIRED, *, low: int, high: int) -> Any:
+        """A whole number within limits (inclusive)."""
+        harmless = low if default is _REQUIRED else default
+        return self._take(key, _whole(low, high), "a whole number", default, harmless)
+
+    def flag(self, key: str, default: bool) -> bool:
+        """``true`` or ``false``."""
+        found: bool = self._take(key, _FLAG, "true or false", default, default)
+        return found
+
     def _take(
         self, key: str, kind: TypeAdapter[Any], want: str, default: Any, harmless: Any
     ) -> Any:
@@ -116,11 +126,17 @@ class Reader:
 
 
 _STATE: TypeAdapter[Any] = TypeAdapter(State)
+_FLAG: TypeAdapter[Any] = TypeAdapter(bool)
 
 
 @cache
 def _number(low: float, high: float) -> TypeAdapter[Any]:
     return TypeAdapter(Annotated[float, between(low, high)])
+
+
+@cache
+def _whole(low: int, high: int) -> TypeAdapter[Any]:
+    return TypeAdapter(Annotated[int, between(low, high)])
 
 
 @cache

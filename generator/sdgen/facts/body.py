@@ -61,6 +61,12 @@ class Body:
         """What it covers but for the parts that stand open."""
         return _united(self.pieces[: self.outline.still] or self.pieces)
 
+    @cached_property
+    def top_m(self) -> float:
+        """How high its highest level surface is: what people use of a bed, a sofa, a sink; of what
+        has none, the top of its box."""
+        return max((s.z_m for s in self.surfaces if s.level.value), default=float(self.high[2]))
+
     def covered_by(self, shape: BaseGeometry) -> float:
         """Share (0-1) of the footprint that lies in a shape."""
         # Nearly all of what is asked for lies wholly within or wholly beside.

@@ -8,14 +8,22 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sdgen.catalog.predicate import Bearing, ReachHeight, Related
-from sdgen.facts import spatial
-from sdgen.facts.body import gaps, rows
+from sdgen.catalog.predicate import (
+    Bearing,
+    Member,
+    Overlooked,
+    ReachHeight,
+    Related,
+    Span,
+    ZoneGap,
+)
+from sdgen.facts import brinks, members, spatial
 from sdgen.facts.measured import Measured
 from sdgen.facts.relations import FINDERS
-from sdgen.facts.rooms import types_of
+from sdgen.facts.rooms import same_room, types_of
 from sdgen.facts.tags import tags
 from sdgen.geometry import Vec3, vec3
+from sdgen.kleene import Kleene
 from sdgen.library.states import derive_states, undecided_states
 
 
@@ -35,6 +43,10 @@ class Facts(Measured):
 
     @cached_property
     def _related(self) -> dict[tuple[int, str], tuple[Related, ...]]:
+        return {}
+
+    @cached_property
+    def _brinks(self) -> dict[int, brinks.Brink]:
         return {}
 
     # --- what predicates ask ---------------------------------------------------------------------
@@ -73,14 +85,57 @@ class Facts(Measured):
             self._related[key] = tuple(FINDERS[relation](self, object_id))
         return self._related[key]
 
-    def gaps(self, object_id: int, categories: Collection[str]) -> tuple[tuple[float, int], ...]:
-        """Gap in metres to each other object of these categories, and its id, nearest first."""
-        ids = [k for k in self.ids_of(categories) if k != object_id]
-        body = self.bodies[object_id]
-        lows = rows([self.bodies[k].low for k in ids], 3)
-        highs = rows([self.bodies[k].high for k in ids], 3)
-        apart = gaps(body.low, body.high, lows, highs).tolist()
-        return tuple(sorted(zip(apart, ids, strict=True)))
+    def gaps(
+        self, object_id: int, categories: Collection[str], from_above: bool = False
+    ) -> tuple[tuple[float, int], ...]:
+        """Gap in metres to each other object of these categories, and its id, nearest first:
+        between the boxes or, ``from_above``, between the outlines on the floor plan."""
+        return spatial.apart(self, object_id, self.ids_of(categories), from_above)
+
+    def zone_gaps(
+        self, object_id: int, kinds: Collection[str], from_above: bool = False
+    ) -> tuple[ZoneGap, ...]:
+        """Zones of these kinds that the object does not make itself, nearest first: those at its
+        heights or, ``from_above``, at any."""
+        rooms = self.room_ids(object_id)
+        return tuple(
+            ZoneGap(gap, zone.name, zone.source_id, level, same_room(rooms, (zone.room_id,)))
+            for gap, zone, level in self.zone_index.gaps(self.bodies[object_id], kinds, from_above)
+        )
+
+    def together(self, object_id: int, other: int) -> Kleene:
+        """Whether two objects are in one room."""
+        return same_room(self.room_ids(object_id), self.room_ids(other))
+
+    def overhang(self, object_id: int) -> Span:
+        """How far the object reaches beyond all that would catch it."""
+        if object_id not in self._brinks and brinks.carried_whole(self, object_id):
+            return Span(0.0, 0.0, 0.0)
+        return self._brink(object_id).overhang
+
+    def edge(self, object_id: int) -> Span:
+        """How far the object's outline is from where a drop begins; infinite: from nowhere."""
+        return self._brink(object_id).edge
+
+    def _brink(self, object_id: int) -> brinks.Brink:
+        if object_id not in self._brinks:
+            self._brinks[object_id] = brinks.brink(self, object_id)
+        return self._brinks[object_id]
+
+    def overlooked(self, object_id: int, categories: Collection[str]) -> tuple[Overlooked, ...]:
+        """Things of these categories that are, or may be, in the object's room, nearest first."""
+        return tuple(spatial.overlooked(self, object_id, self.ids_of(categories)))
+
+    def sharing(self, object_id: int, categories: Collection[str]) -> tuple[Member, ...]:
+        """Other objects of these categories, and whether they are ON or INSIDE something that the
+        object is ON or INSIDE, too, or that what carries it is."""
+        return tuple(members.sharing(self, object_id, self.ids_of(categories)))
+
+    def carried(
+        self, object_id: int, categories: Collection[str], relation: str
+    ) -> tuple[Member, ...]:
+        """Objects of these categories, and whether the object holds them, ON or INSIDE."""
+        return tuple(members.carried(self, object_id, self.ids_of(categories), relation))
 
     def bearings(self, object_id: int, categories: Collection[str]) -> tuple[Bearing, ...]:
         """Where things of these categories in its room are, as seen from the object's front."""

@@ -10,7 +10,9 @@ from functools import cached_property
 
 from sdgen.catalog.predicate import Related, ZoneShare
 from sdgen.facts.body import Body, rows, with_footprints
+from sdgen.facts.carriers import Carrier, carriers_of
 from sdgen.facts.containers import Containers
+from sdgen.facts.grounds import Grounds
 from sdgen.facts.reach import Climbs
 from sdgen.facts.rooms import Rooms
 from sdgen.facts.supports import Supports
@@ -52,6 +54,9 @@ class Measured:
             self._known.zone_index if self._known else ZoneIndex(scene.zones)
         )
         self.climbs = Climbs(self.bodies.values(), climbs or {})
+        known_grounds = self._known.grounds if self._known else None
+        self.grounds: Grounds = Grounds(self.bodies, self.rooms, known_grounds)
+        self._carriers: dict[int, dict[int, Carrier]] = {}
         self._inside: dict[int, tuple[Related, ...]] = {}
         self._on: dict[int, tuple[Related, ...]] = {}
         self._shares: dict[int, tuple[ZoneShare, ...]] = {}
@@ -93,6 +98,12 @@ class Measured:
             self._on[object_id] = tuple(self.supports.on(self.bodies[object_id], inside))
         return self._on[object_id]
 
+    def carriers(self, object_id: int) -> Mapping[int, Carrier]:
+        """All that carries the object, or may, however indirectly, by id."""
+        if object_id not in self._carriers:
+            self._carriers[object_id] = carriers_of(self, object_id)
+        return self._carriers[object_id]
+
     def part_holding(self, object_id: int, owner: int) -> str | None:
         """The part of ``owner`` that the object stands on or, if on none, is in the hollow of."""
         body = self.bodies[object_id]
@@ -121,6 +132,18 @@ class Measured:
             list(self.bodies),
             rows([b.low for b in bodies], 3),
             rows([b.high for b in bodies], 3),
+        )
+
+    @cached_property
+    def fixtures(self) -> tuple[list[int], Array, Array, Array]:
+        """All that is fixed: ids, the low and high corners of the boxes (N, 3), and how high what
+        people use of each is (N,)."""
+        fixed = [body for body in self.bodies.values() if body.item.fixed]
+        return (
+            [body.item.id for body in fixed],
+            rows([body.low for body in fixed], 3),
+            rows([body.high for body in fixed], 3),
+            rows([body.top_m for body in fixed]),
         )
 
     @cached_property

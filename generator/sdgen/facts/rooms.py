@@ -31,6 +31,11 @@ class Rooms:
         self._outlines = np.array([Polygon(room.polygon_m) for room in home.rooms])
         self._openings = {o.object_id: o for o in home.openings}
 
+    def outline(self, room_id: int) -> Polygon:
+        """The outline of a room's floor."""
+        found: Polygon = self._outlines[self._ids.index(room_id)]
+        return found
+
     def of(self, object_ids: Sequence[int], centers: Array) -> Iterator[tuple[int, ...]]:
         """For each thing with its centre (N, 3) the ids of the rooms it may be in, nearest first:
         one where that is decided, none where it is surely outdoors (and 0 among them where it may

@@ -1,14 +1,15 @@
-"""CLOSE, FACING and UNDER: how bodies stand to each other."""
+"""CLOSE, FACING and UNDER, gaps and bearings: how bodies stand to each other."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
+import shapely
 
-from sdgen.catalog.predicate import Bearing, Related
-from sdgen.facts.body import Body, gaps
+from sdgen.catalog.predicate import Bearing, Overlooked, Related
+from sdgen.facts.body import Body, gaps, rows
 from sdgen.facts.measured import Measured
 from sdgen.facts.rooms import same_room
 from sdgen.facts.thresholds import (
@@ -61,6 +62,33 @@ def _near(facts: Measured, object_id: int) -> Iterable[tuple[int, float, Kleene]
         if holds is None:
             holds = together[rooms] = same_room(mine, rooms)
         yield other, gap, holds
+
+
+def apart(
+    facts: Measured, object_id: int, others: Iterable[int], from_above: bool
+) -> tuple[tuple[float, int], ...]:
+    """Gaps to others and their ids, nearest first: between boxes, or between outlines on the floor
+    plan."""
+    body, ids = facts.bodies[object_id], [k for k in others if k != object_id]
+    if from_above:
+        outlines = np.array([facts.bodies[k].footprint for k in ids], dtype=object)
+        found: Sequence[float] = shapely.distance(body.footprint, outlines).tolist()
+    else:
+        lows = rows([facts.bodies[k].low for k in ids], 3)
+        highs = rows([facts.bodies[k].high for k in ids], 3)
+        found = gaps(body.low, body.high, lows, highs).tolist()
+    return tuple(sorted(zip(found, ids, strict=True)))
+
+
+def overlooked(facts: Measured, object_id: int, others: Iterable[int]) -> Iterable[Overlooked]:
+    """Others that are, or may be, in the same room, nearest first as seen from above, and how far
+    below the object their tops are."""
+    low = float(facts.bodies[object_id].low[2])
+    mine = facts.room_ids(object_id)
+    for gap, other in apart(facts, object_id, others, from_above=True):
+        together = same_room(mine, facts.room_ids(other))
+        if together != NO:
+            yield Overlooked(other, gap, low - facts.bodies[other].top_m, together)
 
 
 def bearing(body: Body, other: Body) -> tuple[float, bool]:

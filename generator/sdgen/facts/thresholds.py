@@ -99,6 +99,13 @@ OUTDOORS_M = around(0.13, 0.02)
 #: Reach: gap, seen from above, to what a child climbs on, metres. A judgement: about the arm that a
 #: three-year-old stretches out when it leans over.
 CLIMB_NEAR_M = around(0.5, 0.05)
+#: Overhang, edge: how far below an object's lowest point something still catches what comes off,
+#: metres. A judgement: over the neighbouring worktop or a bench a hand's length lower nothing falls
+#: deep; a seat under a table's top is lower.
+CAUGHT_M = around(0.25, 0.02)
+#: Overhang, edge: a gap so narrow, metres, between two tops or a top and the wall, is no edge: a
+#: plate or a pan cannot go down there. A judgement.
+CLOSED_GAP_M = around(0.1, 0.02)
 #: Tag NEAR_EDGE: the centre's distance from the edge of the surface, metres. Tags say what is
 #: measured, within a margin too, and no predicate can ask for this one.
 NEAR_EDGE_M = 0.05

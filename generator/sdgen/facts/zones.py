@@ -89,6 +89,25 @@ class ZoneIndex:
                 fraction = body.covered_by(self._union(tuple(share.name for share in among)))
             yield ZoneShare(most.name, most.kind, fraction, level)
 
+    def gaps(
+        self, body: Body, kinds: Collection[str], any_height: bool
+    ) -> list[tuple[float, Zone, Kleene]]:
+        """Gaps from the footprint to the zones of these kinds that the object does not make itself,
+        nearest first, and whether their heights meet its own (or are not asked for)."""
+        *_, low, high = self._boxes.T
+        overlap = np.minimum(high - body.low[2], body.high[2] - low).tolist()
+        found = [
+            (
+                float(outline.distance(body.footprint)),
+                zone,
+                YES if any_height else ZONE_LEVEL_M.at_least(meets),
+            )
+            for meets, (zone, outline) in zip(overlap, self._zones, strict=True)
+            if zone.kind in kinds and zone.source_id != body.item.id
+        ]
+        found = [one for one in found if one[2] != NO]
+        return sorted(found, key=lambda one: (one[0], one[1].name))
+
     def _union(self, names: tuple[str, ...]) -> BaseGeometry:
         """The zones of these names as one, computed once."""
         if names not in self._unions:

@@ -7,18 +7,11 @@ from typing import Any
 
 import pytest
 from sdgen.catalog.predicate import Bearing
-from sdgen.catalog.predicate_yaml import read_predicate
-from sdgen.catalog.terms import Term
 from sdgen.kleene import Kleene
-from sdgen.yaml_source import parse_yaml
 
 from tests.catalog.worlds import Thing, World
 
-
-def read(text: str) -> tuple[Term, list[str]]:
-    source = parse_yaml(text.encode(), "p.yaml")
-    return read_predicate(source, (), source.value, {"sofa", "tv"}, set()), source.problems
-
+from .reading import read
 
 AWAY = read("facing_away: {from: sofa, min_deg: 120}")[0]
 

@@ -12,11 +12,17 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field
 
+from sdgen.catalog.terms.above import AboveTerm
 from sdgen.catalog.terms.category import CategoryTerm
 from sdgen.catalog.terms.combine import AllTerm, AnyTerm, NotTerm
+from sdgen.catalog.terms.count import CountTerm
 from sdgen.catalog.terms.distance import DistanceTerm
+from sdgen.catalog.terms.edge import EdgeTerm
+from sdgen.catalog.terms.facing import FacingTerm
 from sdgen.catalog.terms.facing_away import FacingAwayTerm
 from sdgen.catalog.terms.height import HeightTerm
+from sdgen.catalog.terms.holds import HoldsTerm
+from sdgen.catalog.terms.overhang import OverhangTerm
 from sdgen.catalog.terms.relation import RelationTerm
 from sdgen.catalog.terms.room import RoomTerm
 from sdgen.catalog.terms.state import StateTerm
@@ -32,7 +38,13 @@ TERMS: dict[str, type[Term]] = {
     "height": HeightTerm,
     "distance": DistanceTerm,
     "zone": ZoneTerm,
+    "facing": FacingTerm,
     "facing_away": FacingAwayTerm,
+    "overhang": OverhangTerm,
+    "edge": EdgeTerm,
+    "above": AboveTerm,
+    "count": CountTerm,
+    "holds": HoldsTerm,
     "all": AllTerm,
     "any": AnyTerm,
     "not": NotTerm,
@@ -48,12 +60,19 @@ else:
 
 __all__ = [
     "TERMS",
+    "AboveTerm",
     "AllTerm",
     "AnyTerm",
     "CategoryTerm",
+    "CountTerm",
     "DistanceTerm",
+    "EdgeTerm",
+    "FacingAwayTerm",
+    "FacingTerm",
     "HeightTerm",
+    "HoldsTerm",
     "NotTerm",
+    "OverhangTerm",
     "Predicate",
     "RelationTerm",
     "RoomTerm",

@@ -5,21 +5,19 @@ A screen that cannot be seen from the sofa, a photo frame that faces the wall be
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
-from typing import Literal
+from typing import ClassVar, Literal
 
-from sdgen.catalog.predicate import Bearing, Evidence, FactSource, Verdict, any_verdict, rounded
 from sdgen.catalog.reader import Reader
-from sdgen.catalog.terms.term import Scope, Term, either
-from sdgen.kleene import Kleene, all_of, at_least
+from sdgen.catalog.terms.heading import HeadingTerm
+from sdgen.catalog.terms.term import Scope, either
+from sdgen.kleene import Kleene, at_least
 from sdgen.vocabulary import HEADING_MARGIN_DEG
 
 #: More behind than ahead.
 MIN_DEG = 90.0
 
 
-class FacingAwayTerm(Term):
+class FacingAwayTerm(HeadingTerm):
     """Seen from above, the angle between the object's front and the direction to the centre of
     something of these categories in its room is at least so large."""
 
@@ -27,6 +25,10 @@ class FacingAwayTerm(Term):
     away_from: tuple[str, ...]
     min_deg: float = MIN_DEG
     margin_deg: float = HEADING_MARGIN_DEG
+
+    angle_name: ClassVar[str] = "away_deg"
+    thing_name: ClassVar[str] = "away_from_id"
+    widest: ClassVar[bool] = True
 
     @classmethod
     def read(cls, reader: Reader, scope: Scope) -> FacingAwayTerm | None:
@@ -43,25 +45,12 @@ class FacingAwayTerm(Term):
         below.done()
         return term
 
-    def evaluate(self, object_id: int, facts: FactSource) -> Verdict:
-        return any_verdict(self._from(found) for found in self._widest_first(object_id, facts))
+    @property
+    def towards(self) -> tuple[str, ...]:
+        return self.away_from
 
-    def _from(self, found: Bearing) -> Verdict:
-        away = at_least(math.degrees(found.angle_rad), self.min_deg, self.margin_deg)
-        away = Kleene(away.value, away.sure and found.clear)
-        value, sure = all_of((found.together, away))
-        return Verdict(value, sure, _evidence(found) if value else {})
-
-    def _widest_first(self, object_id: int, facts: FactSource) -> Iterable[Bearing]:
-        found = facts.bearings(object_id, self.away_from)
-        return sorted(found, key=lambda one: (-one.angle_rad, one.target_id))
-
-    def measure(self, object_id: int, facts: FactSource) -> Evidence:
-        return next(map(_evidence, self._widest_first(object_id, facts)), {})
+    def keeps(self, angle_deg: float) -> Kleene:
+        return at_least(angle_deg, self.min_deg, self.margin_deg)
 
     def in_words(self) -> str:
         return f"its front is at least {self.min_deg:g} degrees away from {either(self.away_from)}"
-
-
-def _evidence(found: Bearing) -> Evidence:
-    return {"away_deg": rounded(math.degrees(found.angle_rad)), "away_from_id": found.target_id}

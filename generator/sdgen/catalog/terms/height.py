@@ -73,7 +73,7 @@ class HeightTerm(Term):
         return f"its lowest point is {limits} above where a child gets to stand"
 
     def possible(self, case: Case) -> Can:
-        floor = case.relation == "ON" and case.target == "floor"
+        floor = case.on_the_floor
         low = 0.0 if floor else case.min_height_m
         high = 0.0 if floor else case.max_height_m
         # Above the floor; who climbs may be nearer to it, by as much as nobody knows.

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from sdgen.catalog.predicate import Span
 from sdgen.catalog.reader import Reader
 from sdgen.kleene import Kleene, all_of, at_least, at_most
 
@@ -28,6 +31,19 @@ def within(measured: float, low: float | None, high: float | None, margin: float
     parts = [] if low is None else [at_least(measured, low, margin)]
     parts += [] if high is None else [at_most(measured, high, margin)]
     return all_of(parts)
+
+
+def within_span(span: Span, low: float | None, high: float | None, margin: float) -> Kleene:
+    """Between the limits, whatever it may be of what it spans."""
+    parts = [] if low is None else [_same(at_least(m, low, margin) for m in span)]
+    parts += [] if high is None else [_same(at_most(m, high, margin) for m in span)]
+    return all_of(parts)
+
+
+def _same(answers: Iterable[Kleene]) -> Kleene:
+    """The first answer: sure when all are, and agree."""
+    first, *others = answers
+    return Kleene(first.value, first.sure and all(other == first for other in others))
 
 
 def limits_in_words(low: float | None, high: float | None) -> str:

@@ -8,6 +8,7 @@ from typing import ClassVar, Literal
 from sdgen.catalog.predicate import FactSource, Verdict
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Term, either
+from sdgen.kleene import YES, Kleene
 
 _OPPOSITE = {"ON": "OFF", "OFF": "ON", "OPEN": "CLOSED", "CLOSED": "OPEN"}
 
@@ -51,3 +52,12 @@ def in_state(
             return Verdict(True, True, {"state": state})
     open_question = undecided()
     return Verdict(False, not any(state in open_question for state in wanted))
+
+
+def of_state(object_id: int, state: str | None, facts: FactSource) -> Kleene:
+    """Whether an object is in a state, if one is asked for."""
+    if state is None:
+        return YES
+    undecided = facts.undecided_states
+    found = in_state((state,), facts.states(object_id), lambda: undecided(object_id))
+    return Kleene(found.value, found.sure)

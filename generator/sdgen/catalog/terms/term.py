@@ -27,6 +27,11 @@ class Case(NamedTuple):
     max_height_m: float | None = None
     not_state: tuple[str, ...] = ()
 
+    @property
+    def on_the_floor(self) -> bool:
+        """The recipe puts it there."""
+        return self.relation == "ON" and self.target == "floor"
+
 
 class Can(NamedTuple):
     """What a predicate could be of an object that follows a recipe, as far as the recipe says."""

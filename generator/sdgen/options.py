@@ -42,6 +42,7 @@ class BuildOptions(Record):
     renderer: str = "auto"
     eye_height_m: float = Field(default=EYE_HEIGHT_M, gt=0.1, le=2.2)
     twins: bool = False
+    toggles: bool = False
     #: Small things of the folders of ``--assets`` alone, as far as these have them.
     assets_only: bool = False
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe
 from sdgen.facts import Facts
@@ -118,3 +118,23 @@ def lookalike_records(
         for missed in lookalikes
     }
     return tuple(records[k] for k in sorted(records))
+
+
+def measured_again(
+    lookalikes: Iterable[Lookalike], facts: Facts, catalog: Catalog
+) -> tuple[Lookalike, ...]:
+    """Lookalikes of a twin: what is near them may be gone or have moved."""
+    return tuple(
+        one.model_copy(
+            update={
+                "evidence": catalog.hazard(one.near_miss_of).predicate.measure(one.object_id, facts)
+            }
+        )
+        for one in lookalikes
+    )
+
+
+def with_ids_of(anomalies: Iterable[Anomaly], others: Iterable[Anomaly]) -> tuple[Anomaly, ...]:
+    """Anomalies with the ids that the same pairs have among others, in a scene with more."""
+    ids = {(one.object_id, one.hazard): one.id for one in others}
+    return tuple(one.model_copy(update={"id": ids[one.object_id, one.hazard]}) for one in anomalies)

@@ -21,13 +21,14 @@ from sdgen.dataset.scene_folder import SceneWriter
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import look_at, quat_from_yaw, round_position, round_quat
-from sdgen.hazards.certify import facts_of, survey
+from sdgen.hazards.certify import certificate, facts_of, survey
 from sdgen.hazards.labels import anomaly_records
 from sdgen.hazards.splits import Split, split_of_home
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.library.states import derive_states
 from sdgen.options import BuildOptions
-from sdgen.pipeline.finish import certificate, check_undone, twin_of
+from sdgen.pipeline.twins import twin_of
+from sdgen.pipeline.undoing import check_undone
 from sdgen.rejection import Rejection
 from sdgen.scene import (
     AgentStart,

@@ -47,6 +47,11 @@ class BuildOptions(Record):
     assets_only: bool = False
 
     @property
+    def most_folders(self) -> int:
+        """Folders that a scene has at most, its twins' with its own: each is drawn and written."""
+        return 1 + self.twins + (self.hazards_max if self.toggles else 0)
+
+    @property
     def draws(self) -> bool:
         """True when these options ask for any picture, so that a renderer is needed."""
         return bool(self.sensors) and self.views > 0

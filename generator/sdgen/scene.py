@@ -42,6 +42,11 @@ def twin_id(scene_id: str) -> str:
     return f"{scene_id}-twin"
 
 
+def anomaly_id(number: int) -> str:
+    """The id of a scene's anomaly by its number, from 0."""
+    return f"a{number:02d}"
+
+
 def toggle_id(scene_id: str, anomaly_id: str) -> str:
     """The id of the scene in which this anomaly alone is undone."""
     return f"{scene_id}-undo-{anomaly_id}"
@@ -495,3 +500,8 @@ class SceneBundle:
     cameras: tuple[Camera, ...]
     twin: SceneBundle | None = None
     toggles: tuple[SceneBundle, ...] = ()
+
+    @property
+    def twins(self) -> tuple[SceneBundle, ...]:
+        """All that is written beside the scene: its benign twin, and those with one undone."""
+        return self.toggles if self.twin is None else (self.twin, *self.toggles)

@@ -16,7 +16,7 @@ from sdgen.options import BuildOptions
 from sdgen.pipeline import scene as scene_module
 from sdgen.pipeline.attempt import placed, staying_bodies
 from sdgen.pipeline.contents import Contents, Reduced, lost, without
-from sdgen.pipeline.finish import check_undone, with_history
+from sdgen.pipeline.finish import with_history
 from sdgen.pipeline.scene import (
     HOME_TRIES,
     OVERLAP_HOMES,
@@ -26,6 +26,7 @@ from sdgen.pipeline.scene import (
     make_scene,
 )
 from sdgen.pipeline.spec import draw_spec, node_ids
+from sdgen.pipeline.undoing import check_undone
 from sdgen.rejection import Cause, Rejection
 from sdgen.scene import causes_of
 from sdgen.seeding import lane

@@ -7,7 +7,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.facts import Facts
 from sdgen.hazards.twin import undone
 from sdgen.physics.client import Client
-from sdgen.pipeline.finish import around, check_standing, check_undone
+from sdgen.pipeline.undoing import around, check_standing, check_undone
 from sdgen.rejection import Cause, Rejection
 
 from tests import toy

@@ -11,7 +11,7 @@ from sdgen.hazards.certify import Positive
 from sdgen.hazards.evidence import evidence_of
 from sdgen.hazards.placing import Injected
 from sdgen.households import decide
-from sdgen.scene import Anomaly, Household, Lookalike, Remedy
+from sdgen.scene import Anomaly, Household, Lookalike, Remedy, anomaly_id
 
 
 def anomaly_records(
@@ -32,7 +32,7 @@ def anomaly_records(
         report, notify, reason = decide(hazard, evidence, household, catalog.reach)
         records.append(
             Anomaly(
-                id=f"a{number:02d}",
+                id=anomaly_id(number),
                 hazard=hazard.id,
                 group=hazard.group,
                 label=hazard.label,

@@ -28,9 +28,9 @@ from sdgen.seeding import Rng
 #: Bounds of the search: objects of a category, rooms, and spots on or in each. Nearly all things
 #: are taken by the first target that has room, and stay at the first spot.
 TARGETS_TRIED = 6
-ROOMS_TRIED = 4
+ROOMS_TRIED = 6
 SPOTS_TRIED = 2
-#: Looks for a spot on or in one object: a fridge may be all but full.
+#: Looks for a spot on or in one object, or on a floor: a fridge may be all but full.
 LOOKS = 8
 
 
@@ -158,15 +158,14 @@ class Remedies:
 
     def _moved_away(self, item: ObjectInstance, info: AssetInfo) -> Iterator[Step]:
         """Aside on a floor, at a wall: in its room, else in the nearest."""
+        bulk = self.layout.bulk_of(item)
         for room in self._rooms(item)[:ROOMS_TRIED]:
             ground = self.context.ground(room.id, KEEP_CLEAR)
-            for _ in range(SPOTS_TRIED):
-                bulk = self.layout.bulk_of(item)
-                spot = self.layout.spot_on_floor(info, ground, self.rng, bulk)
-                if spot is None:
-                    break
-                floor_id = self.context.floor_id(room.id)
-                yield Step("move_away", at_spot(item, spot, room.id), floor_id)
+            looks = (self.layout.spot_on_floor(info, ground, self.rng, bulk) for _ in range(LOOKS))
+            for spot in islice(filter(None, looks), SPOTS_TRIED):
+                yield Step(
+                    "move_away", at_spot(item, spot, room.id), self.context.floor_id(room.id)
+                )
 
     def _rooms(self, item: ObjectInstance) -> list[Room]:
         x, y, _ = self.facts.bodies[item.id].center.tolist()

@@ -61,7 +61,7 @@ class Twins:
             found = by_remedy(scene, self.facts, anomalies, keep, tools, self.lane)
             if found is not None:
                 records = undone_records(every, found)
-                return _twin(self.bundle, context.catalog, infos, found, records)
+                return twin_with(self.bundle, context.catalog, infos, found, records)
         facts, surveyed = self.plain
         plain = twin_of(self.bundle, context.catalog, infos, facts, surveyed)
         return replace(plain, scene=plain.scene.model_copy(update={"id": new_id}))
@@ -83,16 +83,17 @@ def twin_of(
     anomalies = bundle.anomalies.anomalies
     after = plainly(bundle.scene, anomalies, catalog, infos)
     records = plain_records(anomalies, after, catalog)
-    return _twin(bundle, catalog, infos, Remedied(facts, surveyed), records)
+    return twin_with(bundle, catalog, infos, Remedied(facts, surveyed), records)
 
 
-def _twin(
+def twin_with(
     bundle: SceneBundle,
     catalog: Catalog,
     infos: Mapping[str, AssetInfo],
     found: Remedied,
     undone: tuple[Undone, ...],
 ) -> SceneBundle:
+    """The bundle of a twin: the scene's own but for what was ``found`` and is ``undone``."""
     records, facts, surveyed = bundle.anomalies, found.facts, found.surveyed
     scene = facts.scene
     # What a remedy has shut is no near miss any more.

@@ -5,6 +5,8 @@ from itertools import chain
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import RemedyRule
+from sdgen.catalog.terms import AllTerm, CategoryTerm, HeightTerm
 from sdgen.facts import unheld
 from sdgen.hazards.certify import certify, facts_of
 from sdgen.hazards.twin import PUT, SET_BACK, TAKE_AWAY
@@ -173,3 +175,56 @@ def test_twins_change_nothing_of_their_scene(bundles, library, client):
     plain = OPTIONS.model_copy(update={"twins": False, "toggles": False})
     alone = make_scene(0, CATALOG, library, plain, client)
     assert alone == replace(bundles[0], twin=None, toggles=())
+
+
+@pytest.fixture(scope="module")
+def low_candle(bundles, tools_of):
+    """A lit candle that another hazard asks to be put higher, too: the scene, what it is undone
+    with, and both anomalies."""
+    bundle, lit = holding(bundles, "candle_on")
+    spec, tools = tools_of(bundle)
+    facts = facts_of(bundle.scene, tools.library.infos, CATALOG)
+    heights = [facts.height(k) for k in facts.ids_of(["candle"])]
+    limit = facts.height(lit.object_id)
+    while any(abs(limit - height) < 0.05 for height in heights):
+        limit += 0.02
+    low = CATALOG.hazard("candle_on").model_copy(
+        update={
+            "id": "candle_low",
+            "predicate": AllTerm(terms=(CategoryTerm(any_of=("candle",)), HeightTerm(max_m=limit))),
+            "remedy": (RemedyRule(action="put_on", targets=("wall_shelf", "bookshelf", "fridge")),),
+        }
+    )
+    catalog = CATALOG.model_copy(update={"hazards": (*CATALOG.hazards, low)})
+    tools = replace(tools, context=replace(tools.context, catalog=catalog))
+    return bundle, spec, tools, (lit, lit.model_copy(update={"id": "a98", "hazard": low.id}))
+
+
+def undo(low_candle, undone, staying):
+    bundle, spec, tools, both = low_candle
+    known = facts_of(bundle.scene, tools.library.infos, tools.context.catalog)
+    rest = [one for one in bundle.anomalies.anomalies if one.object_id != both[0].object_id]
+    found = by_remedy(bundle.scene, known, undone, [*rest, *staying], tools, spec.lane)
+    assert found is not None
+    return found, undone_records(both, found)
+
+
+def test_a_thing_that_is_two_hazards_is_undone_for_both(low_candle):
+    both = low_candle[3]
+    found, records = undo(low_candle, both, [])
+    assert both[0].object_id not in {key for key, _ in found.pairs}
+    assert [(one.action, one.moved) for one in records] == [("put_out", True), ("put_on", True)]
+    assert "ON" not in found.facts.scene.object(both[0].object_id).states
+
+
+def test_of_two_hazards_of_a_thing_one_is_undone(low_candle):
+    lit, low = low_candle[3]
+    found, records = undo(low_candle, [lit], [low])
+    assert (low.object_id, low.hazard) in found.pairs
+    assert [(one.anomaly_id, one.action, one.moved) for one in records] == [
+        (lit.id, "put_out", False)
+    ]
+    found, records = undo(low_candle, [low], [lit])
+    assert (lit.object_id, lit.hazard) in found.pairs
+    assert [(one.anomaly_id, one.action, one.moved) for one in records] == [("a98", "put_on", True)]
+    assert "ON" in found.facts.scene.object(low.object_id).states

@@ -12,6 +12,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from sdgen.actions import at_rest
 from sdgen.cameras.pinhole import intrinsics, matrix4
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog
@@ -21,13 +22,16 @@ from sdgen.dataset.scene_folder import SceneWriter
 from sdgen.facts import bodies_of
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import look_at, quat_from_yaw, round_position, round_quat
-from sdgen.hazards.certify import facts_of, survey
+from sdgen.hazards.certify import certificate, facts_of, survey
 from sdgen.hazards.labels import anomaly_records
 from sdgen.hazards.splits import Split, split_of_home
+from sdgen.hazards.twin import with_changes
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.library.states import derive_states
 from sdgen.options import BuildOptions
-from sdgen.pipeline.finish import certificate, check_undone, twin_of
+from sdgen.pipeline.remedied import Remedied, Rest
+from sdgen.pipeline.twins import twin_of, twin_with
+from sdgen.pipeline.undoing import check_undone
 from sdgen.rejection import Rejection
 from sdgen.scene import (
     AgentStart,
@@ -48,7 +52,10 @@ from sdgen.scene import (
     Scene,
     SceneBundle,
     Structure,
+    Undone,
     Visibility,
+    toggle_id,
+    twin_id,
 )
 from sdgen.truth import build_graph, visibility_of
 from sdgen.zones import derive_zones, floor_obstacles
@@ -371,20 +378,57 @@ def build(path: Path, options: BuildOptions | None = None) -> Path:
 
 
 def twin(made: SceneBundle) -> SceneBundle:
-    """The benign twin of a bundle."""
+    """The benign twin of a bundle, the plain way."""
     found = check_undone(made, catalog(), infos())
     assert not isinstance(found, Rejection), found
     return twin_of(made, catalog(), infos(), *found)
 
 
-def build_with_twins(path: Path, n: int = 4) -> Path:
-    """A finished data set with every scene's twin."""
-    with open_writer(path, small(n=n, twins=True)) as writer:
+def remedied(made: SceneBundle, only: str | None = None) -> SceneBundle:
+    """The twin of a bundle, or the scene with one anomaly undone (its id), by hand and without a
+    simulator: the stove switched off, the milk back in the fridge, the knife taken away."""
+    anomalies = [one for one in made.anomalies.anomalies if only in (None, one.id)]
+    after: dict[int, ObjectInstance | None] = {}
+    undone = []
+    for one in anomalies:
+        item, step = (
+            made.scene.object(one.object_id),
+            Undone(
+                anomaly_id=one.id, hazard=one.hazard, object_id=one.object_id, action="take_away"
+            ),
+        )
+        if item.category == "stove":
+            after[item.id] = at_rest(item, infos()[item.asset])
+            step = step.model_copy(update={"action": "switch_off"})
+        elif item.category == "milk_carton":
+            pose = Pose(position_m=(0.5, 2.5, 0.2), quat_xyzw=item.pose.quat_xyzw)
+            after[item.id] = item.model_copy(update={"pose": pose})
+            step = step.model_copy(update={"action": "put_in", "target_id": 305, "moved": True})
+        else:
+            after[item.id] = None
+            step = step.model_copy(update={"removed": True})
+        undone.append(step)
+    name = made.scene.id
+    changes = {
+        "id": twin_id(name) if only is None else toggle_id(name, only),
+        "twin_of": name,
+        "objects": with_changes(made.scene, after, infos()),
+    }
+    facts = facts_of(made.scene.model_copy(update=changes), infos(), catalog())
+    moved = {one.object_id: Rest(0.002, ()) for one in undone if one.moved}
+    found = Remedied(facts, survey(facts, catalog()), rests=moved)
+    return twin_with(made, catalog(), infos(), found, tuple(undone))
+
+
+def build_with_twins(path: Path, n: int = 4, toggles: bool = False) -> Path:
+    """A finished data set with every scene's twin, and its toggles."""
+    with open_writer(path, small(n=n, twins=True, toggles=toggles)) as writer:
         for index in range(n):
             if f"{index:06d}" not in writer.done:
-                benign = twin(bundle(index, writer.build.options))
-                shown = frames(benign)
-                write_scene(painter(writer), benign, shown)
+                made = bundle(index, writer.build.options)
+                ids = [one.id for one in made.anomalies.anomalies] if toggles else []
+                for benign in (remedied(made), *(remedied(made, only) for only in ids)):
+                    write_scene(painter(writer), benign, frames(benign))
                 add_scene(writer, index)
         writer.finish()
     return path

@@ -42,8 +42,14 @@ class BuildOptions(Record):
     renderer: str = "auto"
     eye_height_m: float = Field(default=EYE_HEIGHT_M, gt=0.1, le=2.2)
     twins: bool = False
+    toggles: bool = False
     #: Small things of the folders of ``--assets`` alone, as far as these have them.
     assets_only: bool = False
+
+    @property
+    def most_folders(self) -> int:
+        """Folders that a scene has at most, its twins' with its own: each is drawn and written."""
+        return 1 + self.twins + (self.hazards_max if self.toggles else 0)
 
     @property
     def draws(self) -> bool:

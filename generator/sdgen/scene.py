@@ -37,6 +37,21 @@ EvidenceValue = bool | int | float | str
 LARGEST_ID = 65535
 
 
+def twin_id(scene_id: str) -> str:
+    """The id of a scene's benign twin."""
+    return f"{scene_id}-twin"
+
+
+def anomaly_id(number: int) -> str:
+    """The id of a scene's anomaly by its number, from 0."""
+    return f"a{number:02d}"
+
+
+def toggle_id(scene_id: str, anomaly_id: str) -> str:
+    """The id of the scene in which this anomaly alone is undone."""
+    return f"{scene_id}-undo-{anomaly_id}"
+
+
 class Record(BaseModel):
     """Base of all records: frozen, unknown keys are errors."""
 
@@ -238,6 +253,24 @@ class Lookalike(Record):
     evidence: dict[str, EvidenceValue]
 
 
+class Undone(Record):
+    """What became of one anomaly in a twin.
+
+    ``action`` undid it: a word of its hazard's remedies, or ``take_away`` where none of them could
+    be carried out; None where what was done to another thing, or to this one for the sake of
+    another hazard, was enough. ``target_id`` is what its object was put on or into (a floor where
+    it was moved away); ``moved`` says that it is elsewhere, ``removed`` that it is gone.
+    """
+
+    anomaly_id: str
+    hazard: str
+    object_id: int
+    action: str | None
+    target_id: int | None = None
+    moved: bool = False
+    removed: bool = False
+
+
 class Certificate(Record):
     """What was checked: every (object, enabled hazard) pair, none within the dead band."""
 
@@ -249,11 +282,12 @@ class Certificate(Record):
 
 
 class Anomalies(Record):
-    """``anomalies.json``."""
+    """``anomalies.json``. ``undone``: of a twin, what became of the anomalies of its scene."""
 
     anomalies: tuple[Anomaly, ...]
     lookalikes: tuple[Lookalike, ...]
     certificate: Certificate
+    undone: tuple[Undone, ...] = ()
 
 
 class Member(Record):
@@ -459,7 +493,7 @@ class Frame:
 @dataclass(frozen=True)
 class SceneBundle:
     """All of one finished scene but its pixels, ready to be drawn and written; ``twin`` is its
-    benign one, where it was asked for."""
+    benign one and ``toggles`` are those with one anomaly undone, where they were asked for."""
 
     scene: Scene
     graph: Graph
@@ -469,3 +503,9 @@ class SceneBundle:
     split: str
     cameras: tuple[Camera, ...]
     twin: SceneBundle | None = None
+    toggles: tuple[SceneBundle, ...] = ()
+
+    @property
+    def twins(self) -> tuple[SceneBundle, ...]:
+        """All that is written beside the scene: its benign twin, and those with one undone."""
+        return self.toggles if self.twin is None else (self.twin, *self.toggles)

@@ -205,20 +205,21 @@ def test_what_a_piece_says_of_itself_is_checked_before_anything_is_written(
 
 
 def test_twins_come_along(tmp_path: Path) -> None:
-    whole = toy.build_with_twins(tmp_path / "whole", 2)
+    whole = toy.build_with_twins(tmp_path / "whole", 2, toggles=True)
     pieces = []
     for index in range(2):
         path = tmp_path / str(index)
         shutil.copytree(whole, path)
-        with toy.open_writer(path, toy.small(n=2, twins=True)) as writer:
+        with toy.open_writer(path, toy.small(n=2, twins=True, toggles=True)) as writer:
             other = f"{1 - index:06d}"
-            for name in (other, f"{other}-twin"):
+            for name in [name for name in writer.done if name.startswith(other)]:
                 shutil.rmtree(path / "scenes" / name)
                 del writer.done[name]
             writer.finish()
         pieces.append(path)
     merge(pieces, tmp_path / "m")
     assert len(Dataset(tmp_path / "m", twins=True)) == 2
+    assert len(Dataset(tmp_path / "m", toggles=True)) == 1
     assert tree(tmp_path / "m/scenes") == tree(whole / "scenes")
     assert (tmp_path / "m/manifest.jsonl").read_bytes() == (whole / "manifest.jsonl").read_bytes()
 

@@ -493,7 +493,40 @@ def test_twins_are_written_beside_their_scenes_and_not_counted(tmp_path: Path) -
     assert twins[3].anomalies.anomalies == ()
     assert twins[3].cameras == data[3].cameras
     kept = {item.id for item in twins[3].scene.objects}
-    assert kept == {item.id for item in data[3].scene.objects} - {600, 4000}
+    assert kept == {item.id for item in data[3].scene.objects} - {600}
+
+
+def test_toggles_are_written_beside_their_scenes_and_counted_apart(tmp_path: Path) -> None:
+    path = toy.build_with_twins(tmp_path / "d", 4, toggles=True)
+    data, toggles = Dataset(path), Dataset(path, toggles=True)
+    assert [item.id for item in data] == [f"{k:06d}" for k in range(4)]
+    wanted = [f"{k:06d}-undo-a{a:02d}" for k in range(4) for a in range(k)]
+    assert [item.id for item in toggles] == wanted
+    assert [item.id for item in Dataset(path, twins=True)] == [f"{k:06d}-twin" for k in range(4)]
+    assert len(Dataset(path, twins=True, toggles=True)) == 4 + len(wanted)
+    counts = data.info.counts
+    assert (counts.scenes, counts.twins, counts.toggles, counts.anomalies) == (4, 4, 6, 6)
+    assert "6 toggles" in repr(toggles)
+    for item in toggles:
+        scene = data.scene(str(item.scene.twin_of))
+        (undone,) = item.anomalies.undone
+        labels = {one.id: one for one in scene.anomalies.anomalies}
+        assert item.id == f"{scene.id}-undo-{undone.anomaly_id}"
+        assert {one.id: one.message for one in item.anomalies.anomalies} == {
+            key: one.message for key, one in labels.items() if key != undone.anomaly_id
+        }
+        assert item.cameras == scene.cameras
+
+
+def test_a_scene_without_its_toggles_is_made_again(tmp_path: Path) -> None:
+    path = toy.build_with_twins(tmp_path / "d", 3, toggles=True)
+    before = tree(path)
+    shutil.rmtree(path / "scenes" / "000002-undo-a01")
+    with toy.open_writer(path, toy.small(n=3, twins=True, toggles=True)) as writer:
+        gone = {"000002", "000002-undo-a01"}
+        assert set(writer.done) == {p.name for p in (path / "scenes").iterdir()} - {"000002"}
+        assert gone.isdisjoint(writer.done)
+    assert tree(toy.build_with_twins(path, 3, toggles=True)) == before
 
 
 def test_a_scene_without_its_twin_is_made_again(tmp_path: Path) -> None:

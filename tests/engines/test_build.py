@@ -67,14 +67,14 @@ def test_a_damaged_scene_is_made_again_to_the_same_bytes(tools, built, tmp_path)
 def test_twins_have_the_same_things_and_no_anomalies(tools, tmp_path):
     out = tmp_path / "set"
     events = []
-    build(tools, out, events, twins=True, hazards_min=2, hazards_max=2)
+    build(tools, out, events, twins=True, toggles=True, hazards_min=2, hazards_max=2)
     assert sum(isinstance(e, SceneDone) for e in events) == 2
     for name in ("000000", "000001"):
         scene = json.loads((out / "scenes" / name / "scene.json").read_text())
         twin = json.loads((out / "scenes" / f"{name}-twin" / "scene.json").read_text())
         found = json.loads((out / "scenes" / name / "anomalies.json").read_text())["anomalies"]
         left = json.loads((out / "scenes" / f"{name}-twin" / "anomalies.json").read_text())
-        touched = {a["object_id"] for a in found}
+        touched = {a["object_id"] for a in found} | {u["target_id"] for u in left["undone"]}
         assert len(found) == 2
         assert left["anomalies"] == []
         assert twin["twin_of"] == name
@@ -84,6 +84,14 @@ def test_twins_have_the_same_things_and_no_anomalies(tools, tmp_path):
 
         assert others(scene) == others(twin)
         assert scene["home"] == twin["home"]
+        assert [u["anomaly_id"] for u in left["undone"]] == ["a00", "a01"]
+        for toggle in ("a00", "a01"):
+            folder = out / "scenes" / f"{name}-undo-{toggle}"
+            kept = json.loads((folder / "anomalies.json").read_text())
+            assert [a["id"] for a in kept["anomalies"]] == [
+                a for a in ("a00", "a01") if a != toggle
+            ]
+            assert (folder / "views/00/view.json").is_file()
     assert json.loads((out / "dataset.json").read_text())["options"]["n"] == 2
 
 

@@ -19,7 +19,7 @@ from sdgen.options import BuildOptions
 from sdgen.pipeline import scene as scene_module
 from sdgen.pipeline.attempt import _unproved, placed, staying_bodies
 from sdgen.pipeline.contents import Contents, Culprit, Reduced, culprits, lost, without
-from sdgen.pipeline.finish import check_undone, with_history
+from sdgen.pipeline.finish import with_history
 from sdgen.pipeline.rest import Rested
 from sdgen.pipeline.scene import (
     HOME_TRIES,
@@ -30,6 +30,7 @@ from sdgen.pipeline.scene import (
     make_scene,
 )
 from sdgen.pipeline.spec import draw_spec, node_ids
+from sdgen.pipeline.undoing import check_undone
 from sdgen.rejection import Cause, Rejection
 from sdgen.scene import causes_of
 from sdgen.seeding import lane

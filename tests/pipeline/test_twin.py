@@ -7,7 +7,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.facts import Facts
 from sdgen.hazards.twin import undone
 from sdgen.physics.client import Client
-from sdgen.pipeline.finish import around, check_standing, check_undone
+from sdgen.pipeline.undoing import around, check_standing, check_undone
 from sdgen.rejection import Cause, Rejection
 
 from tests import toy
@@ -78,6 +78,11 @@ def test_bullet_is_told_what_moved_things_could_touch_alone():
 
 def test_a_twin_that_takes_a_support_away_rejects_the_try():
     made = toy.bundle(3)
+    loose = [  # furniture is never taken away
+        item.model_copy(update={"fixed": item.fixed and item.id != 30})
+        for item in made.scene.objects
+    ]
+    made = replace(made, scene=made.scene.model_copy(update={"objects": tuple(loose)}))
     shelf = made.anomalies.anomalies[1].model_copy(update={"object_id": 30})
     records = made.anomalies.model_copy(update={"anomalies": (*made.anomalies.anomalies, shelf)})
     rejection = check_undone(replace(made, anomalies=records), toy.catalog(), toy.infos())

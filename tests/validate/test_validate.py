@@ -456,6 +456,85 @@ def test_a_twin_is_its_scene_undone(
     assert all("000003-twin" in text for text in found), found
 
 
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        (_put("undone", []), "undone: nothing of anomaly a00 of 000003"),
+        (lambda a: a["undone"].reverse(), "undone: not sorted by anomaly_id"),
+        (lambda a: a["undone"].pop(1), "undone: nothing of anomaly a01"),
+        (_put("undone.0.object_id", 600), "undone[0]: no such anomaly of 000003"),
+        (_put("undone.0.action", "put_out"), "action: 'put_out' is no remedy of stove_on"),
+        (_put("undone.0.removed", True), "removed: true, object 11 is there"),
+        (_put("undone.1.removed", False), "removed: false, object 600 is gone"),
+        (_put("undone.2.target_id", 77), "target_id: 77 (kitchen_table) is no target of put_in"),
+        (_put("undone.2.target_id", 999), "target_id: 999 (not there) is no target of put_in"),
+        (_put("undone.2.target_id", None), "target_id: nothing, though the object was put"),
+        (_put("undone.2.moved", False), "object 4000 (milk_carton).pose.position_m[0]: 0.5 stored"),
+    ],
+)
+def test_a_twin_says_what_was_undone(
+    sound_twins: Path, tmp_path: Path, edit: Edit, words: str
+) -> None:
+    import shutil
+
+    path = Path(shutil.copytree(sound_twins, tmp_path / "d"))
+    edit_json(path / "scenes/000003-twin/anomalies.json", edit)
+    reseal(path)
+    found = [p.text for p in validate(path) if p.check == "scene"]
+    assert any(words in text for text in found), found
+    assert all("000003-twin" in text for text in found), found
+
+
+def test_what_was_put_somewhere_is_there(sound_twins: Path, tmp_path: Path) -> None:
+    import shutil
+
+    path = Path(shutil.copytree(sound_twins, tmp_path / "d"))
+    edit_json(path / "scenes/000003-twin/scene.json", _object(4000, "pose.position_m.0", 2.5))
+    reseal(path)
+    found = [p.text for p in validate(path)]
+    assert any("undone[2]: object 4000 is not INSIDE fridge 305" in text for text in found), found
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("instance.png", 512, "1 pixels differ from those of 000003 and show nothing that was"),
+        ("depth.png", 1234, "1 pixels of what is as in 000003 are not as deep: at 3, 2"),
+    ],
+)
+def test_masks_of_a_twin_differ_where_something_was_changed(
+    sound_twins: Path, tmp_path: Path, name: str, value: int, words: str
+) -> None:
+    import shutil
+
+    path = Path(shutil.copytree(sound_twins, tmp_path / "d"))
+    for view in (0, 1):
+        where = path / f"scenes/000003-twin/views/0{view}/{name}"
+        edit_picture(where, lambda pixels: pixels.__setitem__((2, 3), value))
+    reseal(path)
+    found = [p.text for p in validate(path)]
+    assert any(words in text for text in found), found
+
+
+def test_toggles_are_sound_and_held_to_their_scenes(tmp_path: Path) -> None:
+    path = toy.build_with_twins(tmp_path / "d", 4, toggles=True)
+    assert validate(path) == []
+    toggle = path / "scenes/000003-undo-a01/anomalies.json"
+    edit_json(toggle, _put("anomalies.0.id", "a07"))
+    reseal(path)
+    found = [p.text for p in validate(path)]
+    assert any("undone: anomaly a07 of 000003-undo-a01 is none of 000003" in text for text in found)
+    (path / "scenes/000002-undo-a00").rename(path / "scenes/000002-undo-a07")
+    lines = (path / "manifest.jsonl").read_text().replace("2-undo-a00", "2-undo-a07")
+    (path / "manifest.jsonl").write_text(lines)
+    found = [p.text for p in validate(path)]
+    assert (
+        "manifest.jsonl: scene 000002: has no scene 000002-undo-a00, the options promise one"
+        in (found)
+    )
+    assert any("000002-undo-a07: undoes none of the 2 anomalies of 000002" in t for t in found)
+
+
 def test_a_twin_of_a_scene_that_is_not_sound_is_left_alone(
     sound_twins: Path, tmp_path: Path
 ) -> None:

@@ -48,7 +48,17 @@ LABELS: dict[Group, Label] = {
     "sanitation": "unsanitary",
     "child_safety": "unsafe for children",
 }
-Action = Literal["close", "switch_off", "put_out", "put_in", "put_on", "wipe_up", "throw_away"]
+Action = Literal[
+    "close",
+    "switch_off",
+    "put_out",
+    "put_in",
+    "put_on",
+    "move_away",
+    "wipe_up",
+    "sweep_up",
+    "throw_away",
+]
 _PLACEHOLDERS = ("object", "target", "room")
 #: No room is higher.
 _Height = Annotated[float, between(0.0, 10.0)]

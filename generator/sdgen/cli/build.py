@@ -139,7 +139,16 @@ def eye_height(text: str) -> float:
     is_flag=True,
     help="Use models whose licence allows no trade; the data set's does not either, then.",
 )
-@click.option("--twins", is_flag=True, help="Also write each scene's benign twin.")
+@click.option(
+    "--twins",
+    is_flag=True,
+    help="Also write each scene's benign twin, its anomalies undone by their remedies.",
+)
+@click.option(
+    "--toggles",
+    is_flag=True,
+    help="Also write, for each anomaly, the scene with that one alone undone.",
+)
 @click.option(
     "--draw",
     type=click.Choice(["balanced", "iid"]),
@@ -190,6 +199,7 @@ def build(
     assets_only: bool,
     non_commercial: bool,
     twins: bool,
+    toggles: bool,
     draw: Literal["balanced", "iid"],
     workers: int | None,
     engine: Literal["local", "ray"],
@@ -230,6 +240,7 @@ def build(
         renderer=renderer,
         eye_height_m=eye_height,
         twins=twins,
+        toggles=toggles,
         assets_only=assets_only,
     )
     first, end = index_range if index_range is not None else (0, n)

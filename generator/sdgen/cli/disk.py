@@ -26,9 +26,10 @@ def bytes_needed(options: BuildOptions, scenes: int) -> int:
     each = 0.0
     for sensor in options.sensors:
         each += PIXEL_BYTES[options.rgb if sensor == "rgb" else sensor]
-    twice = 2 if options.twins else 1
+    anomalies = (options.hazards_min + options.hazards_max) / 2 if options.toggles else 0
+    folders = 1 + options.twins + anomalies
     views = options.views * VIEW_BYTES if options.sensors else 0
-    return round(scenes * twice * (SCENE_BYTES + views + pixels * each))
+    return round(scenes * folders * (SCENE_BYTES + views + pixels * each))
 
 
 def nearest_folder(path: Path) -> Path:

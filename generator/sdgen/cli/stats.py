@@ -39,8 +39,10 @@ def stats(dataset: Path, as_json: bool) -> None:
     from sdgen.cli.table import echo_table
 
     scenes = max(counts.scenes, 1)
+    numbers = {"twins": counts.twins, "toggles": counts.toggles}
+    beside = [f"{number} {kind}" for kind, number in numbers.items() if number]
     table = Table(title=f"{dataset}: n {info.n}, seed {info.seed}", show_header=False)
-    table.add_row("scenes", _of(counts.scenes, f"{counts.twins} twins" if counts.twins else ""))
+    table.add_row("scenes", _of(counts.scenes, ", ".join(beside)))
     table.add_row("views", str(counts.views))
     table.add_row("objects", _of(counts.objects, f"{counts.objects / scenes:.1f} a scene"))
     table.add_row("anomalies", _of(counts.anomalies, f"{counts.anomalies / scenes:.2f} a scene"))

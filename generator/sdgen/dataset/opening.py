@@ -55,8 +55,9 @@ def refuse_incomplete(path: Path, info: DatasetInfo, entries: Sequence[ManifestE
 
 def unlisted(path: Path, info: DatasetInfo, entries: Sequence[ManifestEntry]) -> list[str]:
     """That the manifest lists fewer or more scenes than ``dataset.json`` counts, and which."""
-    twins = sum(entry.twin_of is not None for entry in entries)
-    listed, counted = (len(entries) - twins, twins), (info.counts.scenes, info.counts.twins)
+    kinds = [entry.kind for entry in entries]
+    listed = (kinds.count("scene"), kinds.count("twin"), kinds.count("toggle"))
+    counted = (info.counts.scenes, info.counts.twins, info.counts.toggles)
     if listed == counted:
         return []
     ids = {entry.id for entry in entries}
@@ -65,9 +66,15 @@ def unlisted(path: Path, info: DatasetInfo, entries: Sequence[ManifestEntry]) ->
     neither = (name for name in every if name not in ids and name not in info.failed)
     gone = sorted(_folders(path) - ids) or list(islice(neither, _NAMED + 1))
     names = ", ".join(gone[:_NAMED]) + (", ..." if len(gone) > _NAMED else "")
+    words = [f"{listed[0]} scenes and {listed[1]} twins", f"{counted[0]} and {counted[1]}"]
+    if listed[2] or counted[2]:
+        words = [
+            f"{word}, {more[2]} toggles"
+            for word, more in zip(words, (listed, counted), strict=True)
+        ]
     return [
-        f"manifest.jsonl: lists {listed[0]} scenes and {listed[1]} twins, dataset.json counts "
-        f"{counted[0]} and {counted[1]}" + (f" (not listed: {names})" if gone else "")
+        f"manifest.jsonl: lists {words[0]}, dataset.json counts {words[1]}"
+        + (f" (not listed: {names})" if gone else "")
     ]
 
 

@@ -16,7 +16,7 @@ import numpy.typing as npt
 from sdgen.catalog.records import Catalog, canonical_sha256
 from sdgen.dataset.images import read_gray, read_rgb
 from sdgen.dataset.opening import open_info, read_manifest, refuse_incomplete
-from sdgen.dataset.records import VISIBILITY_FILE, ManifestEntry
+from sdgen.dataset.records import VISIBILITY_FILE, Kind, ManifestEntry
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.dataset.text import read_bytes, read_lines, read_record, to_record
 from sdgen.errors import InputError, did_you_mean
@@ -50,7 +50,7 @@ class SceneItem:
 
     @property
     def id(self) -> str:
-        """``000041``, or ``000041-twin``."""
+        """``000041``, ``000041-twin`` or ``000041-undo-a00``."""
         return self.entry.id
 
     @property
@@ -158,7 +158,8 @@ class Dataset(Sequence[SceneItem]):
     """A data set as a sequence of scenes, in the order of their index (twins left out).
 
     ``split`` keeps one of ``train``, ``val``, ``test``; ``twins`` gives each scene's benign twin
-    instead; ``graph_view`` says what the scenes' ``.graph`` shows. Works as a map-style data set
+    instead, ``toggles`` those in which one anomaly is undone (with both: all of these);
+    ``graph_view`` says what the scenes' ``.graph`` shows. Works as a map-style data set
     of PyTorch; picklable. Raises InputError for a folder that is no data set, or one that lacks
     scenes it was finished with (``partial`` opens what is left of it, and takes its catalogue for
     what it is).
@@ -171,10 +172,12 @@ class Dataset(Sequence[SceneItem]):
         twins: bool = False,
         graph_view: GraphView = "full",
         partial: bool = False,
+        toggles: bool = False,
     ) -> None:
         self.path = Path(path)
         self.split = split
         self.twins = twins
+        self.toggles = toggles
         self.graph_view = graph_view
         self.partial = partial
         self.info = open_info(self.path)
@@ -187,19 +190,24 @@ class Dataset(Sequence[SceneItem]):
         self._shown = tuple(
             entry
             for entry in self.entries
-            if (entry.twin_of is not None) == twins and split in (None, entry.split)
+            if entry.kind in self._kinds and split in (None, entry.split)
         )
 
     def __repr__(self) -> str:
         counts, shown = self.info.counts, len(self)
         part = f" of {self.split}" if self.split is not None else ""
-        noun = ("twin" if self.twins else "scene") + "s" * (shown != 1)
+        noun = " and ".join(kind + "s" * (shown != 1) for kind in self._kinds)
         views = f"{self.info.options.views} views" if self.info.options.sensors else "no pictures"
         return (
             f"<sdgen.Dataset {str(self.path)!r}: {shown} {noun}{part}, {views}, "
             f"{counts.anomalies} anomalies of {len(self.info.hazards_enabled)} hazards, "
             f"seed {self.info.seed}>"
         )
+
+    @property
+    def _kinds(self) -> tuple[Kind, ...]:
+        asked: tuple[tuple[Kind, bool], ...] = (("twin", self.twins), ("toggle", self.toggles))
+        return tuple(kind for kind, wanted in asked if wanted) or ("scene",)
 
     def __len__(self) -> int:
         return len(self._shown)

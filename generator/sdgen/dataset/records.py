@@ -4,14 +4,22 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
 from sdgen.catalog.records import Label
 from sdgen.options import MAX_SCENES, MAX_SEED, MAX_VIEWS, BuildOptions
-from sdgen.scene import FORMAT_VERSION, CauseCount, Notify, Record
+from sdgen.scene import (
+    FORMAT_VERSION,
+    CauseCount,
+    Notify,
+    Record,
+    anomaly_id,
+    toggle_id,
+    twin_id,
+)
 
 LICENCE = "CC-BY-4.0"
 
@@ -24,7 +32,7 @@ VISIBILITY_FILE = "visibility.json"
 
 #: A scene's index, as its id and its folder have it: below ``MAX_SCENES``.
 _INDEX = "[0-9]{6}"
-SCENE_ID = rf"^{_INDEX}(-twin)?$"
+SCENE_ID = rf"^{_INDEX}(-twin|-undo-a[0-9]{{2,4}})?$"
 SHA256 = r"^[0-9a-f]{64}$"
 
 
@@ -40,6 +48,8 @@ Versions = Annotated[
     AfterValidator(_with_sdgen),
     Field(json_schema_extra={"required": ["sdgen"]}),
 ]
+#: A scene, its benign twin, or the scene with one of its anomalies undone.
+Kind = Literal["scene", "twin", "toggle"]
 #: The id of a scene that is no twin.
 FirstId = Annotated[str, Field(pattern=rf"^{_INDEX}$")]
 
@@ -61,6 +71,20 @@ class ManifestEntry(Record):
     content_sha256: str = Field(pattern=SHA256)
     files: dict[str, str]
 
+    @property
+    def kind(self) -> Kind:
+        """What a scene is: one of the ``n``, its benign twin, or one with one anomaly undone."""
+        if self.twin_of is None:
+            return "scene"
+        return "twin" if self.id == twin_id(self.twin_of) else "toggle"
+
+    def twins_promised(self, options: BuildOptions) -> frozenset[str]:
+        """Ids of all that a build with these options writes beside a scene."""
+        ids = {twin_id(self.id)} if options.twins else set()
+        if options.toggles:
+            ids |= {toggle_id(self.id, anomaly_id(k)) for k in range(self.anomalies)}
+        return frozenset(ids)
+
 
 class Vocabularies(Record):
     """The words the files use, sorted."""
@@ -79,10 +103,11 @@ class Vocabularies(Record):
 
 
 class Counts(Record):
-    """Totals over all scenes (twins apart)."""
+    """Totals over all scenes (twins and toggles apart)."""
 
     scenes: int
     twins: int
+    toggles: int = 0
     views: int
     objects: int
     anomalies: int
@@ -169,7 +194,8 @@ def count(entries: tuple[ManifestEntry, ...]) -> Counts:
         hazards.update(entry.hazards)
     return Counts(
         scenes=len(scenes),
-        twins=len(entries) - len(scenes),
+        twins=sum(entry.kind == "twin" for entry in entries),
+        toggles=sum(entry.kind == "toggle" for entry in entries),
         views=sum(entry.views for entry in scenes),
         objects=sum(entry.objects for entry in scenes),
         anomalies=sum(entry.anomalies for entry in scenes),

@@ -257,13 +257,13 @@ class DatasetWriter(Closing):
                 damaged.append(folder.name)
         self.notes += tuple(f"scene {name} was damaged and will be made again" for name in damaged)
         self._take_away(damaged)
-        if self.build.options.twins:
-            # A scene whose twin is not there is made again with it.
-            self.done = {
-                key: entry
-                for key, entry in self.done.items()
-                if entry.twin_of is not None or f"{key}-twin" in self.done
-            }
+        # A scene whose twins are not all there is made again with them.
+        self.done = {
+            key: entry
+            for key, entry in self.done.items()
+            if entry.twin_of is not None
+            or entry.twins_promised(self.build.options) <= self.done.keys()
+        }
 
     def _take_away(self, names: Iterable[str]) -> None:
         """Remove scenes with their lines; what others put into their folders is set aside."""

@@ -39,7 +39,7 @@ class Order:
 
 @dataclass(frozen=True)
 class Sent:
-    """A scene's result with its folders as bytes, the twin's first."""
+    """A scene's result with its folders as bytes, its twins' first."""
 
     result: SceneResult
     scenes: tuple[PackedScene, ...]
@@ -77,7 +77,7 @@ class RemoteWorker:
         if self._away is None:
             return result
         entries = (self._away / BUILD_FOLDER / "entries").glob("*.json")
-        # "000001-twin" before "000001": a scene that is there has its twin beside it.
+        # "000001-twin" before "000001": a scene that is there has its twins beside it.
         names = sorted((path.stem for path in entries), reverse=True)
         return Sent(result, tuple(pack(self._away, name) for name in names))
 

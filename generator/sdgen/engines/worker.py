@@ -65,7 +65,7 @@ class SceneWorker(Closing):
         self._renderer = open_renderer(setup.choice) if setup.choice is not None else None
 
     def __call__(self, index: int) -> SceneResult:
-        """Make, draw and write scene ``index`` (and its twin).
+        """Make, draw and write scene ``index`` (and its twins).
 
         Raises SceneRejected, and SdgenError when a disk is full or a folder gone.
         """
@@ -74,15 +74,15 @@ class SceneWorker(Closing):
         with _refused(f"scene {index:06d} cannot be made"):
             bundle = make_scene(index, setup.catalog, self._library, setup.options, self._client)
         with _refused(f"scene {index:06d} cannot be written", setup.writer.root):
-            # The twin first: a scene that is there has its twin beside it.
-            if bundle.twin is not None:
-                self._draw_and_write(bundle.twin)
+            # Its twins first: a scene that is there has them beside it.
+            for twin in bundle.twins:
+                self._draw_and_write(twin)
             all_visible = self._draw_and_write(bundle)
         drawn = len(bundle.cameras) if self._renderer is not None else 0
         return SceneResult(
             scene_id=bundle.scene.id,
             hazards=tuple(a.hazard for a in bundle.anomalies.anomalies),
-            frames=drawn if bundle.twin is None else 2 * drawn,
+            frames=drawn * (1 + len(bundle.twins)),
             seconds=time.monotonic() - start,
             home_attempts=bundle.physics.home_attempts,
             placement_attempts=bundle.physics.placement_attempts,

@@ -10,7 +10,7 @@ from sdgen.catalog.records import Catalog
 from sdgen.catalog.terms import AllTerm, AnyTerm, CategoryTerm, Term
 from sdgen.facts import Facts
 from sdgen.library.records import AssetInfo
-from sdgen.scene import Scene
+from sdgen.scene import Certificate, Scene
 
 
 @dataclass(frozen=True)
@@ -69,6 +69,17 @@ def categories_of(predicate: Term) -> frozenset[str] | None:
         found = [names for term in predicate.terms if (names := categories_of(term)) is not None]
         return frozenset.intersection(*found) if found else None
     return None
+
+
+def certificate(catalog: Catalog, assets_sha256: str, surveyed: Survey) -> Certificate:
+    """What was checked of a scene whose survey holds nothing in doubt."""
+    return Certificate(
+        hazards_enabled=tuple(sorted(hazard.id for hazard in catalog.hazards)),
+        catalogue_sha256=catalog.sha256,
+        assets_sha256=assets_sha256,
+        pairs_checked=surveyed.pairs,
+        pairs_positive=len(surveyed.positives),
+    )
 
 
 def certify(scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog) -> tuple[Positive, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe
 from sdgen.facts import Facts
@@ -11,10 +11,10 @@ from sdgen.hazards.certify import Positive
 from sdgen.hazards.evidence import evidence_of
 from sdgen.hazards.placing import Injected
 from sdgen.households import decide
-from sdgen.scene import Anomaly, EvidenceValue, Household, Lookalike, Remedy
+from sdgen.scene import Anomaly, EvidenceValue, Household, Lookalike, Remedy, anomaly_id
 
 #: Evidence that names a thing which makes an anomaly together with its object.
-SHOWN_WITH = ("nearest_id", "above_id", "held_id", "faces_id", "away_from_id")
+SHOWN_WITH = ("nearest_id", "above_id", "held_id", "facing_id", "away_from_id")
 
 
 def anomaly_records(
@@ -39,7 +39,7 @@ def anomaly_records(
         report, notify, reason = decide(hazard, evidence, household, catalog.reach)
         records.append(
             Anomaly(
-                id=f"a{number:02d}",
+                id=anomaly_id(number),
                 hazard=hazard.id,
                 group=hazard.group,
                 label=hazard.label,
@@ -141,3 +141,23 @@ def lookalike_records(
         for missed in lookalikes
     }
     return tuple(records[k] for k in sorted(records))
+
+
+def measured_again(
+    lookalikes: Iterable[Lookalike], facts: Facts, catalog: Catalog
+) -> tuple[Lookalike, ...]:
+    """Lookalikes of a twin: what is near them may be gone or have moved."""
+    return tuple(
+        one.model_copy(
+            update={
+                "evidence": catalog.hazard(one.near_miss_of).predicate.measure(one.object_id, facts)
+            }
+        )
+        for one in lookalikes
+    )
+
+
+def with_ids_of(anomalies: Iterable[Anomaly], others: Iterable[Anomaly]) -> tuple[Anomaly, ...]:
+    """Anomalies with the ids that the same pairs have among others, in a scene with more."""
+    ids = {(one.object_id, one.hazard): one.id for one in others}
+    return tuple(one.model_copy(update={"id": ids[one.object_id, one.hazard]}) for one in anomalies)

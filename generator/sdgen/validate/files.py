@@ -22,6 +22,7 @@ from sdgen.dataset.scene_folder import content_sha256, is_ours, view_files, view
 from sdgen.dataset.text import read_bytes
 from sdgen.errors import InputError, did_you_mean
 from sdgen.hazards.splits import split_of_home
+from sdgen.scene import anomaly_id, toggle_id, twin_id
 from sdgen.validate.problems import SHOWN, Problem, differences
 
 SCENES = "scenes"
@@ -90,9 +91,8 @@ def _manifest(data: Dataset) -> Iterator[Problem]:
     if order != sorted(order):
         yield Problem("file", "manifest.jsonl: not sorted by scene")
     for entry in data.entries:
-        where = f"manifest.jsonl: scene {entry.id}"
-        name = f"{entry.index:06d}"
-        if entry.id != (f"{name}-twin" if entry.twin_of else name):
+        where, name = f"manifest.jsonl: scene {entry.id}", f"{entry.index:06d}"
+        if entry.id != name and not (entry.twin_of and entry.id.startswith(f"{name}-")):
             yield Problem("count", f"{where}: id and index disagree")
         if entry.split != split_of_home(entry.home):
             right = split_of_home(entry.home)
@@ -102,16 +102,23 @@ def _manifest(data: Dataset) -> Iterator[Problem]:
             yield Problem("count", f"{where}: twin of no scene{hint}")
         elif entry.twin_of is not None:
             yield from _twin(entry, by_id[entry.twin_of], where)
-        elif data.info.options.twins and f"{entry.id}-twin" not in by_id:
-            yield Problem("count", f"{where}: has no twin, the options promise one")
+        else:
+            for missing in sorted(entry.twins_promised(data.info.options) - by_id.keys()):
+                kind = "twin" if missing == twin_id(entry.id) else f"scene {missing}"
+                yield Problem("count", f"{where}: has no {kind}, the options promise one")
 
 
 def _twin(twin: ManifestEntry, scene: ManifestEntry, where: str) -> Iterator[Problem]:
-    """A twin has the household, cameras and split of its scene, and nothing wrong with it."""
+    """A twin has the household, cameras and split of its scene, and nothing wrong with it; one
+    with an anomaly undone has fewer of them."""
     if (twin.home, twin.split, twin.views) != (scene.home, scene.split, scene.views):
         yield Problem("count", f"{where}: home, split or views are not those of {scene.id}")
-    if twin.anomalies:
+    if twin.kind == "twin" and twin.anomalies:
         yield Problem("count", f"{where}: a twin with {twin.anomalies} anomalies")
+    promised = {toggle_id(scene.id, anomaly_id(k)) for k in range(scene.anomalies)}
+    if twin.kind == "toggle" and (twin.id not in promised or twin.anomalies >= scene.anomalies):
+        text = f"undoes none of the {scene.anomalies} anomalies of {scene.id}"
+        yield Problem("count", f"{where}: {text}")
     for name in ("household.json", *(n for n in scene.files if n.endswith("view.json"))):
         if twin.files.get(name) != scene.files.get(name):
             both = f"scenes/{scene.id}/{name} and scenes/{twin.id}/{name}"

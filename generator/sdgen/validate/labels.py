@@ -15,7 +15,7 @@ from sdgen.facts import Facts, bodies_of
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import QUATERNION_STEP, round_position
 from sdgen.hazards.certify import Survey, facts_of, survey
-from sdgen.hazards.labels import anomaly_records
+from sdgen.hazards.labels import anomaly_records, with_ids_of
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import derive_states
 from sdgen.scene import FORMAT_VERSION, LARGEST_ID, ObjectInstance, Scene
@@ -197,6 +197,8 @@ def _anomalies(
     # What a scene was asked for is in no other record.
     drawn = {pair for pair, anomaly in stored.items() if anomaly.drawn}
     derived = anomaly_records(holding, facts, catalog, item.household, drawn)
+    if item.scene.twin_of is not None:  # numbered as in its scene: held against it elsewhere
+        derived = with_ids_of(derived, item.anomalies.anomalies)
     for text in islice(differences(item.anomalies.anomalies, derived, "anomalies"), SHOWN):
         yield Problem("label", f"{where}: {text}")
 

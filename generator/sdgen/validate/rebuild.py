@@ -104,15 +104,17 @@ def _renderer(info: DatasetInfo) -> tuple[Choice | None, str]:
 def _scene(
     data: Dataset, entry: ManifestEntry, worker: SceneWorker, place: Path, pictures: bool
 ) -> Iterator[Problem]:
-    """One scene, and its twin where the data set has one."""
+    """One scene, and its twins where the data set has any."""
     try:
         worker(entry.index)
     except SceneRejected as error:
         yield Problem("rebuild", f"scenes/{entry.id}: {error}")
         return
-    ids = {entry.id, f"{entry.id}-twin"}
-    for stored in (e for e in data.entries if e.id in ids):
+    for stored in (e for e in data.entries if entry.id in (e.id, e.twin_of)):
         done = place / BUILD_FOLDER / "entries" / f"{stored.id}.json"
+        if not done.is_file():
+            yield Problem("rebuild", f"scenes/{stored.id}: made again, there is no such scene")
+            continue
         made = read_record(FinishedScene, done, str(done)).entry
         for name in sorted(stored.files):
             compared = pictures or name in CONTENT_FILES or name.endswith("/view.json")

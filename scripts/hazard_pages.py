@@ -57,6 +57,10 @@ def thresholds(hazard: Hazard) -> Iterator[str]:
 def concerned(hazard: Hazard) -> str:
     """Whom it concerns."""
     concern = hazard.concerns
+    if concern.min_age is not None:
+        return f"people of {concern.min_age} and older"
+    if concern.living_with:
+        return f"who lives with: {', '.join(concern.living_with)}"
     if concern.max_age is None:
         return "everyone"
     reach = ", where such a child reaches it" if concern.by_reach else ""
@@ -80,6 +84,8 @@ def shown_by(hazard: Hazard) -> str:
 def facts(hazard: Hazard) -> str:
     """The table between the markers."""
     limits = "<br>".join(thresholds(hazard)) or "none of its own: those of states and relations"
+    harm = hazard.severity
+    severity = f"{harm.harm} ({harm.source})" if harm is not None else "not said"
     rows = (
         ("class of the paper", hazard.paper_class),
         ("group, label", f"{hazard.group}, {hazard.label}"),
@@ -88,7 +94,8 @@ def facts(hazard: Hazard) -> str:
         ("definition", hazard.predicate.in_words()),
         ("thresholds", limits),
         ("shown by", shown_by(hazard)),
-        ("source", hazard.source),
+        ("severity", severity),
+        ("source", "<br>".join(map(str, hazard.guidance)) or hazard.source),
     )
     table = "\n".join(f"| {key} | {value} |" for key, value in rows)
     return f"{START}\n| | |\n|---|---|\n{table}\n{END}"

@@ -7,8 +7,9 @@ from collections import Counter
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from sdgen.catalog.folder import extension_names
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.records import Concern, Hazard, MemberRule, ReachRow
+from sdgen.catalog.records import Concern, Hazard, HouseholdTemplate, MemberRule, ReachRow, Trait
 from sdgen.households import (
     Decision,
     decide,
@@ -16,6 +17,7 @@ from sdgen.households import (
     household_from,
     reach_at,
     sample_household,
+    wished_traits,
 )
 from sdgen.scene import Household, Member, Notify
 from sdgen.seeding import lane
@@ -206,19 +208,25 @@ def test_who_may_fall_is_told_of_what_one_falls_over() -> None:
 
 
 def test_every_pet_and_condition_matters_to_a_hazard() -> None:
+    """Some to one of a pack alone: nobody smokes where no hazard asks."""
+    everything = load_catalog(extensions=extension_names())
     for template in CATALOG.households:
-        for trait in (*template.pets, *template.conditions):
-            raised = [
+        for trait in template.traits:
+            concerned = [
                 hazard.id
-                for hazard in CATALOG.hazards
-                for rule in hazard.concerns.raised_by
-                if trait in rule.living_with
+                for hazard in everything.hazards
+                for words in (
+                    hazard.concerns.living_with,
+                    *(rule.living_with for rule in hazard.concerns.raised_by),
+                )
+                if trait in words
             ]
-            assert raised, trait
+            assert concerned, trait
 
 
 def test_what_matters_to_nothing_is_never_drawn() -> None:
-    owner = CATALOG.households[0].model_copy(update={"pets": ("goldfish", "cat")})
+    pets = (Trait(name="goldfish"), Trait(name="cat"))
+    owner = CATALOG.households[0].model_copy(update={"pets": pets})
     drawn = {
         pet
         for k in range(40)
@@ -269,8 +277,8 @@ def test_sampling_covers_the_templates_and_keeps_their_ages() -> None:
         for member, rule in zip(household.members, template.members, strict=True):
             assert member.role == rule.role
             assert rule.age[0] <= member.age <= rule.age[1]
-        assert set(household.pets) <= set(template.pets)
-        assert set(household.conditions) <= set(template.conditions)
+        assert {*household.pets, *household.conditions} <= set(template.traits)
+        assert set(household.opt_outs) <= {one.name for one in template.opt_outs}
         assert set(household.notifications) == set(template.notifications)
         reported[decide(SHARP, {"reach_height_m": 0.75}, household, CATALOG.reach).report] += 1
     assert set(seen) == set(templates)
@@ -324,3 +332,136 @@ def test_a_household_can_be_given_in_full() -> None:
     assert household.members == (Member(role="adult", age=33),)
     with pytest.raises(ValueError):
         household_from(template, [33, 34])
+
+
+def concerning(**keys: object) -> Hazard:
+    """Spills, were they to concern others."""
+    concern = Concern.model_validate(keys)
+    return CATALOG.hazard("spill").model_copy(update={"concerns": concern})
+
+
+@pytest.mark.parametrize(
+    ("concern", "household", "room", "reason"),
+    [
+        (
+            {"who": "older_people", "min_age": 65},
+            living(40, 71),
+            "hall",
+            "Somebody of 71 lives here, and it is too urgent to wait.",
+        ),
+        (
+            {"who": "older_people", "min_age": 65},
+            living(40, 64),
+            "hall",
+            "Nobody who lives here is 65 or older.",
+        ),
+        (
+            {"who": "living_with", "living_with": ["cat", "dog"]},
+            with_pet(40, pets=("dog",)),
+            "hall",
+            "A dog lives here, and it is too urgent to wait.",
+        ),
+        (
+            {"who": "living_with", "living_with": ["has dementia"]},
+            with_pet(80, conditions=("has dementia",)),
+            "hall",
+            "Somebody who lives here has dementia, and it is too urgent to wait.",
+        ),
+        (
+            {"who": "living_with", "living_with": ["cat", "dog"]},
+            living(40),
+            "hall",
+            "It concerns who lives with this alone: cat, dog.",
+        ),
+        (
+            {"who": "everyone", "rooms": ["child_room", "bedroom"]},
+            living(40),
+            "bedroom",
+            "It concerns everyone who lives here, and it is too urgent to wait.",
+        ),
+        (
+            {"who": "everyone", "rooms": ["child_room", "bedroom"]},
+            living(40),
+            "hall",
+            "It would concern them in the child room or bedroom alone.",
+        ),
+    ],
+)
+def test_whom_else_a_hazard_concerns(
+    concern: dict[str, object], household: Household, room: str, reason: str
+) -> None:
+    found = decide(concerning(**concern), {}, household, REACH, room)
+    assert found.reason == reason
+    assert found.report == reason.endswith("too urgent to wait.")
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        {"who": "older_people"},
+        {"who": "living_with"},
+        {"who": "everyone", "min_age": 65},
+        {"who": "everyone", "living_with": ["cat"]},
+        {"who": "older_people", "min_age": 65, "by_reach": True},
+    ],
+)
+def test_a_concern_without_what_it_needs_or_with_what_is_anothers_is_refused(
+    keys: dict[str, object],
+) -> None:
+    with pytest.raises(ValueError):
+        Concern.model_validate(keys)
+
+
+def test_who_opted_out_hears_nothing_but_of_what_nobody_is_silent_about() -> None:
+    food, stove = CATALOG.hazard("fridge_open"), CATALOG.hazard("stove_on")
+    out = living(40).model_copy(update={"opt_outs": ("sanitation", "stove_on", "spill")})
+    assert decide(food, {}, out, REACH) == Decision(
+        False,
+        "silent",
+        "It concerns everyone who lives here, but the household opted out of sanitation.",
+    )
+    assert decide(CATALOG.hazard("spill"), {}, out, REACH).notify == "silent"
+    assert decide(stove, {}, out, REACH).notify == "now"
+    assert decide(CATALOG.hazard("broken_item"), {}, out, REACH).notify == "now"
+
+
+def test_half_of_the_scenes_with_a_pets_hazard_have_the_pet() -> None:
+    """Where the household may have one at all; the draw of hazards knows nothing of it."""
+    lilies = concerning(who="living_with", living_with=["cat"])
+    catalog = CATALOG.model_copy(update={"hazards": (*CATALOG.hazards[1:], lilies)})
+    may = [t for t in CATALOG.households if "cat" in t.traits]
+    having = 0
+    for k in range(400):
+        wished = wished_traits([lilies], lane(5, k, "wished"))
+        assert set(wished) <= {"cat"}
+        template = draw_template(
+            catalog, lane(5, k, "template"), lambda one, w=wished: not w or one in may
+        )
+        found = sample_household(catalog, template, lane(5, k, "household"), wished)
+        assert not wished or found.pets.count("cat") == 1
+        having += "cat" in found.pets
+    assert 200 < having < 330
+
+
+def test_shares_of_traits_are_kept_and_old_files_still_read() -> None:
+    template = next(t for t in CATALOG.households if t.name == "elderly_couple")
+    drawn = Counter(
+        condition
+        for k in range(600)
+        for condition in sample_household(CATALOG, template, lane(9, k, "h")).conditions
+    )
+    assert 240 < drawn["walks with a stick"] < 360
+    assert 100 < drawn["has dementia"] < 200
+    written = template.model_dump(mode="json") | {"conditions": ["walks with a stick"]}
+    del written["opt_outs"]
+    (old,) = HouseholdTemplate.model_validate(written).conditions
+    assert (old.name, old.share) == ("walks with a stick", 0.5)
+
+
+def test_every_shipped_hazard_says_how_bad_it_is_and_who_says_so() -> None:
+    for hazard in load_catalog().hazards:
+        assert hazard.severity is not None, hazard.id
+        assert hazard.guidance, hazard.id
+        for one in (*hazard.guidance, hazard.severity.source):
+            assert min(len(one.body), len(one.title), len(one.says)) >= 5, hazard.id
+            assert str(one) in hazard.source or one == hazard.severity.source

@@ -6,19 +6,19 @@ Predicates never read a household: what is an anomaly follows from the scene, ``
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from sdgen.catalog.records import Catalog, Hazard, HouseholdTemplate, ReachRow
+from sdgen.catalog.records import Catalog, Hazard, HouseholdTemplate, ReachRow, Trait
 from sdgen.scene import EvidenceValue, Household, Member, Notify
 from sdgen.seeding import Rng
 from sdgen.vocabulary import Urgency
 
-#: Chance that a household has a pet or a condition its template allows. Not counted anywhere, but
-#: chosen: both sides are equally common in a data set, and no label depends on it.
-OPTIONAL_SHARE = 0.5
+#: Of the scenes with a hazard that concerns who lives with some pet or condition, so many are of
+#: households that do, where there are such: both sides are common then, and no label depends on it.
+WISHED_SHARE = 0.5
 
 #: How a hazard is notified when the household made no choice of its own. A judgement: only of low
 #: urgency is what may wait till the day's summary, and an interruption for it would cost more.
@@ -42,6 +42,7 @@ def household_from(
     pets: Sequence[str] = (),
     conditions: Sequence[str] = (),
     notifications: Mapping[str, Notify] | None = None,
+    opt_outs: Sequence[str] = (),
 ) -> Household:
     """A household of a template with everything decided; ``ages`` follow ``template.members``."""
     return Household(
@@ -53,6 +54,7 @@ def household_from(
         pets=tuple(pets),
         conditions=tuple(conditions),
         notifications=dict(notifications or {}),
+        opt_outs=tuple(opt_outs),
     )
 
 
@@ -66,25 +68,39 @@ def draw_template(
     return among[int(rng.choice(len(weights), p=weights / weights.sum()))]
 
 
-def sample_household(catalog: Catalog, template: HouseholdTemplate, rng: Rng) -> Household:
+def wished_traits(hazards: Iterable[Hazard], rng: Rng) -> tuple[str, ...]:
+    """The pets and conditions of which a household is to have one, for the sake of the drawn
+    hazards that concern who lives with them; none in half of all scenes. ``rng``: a lane of its
+    own."""
+    words = {word for hazard in hazards for word in hazard.concerns.living_with}
+    return tuple(sorted(words)) if rng.random() < WISHED_SHARE else ()
+
+
+def sample_household(
+    catalog: Catalog, template: HouseholdTemplate, rng: Rng, wished: Collection[str] = ()
+) -> Household:
     """A household of a template. ``rng``: a lane of its own.
 
-    A pet or a condition that matters to nothing in the catalogue is never drawn.
+    A pet or a condition that matters to nothing in the catalogue is never drawn; of the ``wished``
+    ones that the template may have it has one at least.
     """
     matters = _matters(catalog)
+    may = [name for name in template.traits if name in wished and name in matters]
+    must = may[int(rng.integers(len(may)))] if may else None
+
+    def has(trait: Trait) -> bool:
+        return (rng.random() < trait.share or trait.name == must) and trait.name in matters
+
     return household_from(
         template,
         ages=_ages(template, rng),
-        pets=[p for p in template.pets if rng.random() < OPTIONAL_SHARE and p in matters],
-        conditions=[
-            item
-            for item in template.conditions
-            if rng.random() < OPTIONAL_SHARE and item in matters
-        ],
+        pets=[trait.name for trait in template.pets if has(trait)],
+        conditions=[trait.name for trait in template.conditions if has(trait)],
         notifications={
             hazard: choices[int(rng.integers(len(choices)))]
             for hazard, choices in sorted(template.notifications.items())
         },
+        opt_outs=[one.name for one in template.opt_outs if rng.random() < one.share],
     )
 
 
@@ -101,7 +117,9 @@ def _matters(catalog: Catalog) -> set[str]:
     """The pets and conditions that raise a hazard, or bring things along."""
     raising = (rule for hazard in catalog.hazards for rule in hazard.concerns.raised_by)
     owned = (category.belongs_to for category in catalog.categories)
-    return {word for words in (*(r.living_with for r in raising), *owned) for word in words}
+    concerned = (hazard.concerns.living_with for hazard in catalog.hazards)
+    named = (*(r.living_with for r in raising), *owned, *concerned)
+    return {word for words in named for word in words}
 
 
 def reach_at(age: int, reach: Sequence[ReachRow]) -> float:
@@ -120,16 +138,22 @@ def decide(
     evidence: Mapping[str, EvidenceValue],
     household: Household,
     reach: Sequence[ReachRow],
+    room: str = "",
 ) -> Decision:
-    """Whether this household wants an anomaly of ``hazard`` reported.
+    """Whether this household wants an anomaly of ``hazard`` in a room of this type reported.
 
-    First whom it concerns: everyone, or children who are young enough and, where the hazard says
-    so, tall enough to reach ``evidence["reach_height_m"]``. A pet or a condition that it is
-    ``raised_by`` makes it a matter of ``now``, whatever else holds. Otherwise the household's own
-    choice for the hazard (of which there is none to be silent about what is ``never_silent``),
-    else the default of its urgency.
+    First whom it concerns: everyone; children who are young enough and, where the hazard says so,
+    tall enough to reach ``evidence["reach_height_m"]``; people who are old enough; who lives with
+    a pet or a condition; and of these, where the hazard names rooms, in those alone. A pet or a
+    condition that it is ``raised_by`` makes it a matter of ``now``, whatever else holds. Who has
+    opted out of it, or of its group, hears nothing of what is not ``never_silent``. Otherwise
+    the household's own choice for the hazard (of which there is none to be silent about what is
+    ``never_silent``), else the default of its urgency.
     """
     concerned, reason = _concerned(hazard, evidence, household, reach)
+    if concerned and hazard.concerns.rooms and room not in hazard.concerns.rooms:
+        rooms = " or ".join(name.replace("_", " ") for name in hazard.concerns.rooms)
+        concerned, reason = False, f"It would concern them in the {rooms} alone"
     for_whom = _raised(hazard, household)
     if for_whom is not None:
         joint = "and" if concerned else "but"
@@ -138,6 +162,10 @@ def decide(
         )
     if not concerned:
         return Decision(False, "silent", f"{reason}.")
+    for out in household.opt_outs:
+        if out in (hazard.id, hazard.group) and not hazard.never_silent:
+            of = hazard.group.replace("_", " ") if out == hazard.group else "this"
+            return Decision(False, "silent", f"{reason}, but the household opted out of {of}.")
     chosen = household.notifications.get(hazard.id)
     if chosen == "silent" and hazard.never_silent:
         chosen = None
@@ -161,12 +189,20 @@ _DEFAULT: Mapping[Urgency, str] = {
 def _raised(hazard: Hazard, household: Household) -> str | None:
     """Which pet or which member the hazard is raised by, in words; None when by nobody."""
     for rule in hazard.concerns.raised_by:
-        for pet in household.pets:
-            if pet in rule.living_with:
-                return f"a {pet} lives here"
-        for condition in household.conditions:
-            if condition in rule.living_with:
-                return f"somebody who lives here {condition}"
+        found = _living_with(rule.living_with, household)
+        if found is not None:
+            return found
+    return None
+
+
+def _living_with(traits: Collection[str], household: Household) -> str | None:
+    """Which of these pets and conditions a household has, in words: its first."""
+    for pet in household.pets:
+        if pet in traits:
+            return f"a {pet} lives here"
+    for condition in household.conditions:
+        if condition in traits:
+            return f"somebody who lives here {condition}"
     return None
 
 
@@ -178,6 +214,16 @@ def _concerned(
 ) -> tuple[bool, str]:
     """Whether a hazard concerns somebody of the household, and why, but for the full stop."""
     concern, oldest = hazard.concerns, hazard.concerns.max_age
+    if concern.who == "living_with":
+        found = _living_with(concern.living_with, household)
+        if found is None:
+            return False, f"It concerns who lives with this alone: {', '.join(concern.living_with)}"
+        return True, found[0].upper() + found[1:]
+    if concern.min_age is not None:
+        old = sorted(member.age for member in household.members if member.age >= concern.min_age)
+        if not old:
+            return False, f"Nobody who lives here is {concern.min_age} or older"
+        return True, f"Somebody of {old[-1]} lives here"
     if oldest is None:  # a concern of children has their age
         return True, "It concerns everyone who lives here"
     ages = sorted(member.age for member in household.members if member.age <= oldest)

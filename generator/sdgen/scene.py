@@ -241,6 +241,7 @@ class Anomaly(Record):
     notify: Notify
     reason: str
     urgency: str
+    severity: str | None = None
     message: str
     remedy: tuple[Remedy, ...]
 
@@ -305,6 +306,7 @@ class Household(Record):
     pets: tuple[str, ...] = ()
     conditions: tuple[str, ...] = ()
     notifications: dict[str, Notify] = Field(default_factory=dict)
+    opt_outs: tuple[str, ...] = ()
 
 
 class Camera(Record):

@@ -26,11 +26,15 @@ def rules(data: Dataset, item: SceneItem) -> tuple[Report, ...]:
     """
     catalog = data.catalog
     best: dict[int, Report] = {}
+    rooms = {room.id: room.type for room in item.scene.home.rooms}
+    room_of = {thing.id: thing.room_id for thing in item.scene.objects}
     for positive in certify(item.scene, data.infos, catalog):
         if not positive.verdict.value:
             continue
         hazard = catalog.hazard(positive.hazard)
-        decision = decide(hazard, positive.verdict.evidence, item.household, catalog.reach)
+        room = rooms[room_of[positive.object_id]]
+        evidence = positive.verdict.evidence
+        decision = decide(hazard, evidence, item.household, catalog.reach, room)
         report = Report(object_id=positive.object_id, label=hazard.label, notify=decision.notify)
         before = best.get(report.object_id)
         if before is None or _URGENCY[report.notify] < _URGENCY[before.notify]:

@@ -16,12 +16,14 @@ from sdgen.catalog.records import (
     Before,
     Concern,
     Group,
+    Guidance,
     Hazard,
     Label,
     Near,
     PlaceRecipe,
     RemedyRule,
     SetRecipe,
+    Severity,
 )
 from sdgen.catalog.terms import AllTerm, AnyTerm, HeightTerm, Predicate, RelationTerm
 from sdgen.catalog.words import (
@@ -183,11 +185,15 @@ class HazardYaml(Record):
     paper_class: Text = ""
     group: Group
     label: Label | None = None
-    concerns: Annotated[Concern, Expect("{who: everyone} or {who: children, max_age: years}")]
+    concerns: Annotated[Concern, Expect("{who: everyone}, or children, older_people, living_with")]
     urgency: Urgency
     never_silent: bool = False
     message: Text
-    source: Text
+    source: Annotated[
+        Text | Annotated[tuple[Guidance, ...], Field(min_length=1)],
+        Expect("text, or a list of {body: ..., title: ..., says: ...}"),
+    ]
+    severity: Annotated[Severity | None, Expect("{harm: ..., source: ...}")] = None
     predicate: Annotated[Any, Expect("terms: when is it true?")]
     relation: HoldingRelation | None = None
     evidence_state: State | None = None
@@ -279,6 +285,8 @@ def read_hazard(entry: Entry, names: Names) -> Hazard | None:
         written,
         Hazard,
         label=LABELS[written.group],
+        source=_in_words(written.source),
+        guidance=() if isinstance(written.source, str) else written.source,
         predicate=predicate,
         anomalies=tuple(recipe.record() for recipe in written.anomalies),
         lookalikes=tuple(recipe.record() for recipe in written.lookalikes),
@@ -287,6 +295,10 @@ def read_hazard(entry: Entry, names: Names) -> Hazard | None:
     )
     check_recipes(entry, hazard)
     return hazard
+
+
+def _in_words(source: str | tuple[Guidance, ...]) -> str:
+    return source if isinstance(source, str) else "; ".join(map(str, source)) + "."
 
 
 def _always(predicate: Predicate, has: Callable[[Predicate], bool]) -> bool:

@@ -158,7 +158,8 @@ def _traits(templates: Iterable[Entry]) -> Iterator[str]:
         for key in ("pets", "conditions"):
             written = entry.key(key)
             several = written if isinstance(written, list) else [written]
-            yield from (word for word in several if isinstance(word, str))
+            words = (one.get("is") if isinstance(one, dict) else one for one in several)
+            yield from (word for word in words if isinstance(word, str))
 
 
 def _add(found: dict[str, Entry], kind: str, entry: Entry) -> None:

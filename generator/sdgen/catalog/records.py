@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from sdgen.catalog.activity import Activity
 from sdgen.catalog.row import Row
@@ -124,24 +124,58 @@ class Raise(Record):
 
 
 class Concern(Record):
-    """Whom a hazard concerns: everyone, or households with a member up to ``max_age``.
+    """Whom a hazard concerns: everyone, households with a member up to ``max_age`` (children) or
+    from ``min_age`` on (older people), or those that are ``living_with`` one of some pets and
+    conditions.
 
-    ``by_reach`` further asks that such a child can reach ``evidence.reach_height_m``. Where a
-    household has what is in ``raised_by``, it is told at once, whomever else that concerns.
+    ``by_reach`` further asks that such a child can reach ``evidence.reach_height_m``; with
+    ``rooms`` it concerns them in rooms of these types alone. Where a household has what is in
+    ``raised_by``, it is told at once, whomever else that concerns.
     """
 
-    who: Literal["everyone", "children"]
+    who: Literal["everyone", "children", "older_people", "living_with"]
     max_age: Annotated[int | None, between(0, 17)] = None
+    min_age: Annotated[int | None, between(18, 120)] = None
+    living_with: Annotated[tuple[str, ...], names_of("pet or condition", least=0)] = ()
     by_reach: bool = False
+    rooms: RoomNames = ()
     raised_by: tuple[Raise, ...] = ()
 
     @model_validator(mode="after")
-    def _of_children(self) -> Concern:
-        if self.who == "children" and self.max_age is None:
-            refuse(problem((), "who: children needs max_age (years)"))
-        if self.who == "everyone" and (self.max_age is not None or self.by_reach):
-            refuse(problem((), "max_age and by_reach belong to who: children"))
+    def _of_whom(self) -> Concern:
+        needed = {"children": "max_age", "older_people": "min_age", "living_with": "living_with"}
+        for who, key in needed.items():
+            given = getattr(self, key) not in (None, ())
+            if self.who == who and not given:
+                years = " (years)" if key.endswith("age") else ""
+                refuse(problem((), f"who: {who} needs {key}{years}"))
+            if self.who != who and given:
+                refuse(problem((key,), f"{key} belongs to who: {who}"))
+        if self.who != "children" and self.by_reach:
+            refuse(problem(("by_reach",), "by_reach belongs to who: children"))
         return self
+
+
+class Guidance(Record):
+    """Public guidance that one can look up: who gives it, in what, and what it says."""
+
+    body: Text
+    title: Text
+    says: Text
+
+    def __str__(self) -> str:
+        return f"{self.body}, {self.title}: {self.says}"
+
+
+#: The classes of harm of the UK's Housing Health and Safety Rating System (2006), worst first.
+Harm = Literal["extreme", "severe", "serious", "moderate"]
+
+
+class Severity(Record):
+    """The worst harm that is likely, and who says so."""
+
+    harm: Harm
+    source: Annotated[Guidance, Expect("{body: ..., title: ..., says: ...}")]
 
 
 class RemedyRule(Record):
@@ -170,6 +204,8 @@ class Hazard(Record):
     never_silent: bool = False
     message: str
     source: str
+    guidance: tuple[Guidance, ...] = ()
+    severity: Severity | None = None
     predicate: Predicate
     relation: str | None = None
     evidence_state: str | None = None
@@ -440,26 +476,47 @@ class MemberRule(Record):
         return min(low, high), high
 
 
+class Trait(Record):
+    """A pet or a condition that households of a kind may have, and what share of them does."""
+
+    name: str
+    share: Annotated[float, between(0.0, 1.0)] = 0.5
+    source: Text = ""
+
+
 class HouseholdTemplate(Record):
     """A kind of household to sample from.
 
     It lives in homes with the room types of ``rooms`` (one that comes twice: with two of them) and
     beds for ``beds``; None: for all members.
-    ``pets`` and ``conditions`` are what it may have, each in half of the households.
+    ``pets`` and ``conditions`` are what it may have, each in its share of the households.
     Its homes are as tidy as a draw from ``tidiness`` (0: messy, 1: tidy).
     ``notifications`` gives, by hazard, choices that are equally likely; a hazard that is not
-    named gets the default of its urgency.
+    named gets the default of its urgency. ``opt_outs`` name groups of hazards (or single ones) of
+    which a share of the households wants to hear nothing.
     """
 
     name: str
     weight: AboveZero
     members: tuple[MemberRule, ...]
-    pets: tuple[str, ...] = ()
-    conditions: tuple[str, ...] = ()
+    pets: tuple[Trait, ...] = ()
+    conditions: tuple[Trait, ...] = ()
     rooms: tuple[str, ...] = ()
     beds: int | None = None
     tidiness: tuple[float, float] = (0.2, 0.9)
     notifications: dict[str, tuple[Notify, ...]] = Field(default_factory=dict)
+    opt_outs: tuple[Trait, ...] = ()
+
+    @field_validator("pets", "conditions", mode="before")
+    @classmethod
+    def _of_older_versions(cls, value: Any) -> Any:
+        """A word alone: half of the households have it."""
+        return [{"name": item} if isinstance(item, str) else item for item in value]
+
+    @property
+    def traits(self) -> tuple[str, ...]:
+        """The names of all pets and conditions that it may have."""
+        return tuple(trait.name for trait in (*self.pets, *self.conditions))
 
     @property
     def sleepers(self) -> int:

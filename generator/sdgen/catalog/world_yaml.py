@@ -17,6 +17,7 @@ from sdgen.catalog.records import (
     FittedAt,
     Fitting,
     FurnitureRule,
+    Group,
     Holds,
     HomeMix,
     HouseholdTemplate,
@@ -25,6 +26,7 @@ from sdgen.catalog.records import (
     RoomType,
     Style,
     SurfaceChoice,
+    Trait,
     WindowKind,
 )
 from sdgen.catalog.row import Row
@@ -317,6 +319,26 @@ class StyleYaml(Record):
         return as_record(self, Style, name=name, suites=tuple(self.suites.items()))
 
 
+class TraitYaml(Record):
+    """A pet or a condition that a share of the households has."""
+
+    is_: Annotated[Text, Field(alias="is")]
+    share: Annotated[float, between(0.0, 1.0)] = 0.5
+    source: Text = ""
+
+
+_Traits = Annotated[
+    tuple[Text | TraitYaml, ...], Expect("a list of words, or of {is: ..., share: 0 to 1}")
+]
+
+
+class OptOutYaml(Record):
+    """A group of hazards, or one, of which a share of the households wants to hear nothing."""
+
+    of: HazardName | Group
+    share: Annotated[float, between(0.0, 1.0)] = 0.5
+
+
 class NeedsYaml(Record):
     """What the home of a household has: rooms of these types, and beds for so many."""
 
@@ -329,19 +351,37 @@ class HouseholdYaml(Record):
 
     weight: Weight = 1.0
     members: Annotated[tuple[MemberRule, ...], Field(min_length=1), Expect("at least one item")]
-    pets: Annotated[tuple[str, ...], names_of("pet", least=0)] = ()
-    conditions: Annotated[tuple[str, ...], names_of("condition", least=0)] = ()
+    pets: _Traits = ()
+    conditions: _Traits = ()
     tidiness: Annotated[tuple[float, float], span(0.0, 1.0), PAIR] = (0.2, 0.9)
     needs: Annotated[NeedsYaml, Expect("{rooms: [room types], beds: number}")] = NeedsYaml()
     notifications: dict[
         HazardName, Annotated[tuple[Notify, ...], names_of("choice", 1, get_args(Notify))]
     ] = Field(default_factory=dict)
+    opt_outs: Annotated[
+        tuple[OptOutYaml, ...], Expect("a list of {of: group or hazard, share: 0 to 1}")
+    ] = ()
     replaces: bool = False
 
     def record(self, name: str) -> HouseholdTemplate:
         """The record of it."""
-        needs = {"rooms": self.needs.rooms, "beds": self.needs.beds}
-        return as_record(self, HouseholdTemplate, name=name, **needs)
+        return as_record(
+            self,
+            HouseholdTemplate,
+            name=name,
+            rooms=self.needs.rooms,
+            beds=self.needs.beds,
+            pets=_traits(self.pets),
+            conditions=_traits(self.conditions),
+            opt_outs=tuple(Trait(name=one.of, share=one.share) for one in self.opt_outs),
+        )
+
+
+def _traits(written: tuple[str | TraitYaml, ...]) -> tuple[Trait, ...]:
+    return tuple(
+        Trait(name=one) if isinstance(one, str) else as_record(one, Trait, name=one.is_)
+        for one in written
+    )
 
 
 class AgeGroupYaml(Record):

@@ -165,6 +165,15 @@ def _sheet(hazard: Hazard) -> list[str]:
     if who.who == "children":
         concerns = f"households with a child up to {who.max_age}"
         concerns += " that can reach it" if who.by_reach else ""
+    elif who.min_age is not None:
+        concerns = f"households with somebody of {who.min_age} or older"
+    elif who.living_with:
+        concerns = f"households with: {', '.join(who.living_with)}"
+    if who.rooms:
+        concerns += f", in these rooms alone: {', '.join(who.rooms)}"
+    severity = "-"
+    if hazard.severity is not None:
+        severity = f"{hazard.severity.harm} ({hazard.severity.source})"
     rows = [
         ("group", f"{hazard.group} ({hazard.label})"),
         ("paper class", hazard.paper_class or "-"),
@@ -175,7 +184,8 @@ def _sheet(hazard: Hazard) -> list[str]:
         ("lookalikes", [_recipe_line(item) for item in hazard.lookalikes]),
         ("remedy", [" ".join((r.action, *r.targets)) for r in hazard.remedy]),
         ("holds when", hazard.predicate.in_words()),
-        ("source", hazard.source),
+        ("severity", severity),
+        ("source", [str(one) for one in hazard.guidance] or hazard.source),
     ]
     lines = [f"{hazard.id}: {hazard.title}"]
     for name, value in rows:

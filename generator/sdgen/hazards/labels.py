@@ -36,7 +36,8 @@ def anomaly_records(
         relation, target = _relation(hazard, facts, item.id)
         evidence = dict(positive.verdict.evidence)
         parts, pixels = evidence_of(hazard, facts.bodies[item.id].info, item)
-        report, notify, reason = decide(hazard, evidence, household, catalog.reach)
+        room = facts.category(item.room_id)
+        report, notify, reason = decide(hazard, evidence, household, catalog.reach, room)
         records.append(
             Anomaly(
                 id=anomaly_id(number),
@@ -59,6 +60,7 @@ def anomaly_records(
                 notify=notify,
                 reason=reason,
                 urgency=hazard.urgency,
+                severity=hazard.severity and hazard.severity.harm,
                 message=message(hazard, facts, item.id, target),
                 remedy=remedy(hazard, facts, item.id),
             )

@@ -172,4 +172,4 @@ def _words_of_template(template: HouseholdTemplate, groups: Sequence[AgeGroup]) 
     """The age groups of its youngest, and what pets and conditions it may have."""
     youngest = min(rule.age[0] for rule in template.members)
     young = {group.name for group in groups if youngest <= group.max_age}
-    return {*young, *template.pets, *template.conditions, ""}
+    return {*young, *template.traits, ""}

@@ -11,7 +11,7 @@ from sdgen.hazards.draw import draw
 from sdgen.hazards.hosting import hosted
 from sdgen.hazards.splits import Split, split_of_home
 from sdgen.home.tenants import Homes, Tenants, words_of
-from sdgen.households import draw_template, sample_household
+from sdgen.households import draw_template, sample_household, wished_traits
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import HomeChoice, homes_of, pick_home
 from sdgen.scene import LARGEST_ID, Household
@@ -54,12 +54,14 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
     )
     homes = Homes(catalog)
     among: list[HomeSpec | HomeMix] = [*bases, *mixes]
+    asked = tuple(catalog.hazard(name) for name in hazards)
+    wished = wished_traits(asked, lane(options.seed, index, "wished"))
+    able = [one for one in catalog.households if any(homes.fits(one, home) for home in among)]
+    having = [one for one in able if not set(wished).isdisjoint(one.traits)]
     template = draw_template(
-        catalog,
-        lane(options.seed, index, "template"),
-        lambda one: any(homes.fits(one, home) for home in among),
+        catalog, lane(options.seed, index, "template"), lambda one: one in (having or able)
     )
-    household = sample_household(catalog, template, lane(options.seed, index, "household"))
+    household = sample_household(catalog, template, lane(options.seed, index, "household"), wished)
     home = pick_home(catalog, options, index, partial(homes.fits, template))
     return SceneSpec(
         index=index,
@@ -71,7 +73,7 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
         tenants=Tenants(
             words_of(household, catalog.groups, lane(options.seed, index, "visitors")),
             template.sleepers,
-            tuple(catalog.hazard(name) for name in hazards),
+            asked,
             float(lane(options.seed, index, "tidiness").uniform(*template.tidiness)),
         ),
         assets_only=options.assets_only,

@@ -7,12 +7,13 @@ import math
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from sdgen.catalog.predicate import Related, Verdict, ZoneGap, ZoneShare
+from sdgen.catalog.predicate import Related, Span, Verdict, ZoneGap, ZoneShare
 from sdgen.catalog.terms import (
     AllTerm,
     AnyTerm,
     CategoryTerm,
     DistanceTerm,
+    EdgeTerm,
     HeightTerm,
     NotTerm,
     Predicate,
@@ -289,6 +290,16 @@ def test_the_category_decides_before_anything_is_measured() -> None:
     predicate = AllTerm(terms=(HeightTerm(max_m=1.0), CategoryTerm(any_of=("knife",))))
     assert predicate.evaluate(1, world) == Verdict(False, True)
     assert world.dear == 0
+
+
+def test_what_a_floor_plan_is_made_for_is_asked_last() -> None:
+    class Plain(World):
+        def edge(self, object_id: int) -> Span:
+            raise AssertionError("asked")
+
+    world = Plain({1: Thing(height_m=1.8)})
+    predicate = AllTerm(terms=(EdgeTerm(max_m=0.1), HeightTerm(max_m=1.0)))
+    assert predicate.evaluate(1, world) == Verdict(False, True)
 
 
 def test_evidence_is_never_minus_zero() -> None:

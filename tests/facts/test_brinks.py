@@ -86,21 +86,62 @@ def test_a_cup_on_a_plate_is_where_the_plate_and_the_table_end():
 
 
 def test_an_open_leaf_catches_nothing():
-    """The fridge's door would reach below the plank."""
-    door = {"outlines_m": {"body": [box_points(0.3, 0.3, 0.75)], "door": [box_points(0.3, 0.3, 1)]}}
-    stove = asset("stove", (0.6, 0.6, 0.75), **door)
-    shut, ajar = (
-        thing(3, "stove", 2.83, 2, joints={"door": angle}, yaw=math.pi) for angle in (0.0, 1.5)
-    )
+    """Shut, the leaf is one outline with what it is on, and below the plank; moved by a hair, it is
+    no part of it, and what is left ends 0.06 m from the plank's corner."""
+    body, leaf = box_points(-0.3, 0.3, 0.3), box_points(0.0, 0.4, 0.01)
+    stove = asset("stove", (0.6, 0.6, TOP), outlines_m={"body": [body], "door": [leaf]})
     table, plank = thing(1, "table", 2, 2), thing(2, "plank", 2.3, 2, TOP)
-    for piece in (shut, ajar):
-        assert measured(table, plank, piece, more=[stove])[0].measured_m == 0.0
-    ajar = ajar.model_copy(update={"pose": Pose(position_m=(2.5, 3, 0), quat_xyzw=(0, 0, 0, 1))})
-    assert measured(table, plank, ajar, more=[stove])[0].measured_m == pytest.approx(0.1)
+    shut, opened = (
+        thing(3, "stove", 2.55, 2.31, joints={"door": angle}, yaw=-math.pi / 2)
+        for angle in (0.0, 0.001)
+    )
+    assert facts(shut, more=[stove]).bodies[3].outline.still == 1
+    reached = [measured(table, plank, piece, more=[stove])[0] for piece in (shut, opened)]
+    assert [over.measured_m for over in reached] == [0.0, pytest.approx(0.06)]
 
 
-def box_points(x, y, z):
-    return [(a, b, c) for a in (-x, x) for b in (-y, y) for c in (0.0, z)]
+def test_what_stands_on_an_open_flap_is_caught_by_it():
+    """Not by what else of the piece has moved: a flap drawn out by 0.5 m carries the box."""
+    slide = {"name": "door", "type": "prismatic", "origin_m": (0, 0, 0), "axis": (1, 0, 0)}
+    flap = {"name": "flap", "part": "door", "z_m": TOP, "polygon_m": square(0.24)}
+    desk = asset(
+        "desk",
+        (0.5, 0.5, TOP),
+        joints=[{**slide, "lower": 0, "upper": 1}],
+        supports=[flap],
+        outlines_m={
+            "body": [box_points(-0.25, 0.25, 0.25, TOP - 0.05)],
+            "door": [box_points(-0.25, 0.25, 0.25, TOP)],
+        },
+    )
+    drawn = thing(1, "desk", 2, 2, joints={"door": 0.5}).model_copy(update={"fixed": True})
+    over, edge = measured(drawn, thing(2, "box", 2.55, 2, TOP), more=[desk])
+    assert over.most_m == 0.0
+    assert edge.measured_m == pytest.approx(0.05)
+
+
+def box_points(x0, x1, y, z=TOP):
+    return [(a, b, c) for a in (x0, x1) for b in (-y, y) for c in (0.0, z)]
+
+
+def test_over_the_gap_between_two_tables_it_is_half_way():
+    """No corner of it is over the gap."""
+    long = asset("plank", (1.0, 0.1, 0.02))
+    tables = thing(1, "table", 1.5, 2), thing(3, "table", 2.8, 2)
+    over, _ = measured(*tables, thing(2, "plank", 1.85, 2, TOP), more=[long])
+    assert over.measured_m == pytest.approx(0.15, abs=STEP_M / 2)
+
+
+def test_what_may_catch_it_makes_the_least_and_what_surely_does_the_most():
+    table, plank = thing(1, "table", 2, 2), thing(2, "plank", 2.3, 2, TOP)
+    for below, measured_m in ((0.24, 0.0), (0.26, 0.1)):
+        stove = asset("stove", (0.6, 0.6, TOP - below))
+        over, edge = measured(table, plank, thing(3, "stove", 2.8, 2), more=[stove])
+        assert over == (pytest.approx(measured_m), 0.0, pytest.approx(0.1))
+        assert edge.least_m == 0.0 < edge.most_m
+    # So with what begins a little above it: it may be in its way.
+    hung = thing(3, "table", 3, 2, TOP + 0.015)
+    assert measured(table, plank, hung)[0] == (pytest.approx(0.1), 0.0, pytest.approx(0.1))
 
 
 @given(

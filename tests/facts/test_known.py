@@ -62,6 +62,13 @@ def test_the_ground_beside_furniture_is_found_once_for_all_that_is_put_there(emp
     assert first.edge(APPLE) != second.edge(APPLE)
     assert len(known.grounds._found) == 3  # as measured, with the least and with the most
     assert first.grounds._found == second.grounds._found == {}
+    # Not where the table was moved.
+    table = thing(TABLE, "table", 2.1, 2)
+    moved = tuple(table if item.id == TABLE else item for item in empty.objects)
+    after = empty.model_copy(update={"objects": (*moved, thing(APPLE, "apple", 2, 2, 0.75))})
+    elsewhere = Facts(after, INFOS, PROPERTIES, known)
+    assert elsewhere.edge(APPLE) == Facts(after, INFOS, PROPERTIES).edge(APPLE)
+    assert elsewhere.edge(APPLE) != first.edge(APPLE)
 
 
 def test_another_home_tells_nothing(empty):

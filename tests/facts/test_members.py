@@ -1,6 +1,7 @@
 """What carries a thing however indirectly, what shares that, and what a thing holds."""
 
 import pytest
+from sdgen.catalog.predicate import Related
 from sdgen.facts.carriers import carriers_of
 from sdgen.kleene import NO, YES
 
@@ -68,6 +69,28 @@ def test_in_a_fridge_what_stands_on_a_plate_counts_where_it_is_in_the_hollow_its
     assert f.carried(1, {"apple"}, "INSIDE") == ((3, YES), (4, YES))
     assert f.sharing(3, {"apple"}) == ((4, YES),)
     assert f.carried(1, {"apple"}, "ON") == ()
+
+
+@pytest.mark.parametrize("order", [(2, 3), (3, 2)])
+def test_the_surest_way_counts_whichever_is_found_first(order):
+    """1 is perhaps on 2 and surely on 3, each of which is on 4, and 4 on 5."""
+    sure = {2: False, 3: True}
+    ways = {1: [Related(k, "plate", True, sure[k]) for k in order]}
+    ways |= {2: [Related(4, "plate", True, True)], 3: [Related(4, "plate", True, True)]}
+    ways |= {4: [Related(5, "table", True, True)]}
+    plates = {k: thing(k, "plate", 2, 2) for k in (1, 2, 3, 4)}
+
+    class Stacked:
+        bodies = facts(*plates.values()).bodies
+
+        def on(self, key):
+            return ways.get(key, [])
+
+        def inside(self, _key):
+            return []
+
+    found = {k: carrier.on for k, carrier in carriers_of(Stacked(), 1).items()}
+    assert found == {2: (True, False), 3: YES, 4: YES, 5: YES}
 
 
 def test_two_things_each_in_the_other_are_no_endless_matter():

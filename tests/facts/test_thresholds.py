@@ -164,8 +164,9 @@ def over_a_drop(t, x, y):
 
 
 def over_a_stove(t, x, y):
-    """What is below the plank's end is fixed and ``t`` high."""
-    low = asset("stove", (0.6, 0.6, t))
+    """What is below the plank's end is fixed and its surface ``t`` high; its back is higher."""
+    top = {"name": "top", "part": "body", "z_m": t, "polygon_m": square(0, 0, 0.29)}
+    low = asset("stove", (0.6, 0.6, t + 0.3), supports=[top])
     plank, below = thing(2, "plank", 2.3 + x, 2 + y, 0.75), thing(3, "stove", 2.81 + x, 2 + y)
     return facts(thing(1, "table", 2 + x, 2 + y), plank, below, more=[PLANK, low])
 

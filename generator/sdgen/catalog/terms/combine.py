@@ -39,7 +39,7 @@ class AllTerm(Term):
     @cached_property
     def cheap_first(self) -> tuple[Term, ...]:
         """The terms in the order they are asked: most pairs of object and hazard end early."""
-        return tuple(sorted(self.terms, key=lambda term: not term.cheap))
+        return tuple(sorted(self.terms, key=lambda term: (not term.cheap, term.dear)))
 
     def measure(self, object_id: int, facts: FactSource) -> Evidence:
         return _measured(self.terms, object_id, facts)

@@ -7,7 +7,7 @@ worktop goes on, against a wall, or where the floor is right below.
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import ClassVar, Literal
 
 from sdgen.catalog.predicate import Evidence, FactSource, Verdict, rounded
 from sdgen.catalog.reader import Reader
@@ -27,6 +27,8 @@ class EdgeTerm(Term):
     min_m: float | None = None
     max_m: float | None = None
     margin_m: float = MARGIN_M
+
+    dear: ClassVar[bool] = True
 
     @classmethod
     def read(cls, reader: Reader, scope: Scope) -> EdgeTerm | None:

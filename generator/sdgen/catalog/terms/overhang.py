@@ -6,7 +6,7 @@ worktop, or over the floor that is right below, there is none.
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 from sdgen.catalog.predicate import Evidence, FactSource, Verdict, rounded
 from sdgen.catalog.reader import Reader
@@ -25,6 +25,8 @@ class OverhangTerm(Term):
     min_m: float | None = None
     max_m: float | None = None
     margin_m: float = MARGIN_M
+
+    dear: ClassVar[bool] = True
 
     @classmethod
     def read(cls, reader: Reader, scope: Scope) -> OverhangTerm | None:

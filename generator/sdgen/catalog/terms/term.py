@@ -57,6 +57,8 @@ class Term(Record, ABC):
 
     #: Looked up rather than measured: such terms are asked first, and most pairs end there.
     cheap: ClassVar[bool] = False
+    #: A floor plan is made for it: such terms are asked last.
+    dear: ClassVar[bool] = False
 
     @classmethod
     @abstractmethod

@@ -17,12 +17,23 @@ from itertools import chain, islice
 from sdgen.actions import at_rest, settled_states
 from sdgen.catalog.records import Catalog, PlaceRecipe, RemedyRule
 from sdgen.facts import Facts
-from sdgen.geometry import Vec2
+from sdgen.geometry import (
+    Vec2,
+    apply,
+    lowest_highest,
+    quat_from_axis_angle,
+    quat_from_matrix,
+    quat_from_yaw,
+    rotation_matrix,
+    round_position,
+    round_quat,
+)
 from sdgen.hazards.twin import GONE, PUT, SET_BACK, set_back, with_changes
 from sdgen.home.context import KEEP_CLEAR, HomeContext
-from sdgen.home.layout import Layout, Vec3Yaw, at_spot
+from sdgen.home.layout import DROP_M, Bulk, Layout, Vec3Yaw, at_spot
 from sdgen.library.records import AssetInfo
-from sdgen.scene import ObjectInstance, Room
+from sdgen.library.states import object_from_part
+from sdgen.scene import ObjectInstance, Pose, Room
 from sdgen.seeding import Rng
 
 #: Bounds of the search: objects of a category, rooms, and spots on or in each. Nearly all things
@@ -123,6 +134,32 @@ class Remedies:
             found = (s for s in looks if s is not None and self._looks_right(item, room_id, s))
             for spot in islice(found, SPOTS_TRIED):
                 yield Step(action, at_spot(item, spot, room_id), target.id, shut)
+            if action == "throw_away" and "BROKEN" not in item.states:
+                for upended in self._upended(item, bulk, after, takes):
+                    yield Step(action, upended, target.id, shut)
+
+    def _upended(
+        self, item: ObjectInstance, bulk: Bulk, target: ObjectInstance, takes: Callable[[str], bool]
+    ) -> Iterator[ObjectInstance]:
+        """A thing on end in each hollow that takes it so: bins are narrow, and what is thrown away
+        need not lie flat."""
+        info = self.layout.library.info(target.asset)
+        deep, wide, high = bulk.size_m
+        across = (high, wide) if deep >= wide else (deep, high)
+        for hollow in info.containers:
+            x, y, z = hollow.size_m
+            if not takes(hollow.name) or max(deep, wide) > z or math.hypot(*across) > min(x, y):
+                continue
+            on_end = quat_from_axis_angle((0, 1, 0) if deep >= wide else (1, 0, 0), math.pi / 2)
+            yaw = quat_from_yaw(float(self.rng.uniform(0.0, 2 * math.pi)))
+            turn = rotation_matrix(yaw) @ rotation_matrix(on_end)
+            low, top = lowest_highest(bulk.corners(((0.0, 0.0, 0.0), 0.0)) @ turn.T)
+            moved = target.pose.matrix() @ object_from_part(info, hollow.part, target.joints)
+            center = hollow.center_m
+            base = apply(moved, [(center[0], center[1], center[2] - z / 2 + DROP_M)])[0]
+            at = base - [*(low + top)[:2] / 2, low[2]]
+            pose = Pose(position_m=round_position(at), quat_xyzw=round_quat(quat_from_matrix(turn)))
+            yield item.model_copy(update={"pose": pose, "room_id": target.room_id})
 
     def _takes(self, category: str, target: str, hollows: Callable[[str], bool], name: str) -> bool:
         return hollows(name) and self.context.may_hold(category, target, name)

@@ -21,12 +21,13 @@ from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
 from sdgen.library import Library
 from sdgen.physics.client import Client
-from sdgen.physics.settle import moving, settle
+from sdgen.physics.settle import MAX_STEPS, moving, settle
 from sdgen.physics.world import World
 from sdgen.pipeline.rest import STAYS_SHARE
 from sdgen.pipeline.undoing import check_standing, near_boxes
 from sdgen.scene import Anomaly, Contact, ObjectInstance, Pose, Scene, Undone
 from sdgen.seeding import Rng
+from sdgen.vocabulary import DRIFT_LIMIT_M
 from sdgen.zones import swing_blocked
 
 #: Ways tried for one anomaly before its object is taken away: each costs some hundredths of a
@@ -156,7 +157,8 @@ def _after(
     if put or step.item is None:
         rests = {k: rest.without(key) for k, rest in rests.items() if k != key}
     if put and step.item is not None:
-        rested = _come_to_rest(step.item, changes, now.facts, tools)
+        anyhow = step.action == "throw_away"
+        rested = _come_to_rest(step.item, changes, now.facts, anyhow, tools)
         if rested is None:
             return None
         changes[key], rests[key] = rested
@@ -189,16 +191,17 @@ def _facts_after(facts: Facts, changes: After, tools: Tools) -> Facts:
 
 
 def _come_to_rest(
-    item: ObjectInstance, changes: After, facts: Facts, tools: Tools
+    item: ObjectInstance, changes: After, facts: Facts, anyhow: bool, tools: Tools
 ) -> tuple[ObjectInstance, Rest] | None:
     """A thing settled where it was put, all others fixed, its pose rounded as it is written; None
-    where it does not come to rest."""
+    where it does not come to rest, or not as it was put (``anyhow``: it may have toppled)."""
     library = tools.library
     scene = _around_new(item, changes, facts, library)
     world = World(library, tools.client)
     world.become(scene, (item.id,))
     settled = settle(world)
-    if settled.unstable:
+    toppled = settled.steps < MAX_STEPS and settled.drift_m[item.id] <= DRIFT_LIMIT_M
+    if settled.unstable and not (anyhow and toppled):
         return None
     pose = settled.poses[item.id]
     pose = Pose(position_m=round_position(pose.position_m), quat_xyzw=round_quat(pose.quat_xyzw))

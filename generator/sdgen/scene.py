@@ -258,9 +258,9 @@ class Undone(Record):
     """What became of one anomaly in a twin.
 
     ``action`` undid it: a word of its hazard's remedies, or ``take_away`` where none of them could
-    be carried out; None where what was done to another thing, or to this one for the sake of
-    another hazard, was enough. ``target_id`` is what its object was put on or into (a floor where
-    it was moved away); ``moved`` says that it is elsewhere, ``removed`` that it is gone.
+    be carried out; None where what was done to another thing was enough. ``target_id`` is what its
+    object was put on or into (a floor where it was moved away); ``moved`` says that it is
+    elsewhere, ``removed`` that it is gone.
     """
 
     anomaly_id: str

@@ -182,7 +182,7 @@ def _was_there(item: ObjectInstance, anomalies: Sequence[Anomaly], catalog: Cata
     the drawn hazard (of the others it merely satisfies the predicate) sets."""
     if item.fixed and catalog.category(item.category).kind != "hazard_only":
         return True
-    drawn = [one for one in anomalies if getattr(one, "drawn", True)] or anomalies
+    drawn = [one for one in anomalies if one.drawn] or anomalies
     return any(
         isinstance(recipe, SetRecipe) and one.category in recipe.categories
         for one in drawn

@@ -110,7 +110,7 @@ def _in_order(anomalies: Sequence[Anomaly], tools: Tools) -> list[Anomaly]:
     def key(one: Anomaly) -> tuple[bool, bool, str]:
         rules = tools.context.catalog.hazard(one.hazard).remedy
         # Drawn ones before those that another's object merely satisfies, too.
-        return rules[0].action not in SET_BACK, not getattr(one, "drawn", True), one.id
+        return rules[0].action not in SET_BACK, not one.drawn, one.id
 
     return sorted(anomalies, key=key)
 

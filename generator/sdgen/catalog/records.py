@@ -511,7 +511,13 @@ class HouseholdTemplate(Record):
     @classmethod
     def _of_older_versions(cls, value: Any) -> Any:
         """A word alone: half of the households have it."""
-        return [{"name": item} if isinstance(item, str) else item for item in value]
+        if not isinstance(value, list):
+            return value
+        # Records, since what has been through here counts as Python's, which must be exact.
+        return tuple(
+            Trait(name=item) if isinstance(item, str) else Trait.model_validate(item)
+            for item in value
+        )
 
     @property
     def traits(self) -> tuple[str, ...]:

@@ -58,7 +58,7 @@ def main(words: list[str]) -> int:
         for category, maker in models.items():
             for index in range(1, maker.count + 1):
                 names = {family, category, f"{category}_{index:02d}"}
-                if "--all" not in words and not names & set(words):
+                if index in maker.gone or ("--all" not in words and not names & set(words)):
                     continue
                 matched += 1
                 start = time.monotonic()

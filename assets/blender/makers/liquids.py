@@ -27,6 +27,25 @@ LIQUIDS = {
     "paint": ("#2f6fd0", "#2660c0", "#143a80", "#dcecff", 0.999),
     "detergent": ("#3aa0e0", "#1f80c8", "#0c4a80", "#f4fcff", 0.85),
     "wine": ("#84162c", "#5c0c1a", "#2b030a", "#f8dcdc", 0.94),
+    "coffee with milk": ("#a97a4c", "#95673a", "#5c3a1a", "#fff4e4", 0.96),
+    "cola": ("#40200f", "#281006", "#140703", "#f4dcc4", 0.93),
+    "olive oil": ("#c8b434", "#ab961a", "#6a5a08", "#fdfbe0", 0.82),
+    "tomato sauce": ("#cc2c14", "#b01e0a", "#6c0e04", "#ffd4c4", 0.999),
+    "pumpkin soup": ("#f0a030", "#dd8818", "#8c4c08", "#fff0d4", 0.98),
+    "pea soup": ("#9db44c", "#839a32", "#4a5a18", "#f6fade", 0.98),
+    "green detergent": ("#62cc7e", "#3cb45e", "#166c3c", "#f2fff6", 0.85),
+    "green paint": ("#2f9c4c", "#268a40", "#12542a", "#dcf6e2", 0.999),
+    "yellow paint": ("#f4c820", "#e8b80e", "#98740a", "#fff8d4", 0.999),
+}
+#: What floats in a liquid: colours of its pieces and of their outlines; bubbles without pieces.
+BITS: dict[str, tuple[tuple[str, ...], str]] = {
+    "soup": (("#f0a040", "#5f9a34", "#f4e2b0"), "#8a2c10"),
+    "pumpkin soup": (("#f8c060", "#5f9a34", "#fff0d0"), "#b06a14"),
+    "pea soup": (("#f08a30", "#5a7a24", "#d8e08c"), "#566a20"),
+    "tomato sauce": (("#e04a28", "#3f7a2c", "#8f1606"), "#7a1206"),
+    "detergent": ((), "#f4fcff"),
+    "green detergent": ((), "#f4fff8"),
+    "cola": ((), "#c8a488"),
 }
 
 Outline = Callable[[float], float]
@@ -142,7 +161,7 @@ def paint(pools: list[Pool], liquid: str, window: tuple[float, float, float], rn
     )
     shine = ImageChops.lighter(shine, sky)
     picture.paste(Image.new("RGB", picture.size, glint), (0, 0), shine)
-    if liquid in ("soup", "detergent"):
+    if liquid in BITS:
         add_bits(picture, liquid, pools, pixels, rng)
     return picture
 
@@ -150,6 +169,7 @@ def paint(pools: list[Pool], liquid: str, window: tuple[float, float, float], rn
 def add_bits(picture: Image.Image, liquid: str, pools: list[Pool], pixels, rng) -> None:
     """Vegetables and herbs in soup, bubbles in detergent."""
     draw = ImageDraw.Draw(picture)
+    pieces, edge = BITS[liquid]
     x, y, radius, outline, _ = pools[0]
     for k in range(26):
         a, share = float(rng.uniform(0, 6.28)), math.sqrt(float(rng.uniform(0.02, 0.72)))
@@ -157,10 +177,10 @@ def add_bits(picture: Image.Image, liquid: str, pools: list[Pool], pixels, rng) 
         cx, cy = pixels([(x + far * math.cos(a), y + far * math.sin(a))])[0]
         r = float(rng.uniform(6, 15))
         box = (cx - r, cy - r * 0.8, cx + r, cy + r * 0.8)
-        if liquid == "soup":
-            draw.ellipse(box, fill=("#f0a040", "#5f9a34", "#f4e2b0")[k % 3], outline="#8a2c10")
+        if pieces:
+            draw.ellipse(box, fill=pieces[k % len(pieces)], outline=edge)
         else:
-            draw.ellipse(box, outline="#f4fcff", width=3)
+            draw.ellipse(box, outline=edge, width=3)
 
 
 def wavy(rng: np.random.Generator, stretch: float, form: str) -> Outline:
@@ -181,7 +201,9 @@ def wavy(rng: np.random.Generator, stretch: float, form: str) -> Outline:
     return outline
 
 
-def puddle(liquid="water", radius=0.16, drops=5, stretch=1.25, form="pool", seed=0) -> Model:
+def puddle(
+    liquid="water", radius=0.16, drops=5, stretch=1.25, form="pool", seed=0, deep=0.0035, pixels=256
+) -> Model:
     """A spill with a rounded rim and some drops around it.
 
     form: "pool", "round", "run" (drawn out), "splash", "twin" (two pools) or "trail" (drips).
@@ -224,7 +246,7 @@ def puddle(liquid="water", radius=0.16, drops=5, stretch=1.25, form="pool", seed
     span = float((high - low).max()) * 1.02
     window = (float((low + high)[0] / 2 - span / 2), float((low + high)[1] / 2 - span / 2), span)
     material = label(paint(pools, liquid, window, rng), occlusion=0.0)
-    meshes = [pool_mesh(p, 0.0035 if k == 0 else 0.0028, window) for k, p in enumerate(pools)]
+    meshes = [pool_mesh(p, deep if k == 0 else 0.8 * deep, window) for k, p in enumerate(pools)]
     for mesh in meshes:
         mesh.mats = [material]
     gain = (
@@ -241,6 +263,7 @@ def puddle(liquid="water", radius=0.16, drops=5, stretch=1.25, form="pool", seed
         mass=0.1,
         friction=0.15,
         prune=False,
+        texture_size=pixels,
     )
 
 
@@ -254,27 +277,96 @@ def puddle_random(rng: np.random.Generator) -> dict:
     }
 
 
+def was_puddle(
+    liquid: str, radius: float, drops: int, stretch: float, seed: int, form="pool"
+) -> dict:
+    """The preset of a model that was made as a `puddle`, whose numbers were drawn for that."""
+    numbers = {"radius": radius, "drops": drops, "stretch": stretch, "seed": seed}
+    return {"liquid": liquid, "form": form, **numbers}
+
+
+def of(liquid: str, form: str, radius: float, stretch: float, drops: int, **more) -> dict:
+    """The preset of a puddle with a small texture."""
+    numbers = {"radius": radius, "stretch": stretch, "drops": drops}
+    return {"liquid": liquid, "form": form, "pixels": 128, **numbers, **more}
+
+
+#: Of its first fifteen models those of other liquids have categories of their own now.
+PUDDLES = [
+    {"liquid": "water", "radius": 0.17},
+    {},
+    {},
+    {},
+    {},
+    {"liquid": "water", "radius": 0.1},
+    *[{}] * 8,
+    {"liquid": "water", "radius": 0.15, "form": "twin", "stretch": 1.2, "drops": 4},
+    of("water", "splash", 0.13, 1.1, 6),
+    of("water", "trail", 0.12, 1.2, 0),
+]
+
+
+def spilled(*presets: dict) -> Maker:
+    return Maker(puddle, puddle_random, len(presets), list(presets))
+
+
 MODELS = {
-    "puddle": Maker(
-        puddle,
-        puddle_random,
-        count=15,
-        presets=[
-            {"liquid": "water", "radius": 0.17},
-            {"liquid": "milk", "radius": 0.13},
-            {"liquid": "juice", "radius": 0.11},
-            {"liquid": "coffee", "radius": 0.09},
-            {"liquid": "wine", "radius": 0.1},
-            {"liquid": "water", "radius": 0.1},
-            {"liquid": "milk", "radius": 0.09},
-            {"liquid": "oil", "radius": 0.12, "form": "round", "drops": 2, "stretch": 1.0},
-            {"liquid": "soup", "radius": 0.13, "form": "splash", "drops": 7, "stretch": 1.05},
-            {"liquid": "paint", "radius": 0.11, "form": "run", "stretch": 1.7, "drops": 3},
-            {"liquid": "detergent", "radius": 0.12, "form": "twin", "stretch": 1.1, "drops": 3},
-            {"liquid": "coffee", "radius": 0.1, "form": "trail", "stretch": 1.1, "drops": 1},
-            {"liquid": "wine", "radius": 0.12, "form": "splash", "drops": 7, "stretch": 1.2},
-            {"liquid": "juice", "radius": 0.1, "form": "run", "stretch": 1.55, "drops": 4},
-            {"liquid": "water", "radius": 0.15, "form": "twin", "stretch": 1.2, "drops": 4},
-        ],
+    "puddle": Maker(puddle, puddle_random, len(PUDDLES), PUDDLES, (*range(2, 6), *range(7, 15))),
+    "milk_puddle": spilled(
+        was_puddle("milk", 0.13, 6, 1.0776595446118802, 789630863),
+        was_puddle("milk", 0.09, 4, 1.0525726001036737, 123265939),
+        of("milk", "splash", 0.12, 1.15, 7),
+        of("milk", "run", 0.11, 1.6, 4),
+    ),
+    "juice_puddle": spilled(
+        was_puddle("juice", 0.11, 5, 1.0934601081420232, 369195149),
+        was_puddle("juice", 0.1, 4, 1.55, 882429363, "run"),
+        of("juice", "splash", 0.12, 1.1, 6),
+        of("juice", "twin", 0.1, 1.2, 4),
+    ),
+    "coffee_puddle": spilled(
+        was_puddle("coffee", 0.09, 3, 1.3423230600529017, 666221986),
+        was_puddle("coffee", 0.1, 1, 1.1, 659110214, "trail"),
+        of("coffee with milk", "splash", 0.11, 1.1, 7),
+        of("coffee", "round", 0.1, 1.1, 5),
+    ),
+    "wine_puddle": spilled(
+        was_puddle("wine", 0.1, 3, 1.342025275320939, 705827486),
+        was_puddle("wine", 0.12, 7, 1.2, 856039904, "splash"),
+        of("wine", "run", 0.1, 1.6, 4),
+        of("wine", "twin", 0.11, 1.15, 4),
+    ),
+    "oil_puddle": spilled(
+        was_puddle("oil", 0.12, 2, 1.0, 180445134, "round"),
+        of("olive oil", "twin", 0.11, 1.1, 3),
+        of("oil", "run", 0.11, 1.5, 2),
+        of("olive oil", "round", 0.12, 1.15, 4),
+    ),
+    "soup_puddle": spilled(
+        was_puddle("soup", 0.13, 7, 1.05, 91885628, "splash"),
+        of("pumpkin soup", "pool", 0.11, 1.15, 5, deep=0.005),
+        of("pea soup", "splash", 0.12, 1.1, 6, deep=0.005),
+    ),
+    "paint_puddle": spilled(
+        was_puddle("paint", 0.11, 3, 1.7, 384954563, "run"),
+        of("green paint", "splash", 0.12, 1.1, 6),
+        of("yellow paint", "trail", 0.1, 1.1, 1),
+        of("paint", "round", 0.11, 1.1, 5),
+    ),
+    "detergent_puddle": spilled(
+        was_puddle("detergent", 0.12, 3, 1.1, 464672674, "twin"),
+        of("green detergent", "round", 0.12, 1.1, 3, deep=0.005),
+        of("detergent", "run", 0.11, 1.5, 3),
+        of("green detergent", "splash", 0.11, 1.15, 6),
+    ),
+    "cola_puddle": spilled(
+        of("cola", "pool", 0.12, 1.15, 5),
+        of("cola", "splash", 0.11, 1.1, 7),
+        of("cola", "run", 0.11, 1.6, 4),
+    ),
+    "tomato_sauce_puddle": spilled(
+        of("tomato sauce", "splash", 0.11, 1.1, 7, deep=0.007),
+        of("tomato sauce", "round", 0.1, 1.2, 5, deep=0.007),
+        of("tomato sauce", "twin", 0.1, 1.1, 5, deep=0.007),
     ),
 }

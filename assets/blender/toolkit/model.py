@@ -100,13 +100,15 @@ class Model:
 class Maker:
     """A category's maker: `make(**parameters)` builds, `sample(rng)` draws parameters.
 
-    presets[i] overrides sampled parameters of model i + 1, to make sure of variety.
+    presets[i] overrides sampled parameters of model i + 1, to make sure of variety. `gone` are
+    numbers that have no model any more; the others keep theirs.
     """
 
     make: Callable[..., Model]
     sample: Callable[[np.random.Generator], dict]
     count: int = 2
     presets: list[dict] = field(default_factory=list)
+    gone: tuple[int, ...] = ()
 
 
 # ---- collision pieces

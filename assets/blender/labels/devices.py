@@ -212,6 +212,18 @@ def cool_remote(body: str) -> Image.Image:
     return image
 
 
+def phone_charging() -> Image.Image:
+    """A phone's glass while it charges: a large green battery with a bolt of lightning on it."""
+    image = Image.new("RGB", (160, 320), "#05070a")
+    draw = ImageDraw.Draw(image)
+    draw.rounded_rectangle((58, 44, 102, 64), 6, fill="#eef4f0")
+    draw.rounded_rectangle((26, 60, 134, 262), 18, fill="#eef4f0")
+    draw.rounded_rectangle((36, 70, 124, 252), 11, fill="#0a120c")
+    draw.rounded_rectangle((40, 96, 120, 248), 8, fill="#22d84e")
+    draw.polygon([(92, 92), (50, 170), (78, 170), (66, 232), (110, 148), (82, 148)], fill="#ffffff")
+    return image
+
+
 def phone_front(lit: bool, cracks: int = 0) -> Image.Image:
     """A phone's glass: dark, lit, or cracked."""
     image = phone_screen(lit)

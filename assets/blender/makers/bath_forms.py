@@ -9,6 +9,7 @@ from toolkit.materials import plain
 from toolkit.model import Container, Joint, Model
 from toolkit.shapes import lathe, loft, superellipse, tube
 
+from .bath_water import WATER, fill, filled
 from .joinery import (
     Assembly,
     bar_handle,
@@ -300,7 +301,11 @@ def oval_tub(
     stream(asm, 0, land, spout[-1][2], floor + (0.03 if boxed else 0.09), 0.016)
     drain = [(0, floor), (0.03, floor), (0.028, floor + 0.005), (0, floor + 0.004)]
     asm.add("body", lathe(drain, 10, mat=metal).move(0, -hy + 0.5, 0))
-    switch = switched(asm, "water")
+    tongues = ((-0.42 * hy, 0.3), (0.06 * hy, 0.2))
+    if style != "slipper":  # whose rim climbs
+        tongues += ((0.5 * hy, 0.24),)
+    fill(asm, rings[outer:], rings[outer - 1 :: -1], 2 * hy, tongues)
+    switch = filled(switched(asm, "water"))
     names = {
         "modern": "free-standing oval bathtub",
         "slipper": "slipper bathtub on claw feet",
@@ -312,7 +317,7 @@ def oval_tub(
     flat = (float(last[:, 0].max()) * share, float(last[:, 1].max()) * share)
     return Model(
         title=names[style] + ("" if colour == "#f4f5f3" else ", coloured outside"),
-        parts=asm.parts(water={"rgba": WET}),
+        parts=asm.parts(water={"rgba": WET}, bath=WATER, brim=WATER | {"open": True}),
         mass=70.0,
         variants=switch["variants"],
         states=switch["states"],

@@ -11,6 +11,7 @@ from toolkit.sampling import noise_offset, pick
 from toolkit.shapes import lathe, loft, rounded_rectangle, superellipse, tube
 
 from .bath_forms import ceramic_basin, hand_basin, oval_tub, vessel_basin
+from .bath_water import WATER, fill, filled
 from .designs import extend
 from .joinery import (
     Assembly,
@@ -174,6 +175,7 @@ def bathtub(
             inner(-0.11, 0.3, 5),
         ]
         rings += [inner(-0.15, floor + 0.03, 4), inner(-0.19, floor, 4)]
+        outer = 3
     else:
         rings = [
             ring(-0.17, 0.1, 3),
@@ -188,6 +190,7 @@ def bathtub(
             ring(-0.15, floor + 0.04, 3),
             ring(-0.2, floor, 3),
         ]
+        outer = 6
         for sx in (-1, 1):
             for sy in (-1, 1):
                 foot = [(0, 0), (0.03, 0), (0.034, 0.02), (0.018, 0.06), (0.03, 0.12), (0, 0.13)]
@@ -231,14 +234,18 @@ def bathtub(
         ]
         asm.add("body", lathe(knob, 10, mat=metal).move(x, y, 0))
     stream(asm, 0, y + 0.135, height + 0.12, floor, 0.016)
-    switch = switched(asm, "water")
+    tongues = ((-0.38, 0.3), (0.12, 0.24), (0.5, 0.2))
+    fill(asm, rings[outer:], rings[outer - 1 :: -1], length, tongues)
+    switch = filled(switched(asm, "water"))
     # the rectangle within the level floor, an oval of the loft's last ring
     grow, power = (0.19, 4.0) if panelled else (0.2, 3.0)
     share = 2 ** (-1 / power)
     inside = ((width - 2 * grow) * share, (length - 2 * grow) * share)
     return Model(
         title="bathtub, boxed in" if panelled else "free-standing bathtub",
-        parts=asm.parts(water={"rgba": (1.15, 1.15, 1.15, 1.0)}),
+        parts=asm.parts(
+            water={"rgba": (1.15, 1.15, 1.15, 1.0)}, bath=WATER, brim=WATER | {"open": True}
+        ),
         variants=switch["variants"],
         states=switch["states"],
         mass=60.0,

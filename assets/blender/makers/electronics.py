@@ -17,9 +17,10 @@ from toolkit.model import (
     box_piece,
 )
 from toolkit.sampling import pick
-from toolkit.shapes import box, ellipsoid, lathe, loft, rounded_rectangle
+from toolkit.shapes import box, ellipsoid, lathe, loft, rounded_rectangle, spline, tube
 
 from makers.choking import loose
+from makers.convex import lying
 from makers.projection import project_label
 from makers.solids import grounded, rod, solids
 
@@ -169,9 +170,25 @@ def laptop_random(rng: np.random.Generator) -> dict:
     return {"kind": "open", "size": 0.33, "shell": shell, "key": key}
 
 
-def phone(kind: str, length: float, rim: str) -> Model:
+def _charger(length: float) -> Part:
+    """A cable from the phone's lower end to a charger that lies beside the phone."""
+    white, x = plain("#f6f6f3", 0.02), length / 2
+    route = [(x + 0.012, 0, 0.0045), (x + 0.045, 0.012, 0.004), (x + 0.05, 0.055, 0.004)]
+    route += [(x + 0.01, 0.076, 0.004), (0.03, 0.068, 0.004), (-0.01, 0.084, 0.0045)]
+    meshes = [
+        tube(spline(route, 4), 0.004, 6, mat=white),
+        box(0.024, 0.014, 0.0085, (x + 0.008, 0, 0.0003), plain("#dcdcd8", 0.02), 0.002),
+        box(0.046, 0.044, 0.028, (-0.031, 0.088, 0), white, 0.005),
+    ]
+    pin = plain("#a9adb2", 0.05)
+    meshes += [rod((-0.053, y, 0.014), (-0.074, y, 0.014), 0.0028, pin, 6) for y in (0.079, 0.097)]
+    block = box_piece((-0.031, 0.088, 0.014), (0.046, 0.044, 0.028))
+    return Part(meshes, collision=[*lying(route, 0.004), block])
+
+
+def phone(kind: str, length: float, rim: str, charges: bool = False) -> Model:
     """A mobile phone: a 'slab' on its back, in a soft 'case', on a 'stand', or one with 'keys'.
-    Variants: `on`, and `broken` with cracked glass."""
+    Variants: `on`, `broken` with cracked glass, and of some `charging` at a cable."""
     width, thick = length * 0.48, 0.0085
     frame = plain(rim, 0.03)
     body: list[Mesh] = []
@@ -192,6 +209,7 @@ def phone(kind: str, length: float, rim: str) -> Model:
 
         images = (devices.phone_front(False), devices.phone_front(True))
         looks = [*images, devices.phone_front(False, 5)]
+        looks += [devices.phone_charging()] * charges
         body = [slab(None, 0, thick - 0.0006, 0.0)]
         if kind == "case":
             body = [slab(None, 0, thick + 0.001, -0.004)]
@@ -247,23 +265,31 @@ def phone(kind: str, length: float, rim: str) -> Model:
         "body": Part(body, collision=pieces),
         "screen": Part(screens[:1], collision="none"),
         "screen_on": Part(screens[1:2], rgba=glow, collision="none"),
-        "screen_broken": Part(screens[2:], collision="none"),
+        "screen_broken": Part(screens[2:3], collision="none"),
     }
+    variants = {
+        "default": ["body", "screen"],
+        "on": ["body", "screen_on"],
+        "broken": ["body", "screen_broken"],
+    }
+    states = [
+        {"state": "ON", "variants": ["on"], "parts": ["screen_on"]},
+        {"state": "OFF", "variants": ["default"], "parts": ["screen"]},
+        {"state": "BROKEN", "variants": ["broken"], "parts": ["screen_broken"]},
+    ]
+    if charges:
+        parts["screen_charging"] = Part(screens[3:], rgba=glow, collision="none")
+        parts["cable"] = _charger(length)
+        shown = ["screen_charging", "cable"]
+        variants["charging"] = ["body", *shown]
+        states.append({"state": "CHARGING", "variants": ["charging"], "parts": shown})
     return Model(
         "mobile phone",
         parts,
         mass=0.19,
         friction=0.5,
-        variants={
-            "default": ["body", "screen"],
-            "on": ["body", "screen_on"],
-            "broken": ["body", "screen_broken"],
-        },
-        states=[
-            {"state": "ON", "variants": ["on"], "parts": ["screen_on"]},
-            {"state": "OFF", "variants": ["default"], "parts": ["screen"]},
-            {"state": "BROKEN", "variants": ["broken"], "parts": ["screen_broken"]},
-        ],
+        variants=variants,
+        states=states,
         prune=False,
     )
 
@@ -309,7 +335,7 @@ MODELS = {
     "phone": Maker(
         phone,
         phone_random,
-        7,
+        10,
         [
             {"rim": "#9ad04a"},
             {"rim": "#f2a0c0"},
@@ -318,6 +344,9 @@ MODELS = {
             {"kind": "stand", "rim": "#26282c"},
             {"kind": "case", "rim": "#7ad8b8"},
             {"kind": "case", "rim": "#2f6fb0"},
+            {"rim": "#e8c34a", "charges": True},
+            {"rim": "#c9ced4", "charges": True},
+            {"kind": "case", "rim": "#c8485a", "charges": True},
         ],
     ),
 }

@@ -71,7 +71,11 @@ def anomaly_records(
 def _relation(hazard: Hazard, facts: Facts, object_id: int) -> tuple[str | None, int | None]:
     """The relation a label names, and its first target: the one that the hazard asks for, else
     the one that holds; none of what is only brought into a state where it is."""
-    placed = any(isinstance(recipe, PlaceRecipe) for recipe in hazard.anomalies)
+    category = facts.category(object_id)
+    placed = any(
+        isinstance(recipe, PlaceRecipe) and category in recipe.categories
+        for recipe in hazard.anomalies
+    )
     if hazard.relation is None and not placed:
         return None, None
     for relation in (hazard.relation, "INSIDE", "ON"):

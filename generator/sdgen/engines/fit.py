@@ -1,9 +1,8 @@
 """Does every hazard fit somewhere? Said before a long build starts.
 
 Each hazard is tried in some furnished homes without physics: seconds, and it finds the hazard
-whose target no home has, and the one whose recipe always makes what another hazard's predicate
-claims too (a scene shows each drawn hazard once and nothing else, so no such try is ever kept).
-Homes in which the furniture satisfies a hazard as it stands are counted, too (``untouched``).
+whose target no home has. What always is another hazard, too, is told: its objects are labelled as
+both. Homes in which the furniture satisfies a hazard as it stands are counted, too (``untouched``).
 """
 
 from __future__ import annotations
@@ -30,11 +29,8 @@ from sdgen.seeding import lane
 #: 240 tries in all: of hazards that fit once in fifty tries, one in a hundred is missed.
 HOMES_TRIED = 12
 TRIES = 20
-#: Two hazards exclude each other in practice when fewer placements than this are one's alone:
-#: a scene's hundred tries would seldom find one of those that also stands, shows and is proved.
-ALONE_SHARE = 0.1
-#: Placements after which a hazard that is never alone is not tried further.
-ENOUGH_PLACED = 60
+#: Placements of which all are another hazard, too, say enough.
+ENOUGH_PLACED = 20
 
 
 @dataclass
@@ -48,14 +44,9 @@ class _Trial:
     causes: Counter[Cause] = field(default_factory=Counter)
 
     @property
-    def fits(self) -> bool:
-        """True as soon as enough of the placements are this hazard's alone."""
-        return self.alone > 0 and self.alone >= ALONE_SHARE * self.placed
-
-    @property
     def open(self) -> bool:
         """True while further tries could tell something."""
-        return not self.fits and self.placed < ENOUGH_PLACED
+        return not self.alone and self.placed < ENOUGH_PLACED
 
 
 @dataclass(frozen=True)
@@ -88,8 +79,8 @@ def parts_by_category(library: Library) -> dict[str, set[str]]:
 
 
 def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfits:
-    """Hazards that found no place in any of some homes, or none of their own, or that are true of
-    the homes as they stand."""
+    """Hazards that found no place in any of some homes, or that are true of the homes as they
+    stand; and those that always are another, too."""
     bases, mixes = homes_of(catalog, options)
     drawn = hosted(catalog, bases, bool(mixes))
     trials = {name: _Trial() for name in drawn}
@@ -112,9 +103,12 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     if homes == 0:
         return Misfits()
     problems = untouched.problems()
+    warnings = untouched.warnings()
     for name, trial in trials.items():
-        if not trial.fits and name not in problems:
+        if not trial.placed and name not in problems:
             problems[name] = _problem(catalog.hazard(name), trial, homes, seen, library)
+        elif trial.placed and not trial.alone:
+            warnings.setdefault(name, _overlap(name, trial, homes))
     left_out = [
         f"hazard {hazard.id!r} is not drawn: {bases[0].id} has nothing for it"
         for hazard in catalog.hazards
@@ -122,7 +116,7 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     ]
     return Misfits(
         tuple(problems[name] for name in sorted(problems)),
-        (*left_out, *untouched.warnings().values()),
+        (*left_out, *warnings.values()),
     )
 
 
@@ -174,16 +168,17 @@ def _try(
 def _problem(
     hazard: Hazard, trial: _Trial, homes: int, seen: Collection[str], library: Library
 ) -> str:
-    if trial.placed == 0:
-        return (
-            f"hazard {hazard.id!r} fits nowhere: no place found in {trial.tries} tries in {homes} "
-            f"homes; {_missing(hazard, trial, seen, library)}"
-        )
+    return (
+        f"hazard {hazard.id!r} fits nowhere: no place found in {trial.tries} tries in {homes} "
+        f"homes; {_missing(hazard, trial, seen, library)}"
+    )
+
+
+def _overlap(hazard: str, trial: _Trial, homes: int) -> str:
     other, count = max(trial.claimed.items(), key=lambda pair: (pair[1], pair[0]))
     return (
-        f"hazard {hazard.id!r} overlaps {other!r}: {count} of the {trial.placed} placements that "
-        f"its recipes made in {homes} homes satisfy the predicate of {other!r} too, and an object "
-        "shows one hazard; let the two predicates exclude each other, or leave one of them out"
+        f"hazard {hazard!r} overlaps {other!r}: {count} of the {trial.placed} placements that its "
+        f"recipes made in {homes} homes are that, too; each will be labelled as both"
     )
 
 

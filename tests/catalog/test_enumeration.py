@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from sdgen.catalog.cases import cases
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.records import PlaceRecipe, UniqueAnomaly
+from sdgen.catalog.records import UniqueAnomaly
 from sdgen.errors import InputError
 from sdgen.hazards.certify import categories_of
 
@@ -18,22 +19,34 @@ def test_every_combination_of_every_recipe_once() -> None:
     catalog = load_catalog(only=["spill", "stove_on"])
     found = enumerate_anomalies(catalog)
     assert (
-        UniqueAnomaly(hazard="stove_on", category="stove", state="ON", relation=None, target=None)
+        UniqueAnomaly(
+            hazard="stove_on",
+            category="stove",
+            state="ON",
+            relation=None,
+            target=None,
+            room="kitchen",
+        )
         in found
     )
     assert (
         UniqueAnomaly(
-            hazard="spill", category="puddle", state="SPILLED", relation="ON", target="floor"
+            hazard="spill",
+            category="puddle",
+            state="SPILLED",
+            relation="ON",
+            target="floor",
+            room="kitchen",
         )
         in found
     )
-    expected = set()
-    for hazard in catalog.hazards:
-        for recipe in hazard.anomalies:
-            for category in recipe.categories:
-                targets = recipe.targets if isinstance(recipe, PlaceRecipe) else (None,)
-                expected |= {(hazard.id, category, recipe.state, target) for target in targets}
-    assert {(u.hazard, u.category, u.state, u.target) for u in found} == expected
+    expected = {
+        (hazard.id, case.category, case.state, case.target, case.rooms[0] if case.rooms else None)
+        for hazard in catalog.hazards
+        for recipe in hazard.anomalies
+        for case in cases(recipe)
+    }
+    assert {(u.hazard, u.category, u.state, u.target, u.room) for u in found} == expected
     assert len(found) == len(expected)
 
 
@@ -82,7 +95,10 @@ SPILLS, CANDLES = (
         (SPILLS, "hazard spill: no model of any of its objects (coffee_puddle, cola_puddle, "),
         (CANDLES, "hazard candle_on: no model of any of its objects (advent_wreath, "),
         (("fridge", "freezer"), "hazard fridge_open: no model of any of its objects"),
-        (("stove",), "hazard stove_on: no model of any of its objects (stove)"),
+        (
+            ("stove", "hot_plate"),
+            "hazard stove_on: no model of any of its objects (hot_plate, stove)",
+        ),
     ],
 )
 def test_a_hazard_without_any_model_is_told(gone: tuple[str, ...], problem: str) -> None:
@@ -95,11 +111,12 @@ def test_a_hazard_without_any_model_is_told(gone: tuple[str, ...], problem: str)
 def test_a_state_no_model_knows_and_a_target_without_model_are_told(tmp_path: Path) -> None:
     text = HAZARD.replace("{place: vase,", "{place: vase, state: BROKN,")
     catalog = load_catalog([write(tmp_path, hazards__wobbly_vase=text)])
-    states = {**_states(), "vase": {"BROKEN"}, "stove": {"OFF"}}
+    states = {**_states(), "vase": {"BROKEN"}, "stove": {"OFF"}, "hot_plate": {"ON", "OFF"}}
     with pytest.raises(InputError) as caught:
         check_against_library(catalog, states)
     assert caught.value.problems == (
         "hazard stove_on: anomalies[0]: no model of stove can be ON (one of: OFF)",
+        "hazard stove_on: anomalies[1]: no model of stove can be OVEN_ON (one of: OFF)",
         "hazard wobbly_vase: anomalies[0]: no model of vase can be BROKN (did you mean 'BROKEN'?)",
     )
     states = _states()

@@ -62,11 +62,10 @@ def main() -> None:
             for n in names
             if there[n] and 2 * wrong[hazard.id, n] > there[n]
         ]
-        print(
-            f"{hazard.id:24} benign {total - bad:5} of {total:5} ({1 - bad / max(total, 1):5.0%}), "
-            f"in view {in_view - bad_in_view:4} of {in_view:4} ({1 - bad_in_view / max(in_view, 1):5.0%})"
-            + (f"; fewer than half: {', '.join(few)}" if few else "")
-        )
+        share, share_seen = 1 - bad / max(total, 1), 1 - bad_in_view / max(in_view, 1)
+        line = f"{hazard.id:24} benign {total - bad:5} of {total:5} ({share:5.0%}), in view "
+        line += f"{in_view - bad_in_view:4} of {in_view:4} ({share_seen:5.0%})"
+        print(line + (f"; fewer than half: {', '.join(few)}" if few else ""))
 
 
 if __name__ == "__main__":

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from PIL import Image
 from toolkit import labels
 from toolkit.materials import label, plain
 from toolkit.mesh import Mesh
-from toolkit.model import Maker, Model, Part, Support, box_piece, rectangle
+from toolkit.model import Maker, Model, Part, Support, rectangle
 from toolkit.shapes import box, tube
 
 from makers.books import paper_edge
@@ -132,7 +130,9 @@ def paper_stack(form: str, size: tuple[float, float], count: int, seed: int, **a
         face = label(printed_sheet(seed))
         slabs = [(sx, sy, float(rng.uniform(0.003, 0.009))) for _ in range(count)]
         last = count - 1
-        meshes, pieces, z = pile(slabs, 0.1, 0.012, seed, lambda k: (edge, face if k == last else white))
+        meshes, pieces, z = pile(
+            slabs, 0.1, 0.012, seed, lambda k: (edge, face if k == last else white)
+        )
         title, mass = "stack of papers", 700 * sx * sy * z
     top = rectangle(0.8 * sx, 0.8 * sy)
     return Model(

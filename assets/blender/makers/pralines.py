@@ -77,7 +77,10 @@ def places(kind: str, depth: float, width: float, rows: int, columns: int):
     """Where pralines lie, (x, y)."""
     if kind != "heart":
         return [
-            ((i - (rows - 1) / 2) * (depth - 0.012) / rows, (j - (columns - 1) / 2) * (width - 0.012) / columns)
+            (
+                (i - (rows - 1) / 2) * (depth - 0.012) / rows,
+                (j - (columns - 1) / 2) * (width - 0.012) / columns,
+            )
             for i in range(rows)
             for j in range(columns)
         ]

@@ -84,7 +84,9 @@ def strip(rows: list[tuple], heights: np.ndarray, mats: tuple[Material, Material
 
 def dressed(mesh: Mesh, sx: float, sy: float) -> Mesh:
     """The drawn pattern on all faces, as it lies on the whole rug: u along y, v against x."""
-    mesh.label_uv = [[(y / sy + 0.5, 0.5 - x / sx) for x, y, _ in mesh.rest[list(f)]] for f in mesh.f]
+    mesh.label_uv = [
+        [(y / sy + 0.5, 0.5 - x / sx) for x, y, _ in mesh.rest[list(f)]] for f in mesh.f
+    ]
     return mesh
 
 

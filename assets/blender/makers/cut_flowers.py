@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 from PIL import Image
@@ -49,7 +50,7 @@ def petal(stations: list[tuple[float, float, float]], cup: float, mat: Material)
     tip = len(vertices)
     vertices.append((x, 0, z))
     faces = []
-    for a, b in zip(rows, rows[1:], strict=False):
+    for a, b in pairwise(rows):
         faces += [(a, b, b + 1, a + 1), (a + 1, b + 1, b + 2, a + 2)]
     faces += [(rows[-1], tip, rows[-1] + 1), (rows[-1] + 1, tip, rows[-1] + 2)]
     points = np.array(vertices)
@@ -60,7 +61,9 @@ def petal(stations: list[tuple[float, float, float]], cup: float, mat: Material)
     flat = [(v[1], t * length) for v, t in zip(vertices, along, strict=True)]
     below = len(points)
     back = [tuple(i + below for i in f[::-1]) for f in faces]
-    points = np.r_[points, points - [0, 0, 0.0012]]
+    thick = np.zeros((below, 3))
+    thick[[r + 1 for r in rows], 2] = 0.002  # a lens: both sides meet at the rim
+    points = np.r_[points, points - thick]
     both = faces + back
     luv = [[drawn[i % below] for i in f] for f in both]
     buv = [[flat[i] for i in f] for f in faces]
@@ -139,7 +142,7 @@ def arranged(
     outline = [(r * s, z * s) for r, z in VASES[shape]]
     pieces = [
         cylinder_piece(r0, z0, z1, 10, r1)
-        for (r0, z0), (r1, z1) in zip(outline, outline[1:], strict=False)
+        for (r0, z0), (r1, z1) in pairwise(outline)
         if z1 - z0 > 0.01
     ]
     pieces[0] = cylinder_piece(outline[0][0], 0, outline[2][1], 10, outline[2][0])
@@ -221,16 +224,16 @@ def tulip(size: float, colour: str) -> list[Mesh]:
     ]
 
 
-def rayed(size: float, colour: str, heart: str, share: float, rays: int) -> list[Mesh]:
-    """A daisy or a sunflower looking up: narrow petals about a round heart."""
-    paint, middle = plain(colour, 0.08, 120), plain(heart, 0.25, 260)
-    shape = [(0, -0.16), (0.5, -0.06), (1.0, 0.06), (share, 0.1), (0.6 * share, 0.2), (0, 0.22)]
+def rayed(size: float, colour: str, heart: str, share: float, rays: int, back: str) -> list[Mesh]:
+    """A daisy or a sunflower looking up: many blunt petals about a round heart."""
+    paint, middle = plain(colour, 0.1, 160), plain(heart, 0.25, 260)
+    shape = [(0, -0.14), (1.0, 0.02), (share, 0.1), (0, 0.24)]
     mesh = lathe(
         [(r * size, z * size) for r, z in shape],
         2 * rays,
-        mats=[paint, middle, plain("#5f8a3c", 0.1)],
-        mat_of_segment=[2, 0, 0, 1, 1],
-        rib=lambda k, i: 1.0 if i % 2 or k != 2 else max(0.62, share),
+        mats=[plain(back, 0.12, 90), paint, middle],
+        mat_of_segment=[0, 1, 2],
+        rib=lambda k, i: 1.0 if i % 2 or k != 1 else 0.8,
     )
     return [mesh]
 
@@ -238,11 +241,11 @@ def rayed(size: float, colour: str, heart: str, share: float, rays: int) -> list
 HEADS = {
     "rose": lambda c: rose(0.034, c),
     "tulip": lambda c: tulip(0.034, c),
-    "sunflower": lambda c: rayed(0.075, c, "#4a2c14", 0.48, 9),
-    "daisy": lambda c: rayed(0.04, c, "#f0b92c", 0.34, 7),
+    "sunflower": lambda c: rayed(0.075, c, "#4a2c14", 0.5, 13, "#7a8a34"),
+    "daisy": lambda c: rayed(0.036, c, "#eaa81c", 0.42, 9, "#dfe2cc"),
 }
 #: Flowers in a bunch, so that it stays light.
-COUNT = {"rose": 7, "tulip": 8, "sunflower": 3, "daisy": 5, "mixed": 6}
+COUNT = {"rose": 6, "tulip": 8, "sunflower": 3, "daisy": 6, "mixed": 7}
 
 
 def bouquet(

@@ -89,7 +89,7 @@ def paper_stack(form: str, size: tuple[float, float], count: int, seed: int, **a
     sx, sy = size
     if form in ("newspapers", "tied"):
         edge = paper_edge(0.0016)
-        faces = [label(front_page(art["name"], art["sky"], seed))] + [edge]
+        faces = [label(front_page(art["name"], art["sky"], seed)), edge]
         slabs = [(sx, sy, float(rng.uniform(0.009, 0.014))) for _ in range(count)]
         spread = (0.045, 0.007) if form == "newspapers" else (0.02, 0.004)
         last = count - 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import cloth
 import numpy as np
 from PIL import Image
 from toolkit import labels
@@ -11,6 +12,8 @@ from toolkit.materials import Material, label, plain, shade
 from toolkit.mesh import Mesh
 from toolkit.model import Maker, Model, Part, box_piece, prism_piece
 from toolkit.shapes import TAU, box, extrude, lathe, loft
+
+from makers.projection import project_label
 
 TONES = ("#4a2614", "#6f3f20", "#e9d8b8", "#3a1c10")
 
@@ -23,6 +26,13 @@ def lid_picture(ground: str, ink: str) -> Image.Image:
     labels.text(draw, "FINE CHOCOLATE", (54, 104, 202, 128), "bold", ink)
     for s in (-1, 1):
         draw.polygon([(128, 148), (128 + 30 * s, 138), (128 + 30 * s, 160)], fill=ink)
+    return image.convert("RGB")
+
+
+def heart_word(ground: str, ink: str) -> Image.Image:
+    """What is printed on the lid of a heart."""
+    image, draw = labels.canvas(200, 200, ground)
+    labels.text(draw, "Pralines", (34, 62, 166, 112), "oblique", ink)
     return image.convert("RGB")
 
 
@@ -76,19 +86,17 @@ def tray(outline, height: float, wall: Material, floor: Material) -> Mesh:
 def places(kind: str, depth: float, width: float, rows: int, columns: int):
     """Where pralines lie, (x, y)."""
     if kind != "heart":
+        dx, dy = (depth - 0.012) / rows, (width - 0.012) / columns
         return [
-            (
-                (i - (rows - 1) / 2) * (depth - 0.012) / rows,
-                (j - (columns - 1) / 2) * (width - 0.012) / columns,
-            )
+            ((i - (rows - 1) / 2) * dx, (j - (columns - 1) / 2) * dy)
             for i in range(rows)
             for j in range(columns)
         ]
     grid = [(0.036 * (i - 2), 0.037 * (j - 2)) for i in range(5) for j in range(5)]
-    outline = heart(depth - 0.036)
-    import cloth
-
-    return [p for p in grid if cloth.inside(np.array([p]), outline)[0]]
+    around = np.arange(8) * TAU / 8
+    rim = 0.018 * np.c_[np.cos(around), np.sin(around)]  # a whole one, clear of the wall
+    outline = heart(depth - 0.012)
+    return [p for p in grid if cloth.inside(p + rim, outline).all()]
 
 
 def chocolate_box(
@@ -125,9 +133,11 @@ def chocolate_box(
         lid.turn(rz=0.22).move(x=depth + 0.03, y=0.02)
         meshes.append(lid)
         pieces.append(lid.v.copy())
-    else:  # the lid leans against the back of the box
+    else:  # the lid lies beside it
         lid = extrude(heart(depth + 0.004), 0.014, card, bevel_width=0.0)
-        lid.turn(rz=0.3).move(x=0.02, y=0.2)
+        word = label(heart_word(ground, ink), occlusion=0.6)
+        project_label(lid, word, "+z", (0, 0), (depth, depth), 0.9)
+        lid.weigh(1.6).turn(rz=0.3).move(x=0.02, y=0.2)
         meshes.append(lid)
         pieces.append(prism_piece(lid.v[lid.v[:, 2] < 0.001][::2, :2], 0, 0.014))
     return Model(

@@ -1,4 +1,4 @@
-"""Small loose rugs that lie flat, or with an edge or a corner turned up. Their length is along y."""
+"""Small loose rugs, flat or with an edge or a corner turned up. Their length is along y."""
 
 from __future__ import annotations
 
@@ -122,27 +122,21 @@ def throw_rug(
     x, y = sx / 2, sy / 2
     if form == "edge":
         cut, tip = ((x, y - turn), (-x, y - turn)), ((x, y), (-x, y))
-        body = strip(
-            [((x, -y), (-x, -y), (x, -y, 0), (-x, -y, 0))]
-            + [((x, y - turn), (-x, y - turn), (x, y - turn, 0), (-x, y - turn, 0))],
-            np.array([[0, 0, 1.0]] * 2),
-            mats,
-        )
+        ends = [((x, -y), (-x, -y)), cut]
         outline = [(x, -y), (x, y - turn), (-x, y - turn), (-x, -y)]
-        bodies = [body]
     else:
         cut = ((x, y - turn), (x - turn, y))
         near = 0.06  # the corner itself is round
         tip = ((x, y - near * turn), (x - near * turn, y))
         ends = [((x, -y), (-x, -y)), ((x, y - turn), (-x, y - turn)), ((x - turn, y), (-x, y))]
-        rows = [(p, q, (*p, 0), (*q, 0)) for p, q in ends]
-        bodies = [strip(rows, np.array([[0, 0, 1.0]] * 3), mats)]
         outline = [(x, -y), cut[0], cut[1], (-x, y), (-x, -y)]
+    rows = [(p, q, (*p, 0), (*q, 0)) for p, q in ends]
+    body = strip(rows, np.array([[0, 0, 1.0]] * len(rows)), mats)
     flap, curl = (turned(cut, tip, radius, mats, bent) for bent in (False, True))
-    for mesh in (*bodies, flap, curl):
+    for mesh in (body, flap, curl):
         dressed(mesh, sx, sy)
     parts = {
-        "body": Part(bodies, collision=[prism_piece(outline, 0, THICK)]),
+        "body": Part([body], collision=[prism_piece(outline, 0, THICK)]),
         "flap": Part([flap], collision=[few_corners(flap.v, 40)]),
         "curl": Part([curl], collision=[few_corners(curl.v, 40)]),
     }
@@ -163,7 +157,7 @@ def throw_rug_random(rng: np.random.Generator) -> dict:
 
 
 _EDGE = {"form": "edge", "sx": 0.5, "sy": 0.8, "turn": 0.16, "radius": 0.058}
-_CORNER = {"form": "corner", "sx": 0.6, "sy": 1.0, "turn": 0.32, "radius": 0.061}
+_CORNER = {"form": "corner", "sx": 0.55, "sy": 0.9, "turn": 0.3, "radius": 0.061}
 
 MODELS = {
     "throw_rug": Maker(
@@ -176,7 +170,7 @@ MODELS = {
             _CORNER | {"kind": "medallion", "tones": ("#e6d3a8", "#8a2a32", "#2a3a5a", "#a88e62")},
             _EDGE
             | {"kind": "tiles", "tones": ("#f2ead8", "#5a8a6a", "#d8b45a", "#c2b08a")}
-            | {"sx": 0.7, "sy": 1.1, "turn": 0.17, "radius": 0.061},
+            | {"sx": 0.62, "sy": 1.0, "turn": 0.17, "radius": 0.061},
         ],
     )
 }

@@ -172,7 +172,7 @@ def test_replacing_is_asked_for(tmp_path: Path) -> None:
         ("target: coffee_table", "target: coffee_table, wieght: 1", "wieght: unknown key (did you"),
         ("who: everyone", "who: anyone", "concerns.who: 'anyone' is not one of everyone, children"),
         ("who: everyone", "who: children", "concerns: who: children needs max_age"),
-        ("who: everyone", "who: everyone, max_age: 3", "belong to who: children"),
+        ("who: everyone", "who: everyone, max_age: 3", "max_age belongs to who: children"),
         (
             "who: everyone",
             "who: children, max_age: 3, by_reach: true",

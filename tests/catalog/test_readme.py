@@ -103,6 +103,8 @@ def test_every_key_that_is_read_is_explained(monkeypatch: pytest.MonkeyPatch) ->
     load_catalog()
     keys = asked.union(*(_keys(model) for model in FILES))
     assert len(keys) > 40
+    # A key that is a word of Python has an underscore behind it in our records alone.
+    keys = {key.removesuffix("_") for key in keys}
     missing = sorted(key for key in keys if not re.search(rf"\b{re.escape(key)}\b", README))
     assert missing == []
 

@@ -27,9 +27,10 @@ def in_state(
     """The object brought into ``state``; None when the model cannot be in it.
 
     A joint state picks one joint and a value clear of the limit (CLOSED shuts every joint); a
-    variant state picks one of its variants.
+    variant state picks one of its variants that are nothing further: a tub that is FULL does not
+    run over.
     """
-    rules = [rule for rule in info.states if rule.state == state]
+    rules = _plainest([rule for rule in info.states if rule.state == state], info)
     if not rules:
         return None
     joints = dict(item.joints)
@@ -47,6 +48,17 @@ def in_state(
         if rule.variants:
             variant = rule.variants[int(rng.integers(len(rule.variants)))]
     return settled_states(item.model_copy(update={"joints": joints, "variant": variant}), info)
+
+
+def _plainest(rules: list[StateRule], info: AssetInfo) -> list[StateRule]:
+    """The rules with those of their variants alone that are in the fewest states."""
+    states = {v: len(derive_states(info, v, {})) for rule in rules for v in rule.variants}
+    least = min(states.values(), default=0)
+    kept = [
+        rule.model_copy(update={"variants": tuple(v for v in rule.variants if states[v] == least)})
+        for rule in rules
+    ]
+    return [new for new, old in zip(kept, rules, strict=True) if new.variants or not old.variants]
 
 
 def settled_states(item: ObjectInstance, info: AssetInfo) -> ObjectInstance:

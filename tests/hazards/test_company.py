@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
+from sdgen.actions import in_state
 from sdgen.catalog.cases import cases, unique_anomaly
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Before, Near, PlaceRecipe, SetRecipe
@@ -15,9 +16,8 @@ from sdgen.facts.body import gaps
 from sdgen.hazards.candidates import Candidate, candidates
 from sdgen.hazards.inject import inject
 from sdgen.hazards.placing import Injected, inject_candidate
-from sdgen.hazards.splits import SplitModels
 from sdgen.home.layout import Layout
-from sdgen.pipeline.furnished import FurnishedHome, furnished_home
+from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Rejection
 from sdgen.seeding import lane
@@ -27,18 +27,6 @@ from tests.shipped import shipped_library
 CATALOG = load_catalog()
 LIBRARY = shipped_library()
 TRIES = 12
-
-
-@pytest.fixture(scope="module")
-def home() -> FurnishedHome:
-    """The first base home that can be furnished."""
-    models = SplitModels(LIBRARY, "test")
-    for base in CATALOG.homes:
-        ids = node_ids(lane(3, 0, "ids:0"))
-        made = furnished_home(base, CATALOG, LIBRARY, models, ids, lane(3, 0, "furnish"))
-        if isinstance(made, FurnishedHome):
-            return made
-    raise AssertionError("no base home can be furnished")
 
 
 def categories(layout: Layout, *names: str) -> list[int]:
@@ -219,3 +207,12 @@ def test_several_are_brought_along_or_nothing_is_changed(home: FurnishedHome) ->
         assert gap(layout, made.object_id, key) <= 0.6
     with pytest.raises(AssertionError, match="no place"):
         put(home, recipe.model_copy(update={"near": near.model_copy(update={"max_m": 0.0})}))
+
+
+def test_a_state_is_reached_by_what_is_nothing_further() -> None:
+    """A tub that is to be FULL does not run over, and a tap that is ON fills none."""
+    tub = next(a for a in LIBRARY.by_category("bathtub") if "OVERFLOWING" in a.state_names)
+    thing = Layout(LIBRARY, iter([1])).new_thing(tub)
+    for state, others in (("FULL", {"OFF"}), ("ON", set()), ("OVERFLOWING", {"FULL", "ON"})):
+        made = [in_state(thing, tub, state, lane(1, k, "tub")) for k in range(12)]
+        assert {one.states for one in made if one is not None} == {tuple(sorted({state, *others}))}

@@ -12,12 +12,10 @@ from sdgen.freespace import opening_rectangle
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.inject import add_lookalikes, inject
 from sdgen.hazards.placing import inject_candidate
-from sdgen.hazards.splits import SplitModels
 from sdgen.hazards.spots import IN_THE_WAY_M
 from sdgen.home.clutter import add_clutter
 from sdgen.home.context import FLOOR_OFF_WALLS_M, Everything
 from sdgen.home.layout import Layout
-from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection
 from sdgen.seeding import lane
@@ -29,17 +27,6 @@ from tests.shipped import shipped_library
 
 CATALOG = load_catalog()
 LIBRARY = shipped_library()
-
-
-@pytest.fixture(scope="module")
-def home():
-    models = SplitModels(LIBRARY, "test")
-    for base in CATALOG.homes:
-        ids = node_ids(lane(3, 0, "ids:0"))
-        made = furnished_home(base, CATALOG, LIBRARY, models, ids, lane(3, 0, "furnish"))
-        if isinstance(made, FurnishedHome):
-            return made
-    raise AssertionError("no base home can be furnished")
 
 
 def first_candidate(home, hazard):

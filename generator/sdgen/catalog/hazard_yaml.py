@@ -54,6 +54,7 @@ Action = Literal[
     "close",
     "switch_off",
     "put_out",
+    "empty",
     "put_in",
     "put_on",
     "move_away",

@@ -126,7 +126,7 @@ def eye_height(text: str) -> float:
     "--extensions",
     multiple=True,
     metavar="NAME,...",
-    help="Shipped extension packs to switch on; none is shipped yet.",
+    help="Shipped packs of hazards to switch on, such as electrical,heat,water.",
 )
 @ASSETS
 @click.option(

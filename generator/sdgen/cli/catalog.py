@@ -22,7 +22,7 @@ _EXTENSIONS = click.option(
     "--extensions",
     multiple=True,
     metavar="NAME,...",
-    help="Shipped extension packs to switch on; none is shipped yet.",
+    help="Shipped packs of hazards to switch on, such as electrical,heat,water.",
 )
 _JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 

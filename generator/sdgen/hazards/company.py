@@ -81,11 +81,15 @@ class Nook:
 
     def takes(self, bulk: Bulk, spot: Vec3Yaw) -> bool:
         """Whether what fills this is near enough at a spot."""
+        if self.low is None:
+            return True
         corners = bulk.corners(spot)
         return self._within(corners.min(axis=0), corners.max(axis=0))
 
     def in_reach(self, item: ObjectInstance, layout: Layout) -> bool:
         """Whether something on or in a piece of furniture may be near enough at all."""
+        if self.low is None:
+            return True
         body = Body(item, layout.library.info(item.asset))
         return self._within(body.low, body.high)
 

@@ -30,7 +30,7 @@ from sdgen.scene import (
 TAKE_AWAY = "take_away"
 #: Actions that bring the very object back to rest where it stands, those after which it is gone,
 #: and those that put it somewhere (``move_away``: on a floor).
-SET_BACK = ("close", "switch_off", "put_out")
+SET_BACK = ("close", "switch_off", "put_out", "empty")
 GONE = ("wipe_up", "sweep_up")
 PUT: Mapping[str, str] = {
     "put_in": "INSIDE",

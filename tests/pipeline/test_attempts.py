@@ -22,6 +22,7 @@ from sdgen.pipeline.contents import Contents, Culprit, Reduced, culprits, lost, 
 from sdgen.pipeline.finish import with_history
 from sdgen.pipeline.rest import Rested
 from sdgen.pipeline.scene import (
+    HOME_ATTEMPTS,
     HOME_TRIES,
     OVERLAP_HOMES,
     OVERLAP_TRIES,
@@ -167,8 +168,8 @@ def test_only_the_same_cause_in_nearly_all_tries_ends_them():
     ("cause", "homes", "tries"),
     [
         (OVERLAP, OVERLAP_HOMES, OVERLAP_HOMES * OVERLAP_TRIES),
-        (NO_REST, 5, 5 * HOME_TRIES),
-        (UNSEEN, 5, 5 * 20),
+        (NO_REST, HOME_ATTEMPTS, HOME_ATTEMPTS * HOME_TRIES),
+        (UNSEEN, HOME_ATTEMPTS, HOME_ATTEMPTS * 20),
     ],
 )
 def test_what_is_hopeless_is_not_tried_a_hundred_times(cause, homes, tries, monkeypatch):

@@ -22,6 +22,7 @@ from sdgen.catalog.records import PlaceRecipe, Recipe, SetRecipe
 from sdgen.geometry import Array
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout, room_to_change
+from sdgen.home.things import NO_THINGS, Things
 from sdgen.library.states import state_parts
 from sdgen.scene import ObjectInstance, Opening, Room
 from sdgen.seeding import Rng
@@ -49,6 +50,8 @@ _HIGH, _HIGH_PIECES = 3.0, 2
 _SEEN_FROM_ABOVE_M = 1.7
 #: What is set to a state counts so many times what is placed: it can be seen in one place only.
 _STATES = 5.0
+#: What all things that a home draws itself count, labelled ones and others alike.
+_DRAWN = 10.0
 
 
 @dataclass(frozen=True)
@@ -108,8 +111,9 @@ class _Surface:
         return self.room.id if self.owner is None else self.owner.id
 
 
-def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
-    """Spots on every support and floor of a furnished home, and on what recipes set to a state."""
+def spots_of(context: HomeContext, layout: Layout, rng: Rng, things: Things = NO_THINGS) -> Spots:
+    """Spots on every support and floor of a furnished home, where the ``things`` are that it draws
+    itself, and on what recipes set to a state."""
     surfaces = _Surfaces(
         [*_supports(context, layout, rng), *_floors(context, layout, rng)], context
     )
@@ -141,15 +145,31 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng) -> Spots:
     weights = np.array(
         [
             *placed[likely],
+            *(_DRAWN / len(things.items) for _ in things.items),
             *(were_set[key] / len(found) for key, found in ways.items() for _ in found),
         ]
     )
     return Spots(
-        surfaces.points_m[likely],
-        surfaces.target[likely],
+        np.concatenate([surfaces.points_m[likely], *_middles(things)]),
+        np.append(surfaces.target[likely], [_bearer(item, things) for item in things.items]).astype(
+            np.int64
+        ),
         tuple(one for found in ways.values() for one in found),
         weights / weights.sum(),
     )
+
+
+def _middles(things: Things) -> Iterator[Array]:
+    """A point near the middle of each thing, (1, 3)."""
+    for item in things.items:
+        x, y, z = item.pose.position_m
+        yield np.array([[x, y, z + ABOVE_M]])
+
+
+def _bearer(item: ObjectInstance, things: Things) -> int:
+    """What furniture a thing is on or in; the room, of what is on its floor or on nothing."""
+    intent = things.intents.get(item.id)
+    return item.room_id if intent is None else intent.target_id
 
 
 class _Surfaces:

@@ -40,7 +40,7 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
     alone.
     """
     context, layout, library = home.context, home.layout, home.layout.library
-    spots = spots_of(context, layout, rng)
+    spots = spots_of(context, layout, rng, home.things)
     swept = swept_by(layout, spots.states).buffer(CLEARANCE_M)
     free = shapely.union_all([Polygon(ring) for ring in home.free_space])
     free = shapely.difference(free, swept, grid_size=_GRID_M)

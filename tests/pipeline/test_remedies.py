@@ -24,7 +24,7 @@ from tests.shipped import shipped_library
 
 CATALOG = load_catalog()
 #: Three scenes hold all hazards: they are drawn in turn.
-OPTIONS = BuildOptions(n=3, seed=4, hazards_min=5, hazards_max=5, views=1, twins=True, toggles=True)
+OPTIONS = BuildOptions(n=3, seed=6, hazards_min=5, hazards_max=5, views=1, twins=True, toggles=True)
 RULES = [(hazard.id, number) for hazard in CATALOG.hazards for number in range(len(hazard.remedy))]
 
 pytestmark = pytest.mark.slow
@@ -168,7 +168,9 @@ def test_a_toggle_has_one_undone(index, bundles):
 def test_most_things_are_put_back_and_not_taken_away(bundles):
     every = list(chain.from_iterable(bundle.twin.anomalies.undone for bundle in bundles))
     assert sum(one.action == TAKE_AWAY for one in every) <= 0.2 * len(every)
-    assert {one.action for one in every} >= {*SET_BACK, "put_in", "wipe_up", "throw_away"}
+    # Nothing of the thirteen classes is emptied.
+    wanted = {*SET_BACK, "put_in", "wipe_up", "throw_away"} - {"empty"}
+    assert {one.action for one in every} >= wanted
 
 
 def test_twins_change_nothing_of_their_scene(bundles, library, client):
@@ -184,14 +186,16 @@ def low_candle(bundles, tools_of):
     bundle, lit = holding(bundles, "candle_on")
     spec, tools = tools_of(bundle)
     facts = facts_of(bundle.scene, tools.library.infos, CATALOG)
-    heights = [facts.height(k) for k in facts.ids_of(["candle"])]
+    heights = [facts.height(k) for k in facts.ids_of([lit.category])]
     limit = facts.height(lit.object_id)
     while any(abs(limit - height) < 0.05 for height in heights):
         limit += 0.02
     low = CATALOG.hazard("candle_on").model_copy(
         update={
             "id": "candle_low",
-            "predicate": AllTerm(terms=(CategoryTerm(any_of=("candle",)), HeightTerm(max_m=limit))),
+            "predicate": AllTerm(
+                terms=(CategoryTerm(any_of=(lit.category,)), HeightTerm(max_m=limit))
+            ),
             "remedy": (RemedyRule(action="put_on", targets=("wall_shelf", "bookshelf", "fridge")),),
         }
     )

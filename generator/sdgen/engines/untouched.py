@@ -7,7 +7,7 @@ so as it stands, or might (a verdict in doubt), every scene is rejected, whateve
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from sdgen.catalog.records import Catalog, Category, Hazard
 from sdgen.catalog.terms.term import Case
@@ -82,11 +82,12 @@ def at_risk(catalog: Catalog, library: Library) -> frozenset[str]:
     """Hazards that furniture, in a state it stands in, may satisfy as far as categories and states
     tell; the others need no home to be cleared."""
     standing = {c.name: c for c in catalog.categories if c.kind in ("furniture", "opening")}
+    states_of = library.states_by_category()
     return frozenset(
         hazard.id
         for hazard in catalog.hazards
         if any(
-            _possible(hazard, name, states)
+            _possible(hazard, name, states, states_of.get(name, ()))
             for name in sorted(_names(hazard, standing))
             for states in sorted(stands(standing[name], library))
         )
@@ -98,8 +99,12 @@ def _names(hazard: Hazard, standing: dict[str, Category]) -> set[str]:
     return set(standing) if concerned is None else set(standing).intersection(concerned)
 
 
-def _possible(hazard: Hazard, category: str, states: tuple[str, ...]) -> bool:
-    return all(hazard.predicate.possible(Case(category, s)).be_true for s in states or (None,))
+def _possible(
+    hazard: Hazard, category: str, states: tuple[str, ...], known: Collection[str]
+) -> bool:
+    others = tuple(sorted(set(known).difference(states)))
+    cases = [Case(category, state, not_state=others) for state in states or (None,)]
+    return all(hazard.predicate.possible(case).be_true for case in cases)
 
 
 def stands(category: Category, library: Library) -> Iterator[tuple[str, ...]]:

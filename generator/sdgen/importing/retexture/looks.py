@@ -47,7 +47,7 @@ WORN: Mapping[str, Worn] = MappingProxyType(
         "expired": Worn("EXPIRED", "expired", on_food=True, on_things=False, asked_for=True),
         "overripe": Worn("OVERRIPE", "overripe", on_food=True, on_things=False, asked_for=True),
         "dirty": Worn("DIRTY", "dirty", on_food=False, on_things=True, asked_for=True),
-        "wet": Worn("WET", "wet", on_food=True, on_things=True, asked_for=False),
+        "wet": Worn("WET", "wet", on_food=True, on_things=True, asked_for=True),
         "dusty": Worn("DUSTY", "dusty", on_food=False, on_things=True, asked_for=False),
     }
 )

@@ -432,7 +432,7 @@ def test_half_of_the_scenes_with_a_pets_hazard_have_the_pet() -> None:
     may = [t for t in CATALOG.households if "cat" in t.traits]
     having = 0
     for k in range(400):
-        wished = wished_traits([lilies], lane(5, k, "wished"))
+        wished = wished_traits([lilies], CATALOG.categories, lane(5, k, "wished"))
         assert set(wished) <= {"cat"}
         template = draw_template(
             catalog, lane(5, k, "template"), lambda one, w=wished: not w or one in may
@@ -441,6 +441,18 @@ def test_half_of_the_scenes_with_a_pets_hazard_have_the_pet() -> None:
         assert not wished or found.pets.count("cat") == 1
         having += "cat" in found.pets
     assert 200 < having < 330
+
+
+def test_who_has_a_hazards_bowl_has_the_pet() -> None:
+    """Whatever a hazard puts, and nothing else, belongs to a pet: nobody has it without one."""
+    catalog = load_catalog(extensions=("hygiene",))
+    bowl = catalog.hazard("pet_bowl_on_table")
+    for k in range(20):
+        wished = wished_traits([bowl], catalog.categories, lane(5, k, "wished"))
+        assert wished == ("cat", "dog")
+        template = next(t for t in catalog.households if "cat" in t.traits)
+        assert sample_household(catalog, template, lane(5, k, "household"), wished).pets
+    assert wished_traits([catalog.hazard("spill")], catalog.categories, lane(5, 0, "wished")) == ()
 
 
 def test_shares_of_traits_are_kept_and_old_files_still_read() -> None:

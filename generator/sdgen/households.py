@@ -11,7 +11,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sdgen.catalog.records import Catalog, Hazard, HouseholdTemplate, ReachRow, Trait
+from sdgen.catalog.records import (
+    Catalog,
+    Category,
+    Hazard,
+    HouseholdTemplate,
+    PlaceRecipe,
+    ReachRow,
+    Recipe,
+    Trait,
+)
 from sdgen.scene import EvidenceValue, Household, Member, Notify
 from sdgen.seeding import Rng
 from sdgen.vocabulary import Urgency
@@ -68,12 +77,31 @@ def draw_template(
     return among[int(rng.choice(len(weights), p=weights / weights.sum()))]
 
 
-def wished_traits(hazards: Iterable[Hazard], rng: Rng) -> tuple[str, ...]:
+def wished_traits(
+    hazards: Iterable[Hazard], categories: Iterable[Category], rng: Rng
+) -> tuple[str, ...]:
     """The pets and conditions of which a household is to have one, for the sake of the drawn
-    hazards that concern who lives with them; none in half of all scenes. ``rng``: a lane of its
-    own."""
-    words = {word for hazard in hazards for word in hazard.concerns.living_with}
-    return tuple(sorted(words)) if rng.random() < WISHED_SHARE else ()
+    hazards: in half of all scenes those that concern who lives with them, and wherever all that a
+    hazard puts belongs to such, these: nobody has a bowl and no pet. ``rng``: a lane of its own."""
+    drawn = list(hazards)
+    belongs = {one.name: one.belongs_to for one in categories}
+    wished = {word for hazard in drawn for word in hazard.concerns.living_with}
+    if rng.random() >= WISHED_SHARE:
+        wished = set()
+    needed = {
+        word
+        for hazard in drawn
+        if all(_owned(recipe, belongs) for recipe in hazard.anomalies)
+        for recipe in hazard.anomalies
+        for name in recipe.categories
+        for word in belongs[name]
+    }
+    return tuple(sorted(needed or wished))
+
+
+def _owned(recipe: Recipe, belongs: Mapping[str, Collection[str]]) -> bool:
+    """Whether all that a recipe puts somewhere belongs to somebody, or to some pet."""
+    return isinstance(recipe, PlaceRecipe) and all(belongs[name] for name in recipe.categories)
 
 
 def sample_household(

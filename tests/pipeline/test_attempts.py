@@ -41,6 +41,7 @@ from tests import toy
 OVERLAP = Cause("proof", "accidental", "pills_by_bed", "pill_bottle", "poison_medication")
 NO_REST = Cause("physics", "no_rest")
 UNSEEN = Cause("views", "unseen", "spill")
+FALLEN = Cause("physics", "fallen", "spill", "puddle")
 
 
 @pytest.mark.slow
@@ -160,8 +161,11 @@ def test_only_the_same_cause_in_nearly_all_tries_ends_them():
     assert hopeless_of({OVERLAP: 6, NO_REST: 6}) is None
     assert hopeless_of({NO_REST: HOME_TRIES - 1}) is None
     assert hopeless_of({NO_REST: HOME_TRIES}) == NO_REST
-    # Where an anomaly is at fault, the next try puts it elsewhere.
-    assert hopeless_of({UNSEEN: 20}) is None
+    # What no view shows wherever it is put, none will show at the next try.
+    assert hopeless_of({UNSEEN: HOME_TRIES}) == UNSEEN
+    assert hopeless_of({UNSEEN: 12, NO_REST: 8}) is None
+    # Where it falls down, the next try puts it elsewhere.
+    assert hopeless_of({FALLEN: 20}) is None
 
 
 @pytest.mark.parametrize(
@@ -169,7 +173,8 @@ def test_only_the_same_cause_in_nearly_all_tries_ends_them():
     [
         (OVERLAP, OVERLAP_HOMES, OVERLAP_HOMES * OVERLAP_TRIES),
         (NO_REST, HOME_ATTEMPTS, HOME_ATTEMPTS * HOME_TRIES),
-        (UNSEEN, HOME_ATTEMPTS, HOME_ATTEMPTS * 20),
+        (UNSEEN, HOME_ATTEMPTS, HOME_ATTEMPTS * HOME_TRIES),
+        (FALLEN, HOME_ATTEMPTS, HOME_ATTEMPTS * 20),
     ],
 )
 def test_what_is_hopeless_is_not_tried_a_hundred_times(cause, homes, tries, monkeypatch):

@@ -19,10 +19,12 @@ from shapely.geometry.base import BaseGeometry
 from sdgen.actions import in_state
 from sdgen.cameras.outdoors import outer_opening
 from sdgen.catalog.records import PlaceRecipe, Recipe, SetRecipe
+from sdgen.facts import Body
 from sdgen.geometry import Array
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout, room_to_change
 from sdgen.home.things import NO_THINGS, Things
+from sdgen.home.vicinity import strip_before
 from sdgen.library.states import state_parts
 from sdgen.scene import ObjectInstance, Opening, Room
 from sdgen.seeding import Rng
@@ -48,6 +50,8 @@ _LOOKALIKES, _EVERYDAY = 0.5, 3.0
 _HIGH, _HIGH_PIECES = 3.0, 2
 #: Eyes are lifted somewhat above this; of what lies flat higher up views show little.
 _SEEN_FROM_ABOVE_M = 1.7
+#: Half the width of a thing that is to be near another, about.
+_HALF_M = 0.15
 #: What is set to a state counts so many times what is placed: it can be seen in one place only.
 _STATES = 5.0
 #: What all things that a home draws itself count, labelled ones and others alike.
@@ -65,6 +69,11 @@ class Wanted:
     high_m: float | None = None
     zone: tuple[str, ...] = ()
     avoid: tuple[str, ...] = ()
+    #: Furniture that it is to be so near to, and what it is to be so far before.
+    near: tuple[str, ...] = ()
+    near_m: float = 0.0
+    before: tuple[str, ...] = ()
+    before_m: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -115,7 +124,7 @@ def spots_of(context: HomeContext, layout: Layout, rng: Rng, things: Things = NO
     """Spots on every support and floor of a furnished home, where the ``things`` are that it draws
     itself, and on what recipes set to a state."""
     surfaces = _Surfaces(
-        [*_supports(context, layout, rng), *_floors(context, layout, rng)], context
+        [*_supports(context, layout, rng), *_floors(context, layout, rng)], context, layout
     )
     expected = defaultdict(float, _everyday(context, layout))
     were_set: defaultdict[tuple[int, str], float] = defaultdict(float)
@@ -175,8 +184,10 @@ def _bearer(item: ObjectInstance, things: Things) -> int:
 class _Surfaces:
     """All surfaces with their points in one row."""
 
-    def __init__(self, surfaces: Sequence[_Surface], context: HomeContext) -> None:
+    def __init__(self, surfaces: Sequence[_Surface], context: HomeContext, layout: Layout) -> None:
         self._context = context
+        self._layout = layout
+        self._boxes_of: dict[tuple[str, ...], Array] = {}
         self.points_m = np.concatenate(
             [np.zeros((0, 3)), *(surface.points_m for surface in surfaces)]
         )
@@ -254,7 +265,36 @@ class _Surfaces:
             fits &= self._within(wanted.zone, surface.room, points)
         if wanted.avoid:
             fits &= ~self._within(wanted.avoid, surface.room, points)
+        if wanted.near:
+            fits &= self._near(wanted.near, wanted.near_m + _HALF_M, points)
+        if wanted.before:
+            fits &= self._before(wanted.before, wanted.before_m, points)
         return fits
+
+    def _near(self, names: tuple[str, ...], within_m: float, points: Array) -> Bools:
+        boxes = self._boxes(names)
+        if not len(boxes):
+            return np.zeros(len(points), dtype=np.bool_)
+        outside = np.maximum(boxes[:, 0] - points[:, None], points[:, None] - boxes[:, 1])
+        apart = np.linalg.norm(np.maximum(outside, 0.0), axis=-1)
+        return np.asarray(apart.min(axis=1) <= within_m)
+
+    def _boxes(self, names: tuple[str, ...]) -> Array:
+        """Lowest and highest corners of what is called so, (N, 2, 3)."""
+        if names not in self._boxes_of:
+            infos = self._layout.library
+            bodies = [Body(item, infos.info(item.asset)) for item in self._called(names)]
+            corners = [(body.low, body.high) for body in bodies]
+            self._boxes_of[names] = np.reshape(corners, (-1, 2, 3)).astype(np.float64)
+        return self._boxes_of[names]
+
+    def _before(self, names: tuple[str, ...], deep_m: float, points: Array) -> Bools:
+        strips = [strip_before(item, deep_m, self._layout) for item in self._called(names)]
+        shape = shapely.union_all(strips)
+        return np.asarray(shapely.contains_xy(shape, points[:, 0], points[:, 1]))
+
+    def _called(self, names: tuple[str, ...]) -> list[ObjectInstance]:
+        return [item for item in self._layout.items.values() if item.category in names]
 
     def _within(self, kinds: tuple[str, ...], room: Room, points: Array) -> Bools:
         shape = self._context.zone_shape(kinds, room.id)
@@ -283,7 +323,7 @@ def _possible(
                     were_set[item.id, recipe.state] += recipe.weight / len(found)
         else:
             targets = [t for t in recipe.targets if t == "floor" or t in present]
-            wanted = [_wanted(recipe, target) for target in targets]
+            wanted = [_wanted(recipe, target, context) for target in targets]
             for category in recipe.categories if targets else ():
                 if context.models(category):
                     for one in wanted:
@@ -296,7 +336,7 @@ def _is_high(recipe: Recipe) -> bool:
     return isinstance(recipe, PlaceRecipe) and recipe.min_height_m is not None
 
 
-def _wanted(recipe: PlaceRecipe, target: str) -> Wanted:
+def _wanted(recipe: PlaceRecipe, target: str, context: HomeContext) -> Wanted:
     """What a recipe asks for of a target."""
     return Wanted(
         recipe.relation,
@@ -306,6 +346,24 @@ def _wanted(recipe: PlaceRecipe, target: str) -> Wanted:
         recipe.max_height_m,
         recipe.zone,
         recipe.avoid_zones,
+        *_company(recipe, context),
+    )
+
+
+def _company(
+    recipe: PlaceRecipe, context: HomeContext
+) -> tuple[tuple[str, ...], float, tuple[str, ...], float]:
+    """The furniture that a recipe's thing is to be near and before, how near and how far before;
+    nothing where it brings small things along: these may lie wherever it does."""
+    near, before = recipe.near, recipe.before
+    fixed = near is not None and all(
+        context.catalog.category(name).kind in ("furniture", "opening") for name in near.to
+    )
+    return (
+        near.to if near is not None and fixed else (),
+        near.max_m if near is not None and fixed else 0.0,
+        before.of if before is not None else (),
+        before.max_m if before is not None else 0.0,
     )
 
 

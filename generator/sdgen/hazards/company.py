@@ -10,19 +10,18 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
-from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.records import Near, PlaceRecipe, SetRecipe
 from sdgen.facts import Body
 from sdgen.facts.body import gaps
-from sdgen.geometry import Array, apply
+from sdgen.geometry import Array
 from sdgen.hazards.states import changed
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Bulk, Layout, Vec3Yaw, room_to_change
+from sdgen.home.vicinity import strip_before
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
-from sdgen.vocabulary import OPENINGS
 
 #: Bounds the search: things looked at for one to be near, and before.
 COMPANY_TRIED = 4
@@ -115,19 +114,13 @@ def nook_by(recipe: PlaceRecipe, item: ObjectInstance | None, layout: Layout) ->
         found = [one for one in layout.items.values() if one.category in recipe.before.of]
         if not found:
             return None
-        before = shapely.union_all([_strip(one, recipe.before.max_m, layout) for one in found])
+        before = shapely.union_all(
+            [strip_before(one, recipe.before.max_m, layout) for one in found]
+        )
     if recipe.near is None or item is None:
         return Nook(before=before)
     body = Body(item, layout.library.info(item.asset))
     return Nook(body.low, body.high, recipe.near.max_m, before)
-
-
-def _strip(item: ObjectInstance, deep_m: float, layout: Layout) -> Polygon:
-    """The floor before a thing's front, as wide as it is; of a door or a window, on both sides."""
-    (low, high) = layout.box_of(item)
-    x = (low[0] - deep_m if item.category in OPENINGS else high[0], high[0] + deep_m)
-    corners = [(x[0], low[1], 0.0), (x[1], low[1], 0.0), (x[1], high[1], 0.0), (x[0], high[1], 0.0)]
-    return Polygon(apply(item.pose.matrix(), corners)[:, :2])
 
 
 def near_some(

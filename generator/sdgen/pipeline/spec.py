@@ -55,7 +55,7 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
     homes = Homes(catalog)
     among: list[HomeSpec | HomeMix] = [*bases, *mixes]
     asked = tuple(catalog.hazard(name) for name in hazards)
-    wished = wished_traits(asked, lane(options.seed, index, "wished"))
+    wished = wished_traits(asked, catalog.categories, lane(options.seed, index, "wished"))
     able = [one for one in catalog.households if any(homes.fits(one, home) for home in among)]
     having = [one for one in able if not set(wished).isdisjoint(one.traits)]
     template = draw_template(

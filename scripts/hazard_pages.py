@@ -1,7 +1,7 @@
 """Write the facts of each hazard's page from the catalogue: ``make docs``.
 
-What is between the two markers of ``docs/hazards/<id>.md`` follows from the YAML; the rest of a
-page is written by hand.
+What is between the two markers of ``docs/hazards/<id>.md``, and of the extension packs in
+``docs/packs.md``, follows from the YAML; the rest of a page is written by hand.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from sdgen.catalog.folder import extension_names
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard
 from sdgen.catalog.terms import (
@@ -27,7 +28,8 @@ from sdgen.catalog.terms import (
 )
 from sdgen.vocabulary import EVIDENCE_PIXELS
 
-PAGES = Path(__file__).resolve().parent.parent / "docs" / "hazards"
+DOCS = Path(__file__).resolve().parent.parent / "docs"
+PAGES, PACKS = DOCS / "hazards", DOCS / "packs.md"
 START, END = "<!-- from the catalogue: make docs -->", "<!-- end -->"
 
 
@@ -101,11 +103,33 @@ def facts(hazard: Hazard) -> str:
     return f"{START}\n| | |\n|---|---|\n{table}\n{END}"
 
 
-def with_facts(text: str, hazard: Hazard) -> str:
-    """A page with its table as the catalogue has it. ValueError where a marker is missing."""
+def packs() -> str:
+    """The tables of the extension packs, a section a pack."""
+    shipped = {hazard.id for hazard in load_catalog().hazards}
+    sections = []
+    for name in extension_names():
+        rows = [
+            f"| `{hazard.id}` | {hazard.title} | {hazard.predicate.in_words()} | "
+            f"{concerned(hazard)} | {'<br>'.join(map(str, hazard.guidance))} |"
+            for hazard in load_catalog(extensions=(name,)).hazards
+            if hazard.id not in shipped
+        ]
+        head = "| id | title | holds when | concerns | source |\n|---|---|---|---|---|"
+        sections.append(f"### `{name}`\n\n{head}\n" + "\n".join(rows))
+    return f"{START}\n" + "\n\n".join(sections) + f"\n{END}"
+
+
+def between(text: str, inner: str) -> str:
+    """A page with what is between its markers, which ``inner`` begins and ends with. ValueError
+    where a marker is missing."""
     before, rest = text.split(START, 1)
     _, after = rest.split(END, 1)
-    return f"{before}{facts(hazard)}{after}"
+    return f"{before}{inner}{after}"
+
+
+def with_facts(text: str, hazard: Hazard) -> str:
+    """A hazard's page with its table as the catalogue has it."""
+    return between(text, facts(hazard))
 
 
 def main() -> int:
@@ -113,6 +137,7 @@ def main() -> int:
     for hazard in catalog.hazards:
         page = PAGES / f"{hazard.id}.md"
         page.write_text(with_facts(page.read_text(encoding="utf-8"), hazard), encoding="utf-8")
+    PACKS.write_text(between(PACKS.read_text(encoding="utf-8"), packs()), encoding="utf-8")
     return 0
 
 

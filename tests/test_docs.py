@@ -140,6 +140,12 @@ def test_every_hazard_has_a_page_that_says_what_its_yaml_says() -> None:
         assert len(text.split("## What is one, and what is not")[1].split("\n- ")) > 1
 
 
+def test_the_page_of_the_packs_says_what_their_yaml_says() -> None:
+    pages = module_at("scripts/hazard_pages.py")
+    text = (ROOT / "docs" / "packs.md").read_text(encoding="utf-8")
+    assert pages.between(text, pages.packs()) == text, "run 'make docs'"
+
+
 def test_measures_on_the_pages_of_hazards_are_those_of_the_code() -> None:
     def says(hazard: str, *measures: str) -> bool:
         text = (ROOT / "docs" / "hazards" / f"{hazard}.md").read_text(encoding="utf-8")

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 
 from sdgen.catalog.cases import cases, unique_anomaly
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, UniqueAnomaly
+from sdgen.catalog.terms.term import Case
 from sdgen.errors import InputError, did_you_mean
 from sdgen.vocabulary import UNCATEGORISED
 
@@ -95,3 +96,31 @@ def _unknown_parts(
 
 def _knows(state: str | None, states: Collection[str]) -> bool:
     return state is None or state in states
+
+
+def cannot_be_made(
+    case: Case,
+    library_states: Mapping[str, Collection[str]],
+    library_holding: Mapping[str, Collection[str]],
+) -> str:
+    """Why no model can make a case; empty where some can. ``library_holding`` gives, by ``ON`` and
+    ``INSIDE``, the categories that take things so."""
+    states = library_states.get(case.category)
+    if states is None:
+        return f"the library has no model of {case.category}"
+    if not _knows(case.state, states):
+        near = did_you_mean(case.state or "", sorted(states))
+        return f"no model of {case.category} can be {case.state}{near}"
+    if case.target is None or case.relation is None or case.on_the_floor:
+        return ""
+    if case.target not in library_states:
+        return f"the library has no model of {case.target}"
+    return cannot_hold(case.relation, case.target, library_holding)
+
+
+def cannot_hold(relation: str, target: str, library_holding: Mapping[str, Collection[str]]) -> str:
+    """Why nothing can be put so ``relation`` a target; empty where something can."""
+    if target in library_holding[relation] or (relation, target) == ("ON", "floor"):
+        return ""
+    lacks = {"ON": "a surface that things stand on", "INSIDE": "a hollow that things fit into"}
+    return f"no model of {target} has {lacks[relation]}"

@@ -64,6 +64,36 @@ def load_catalog(
     ``only`` keeps just these hazard ids. Raises InputError with every problem found, each
     ``file:line: key path: problem``.
     """
+    folders, problems = _opened(extra, extensions)
+    catalog = _resolve(folders, problems)
+    if only is None:
+        return catalog
+    known = [hazard.id for hazard in catalog.hazards]
+    wrong = [
+        f"unknown hazard {name!r}{did_you_mean(name, known)}" for name in only if name not in known
+    ]
+    if wrong:
+        raise InputError(wrong)
+    kept = tuple(hazard for hazard in catalog.hazards if hazard.id in only)
+    return catalog.model_copy(update={"hazards": kept})
+
+
+def written_hazard(
+    hazard: str, extra: Sequence[Path] = (), extensions: Sequence[str] = ()
+) -> dict[str, Any]:
+    """What a hazard of a sound catalogue is written as: plain values, in their order."""
+    folders, _ = _opened(extra, extensions)
+    files = [
+        source
+        for folder in folders
+        for source in folder.sources.get("hazards", ())
+        if Path(source.file).stem == hazard
+    ]
+    return dict(files[-1].value)
+
+
+def _opened(extra: Sequence[Path], extensions: Sequence[str]) -> tuple[list[Folder], list[str]]:
+    """All folders of a catalogue, parsed, later ones over earlier ones; and their problems."""
     problems: list[str] = []
     folders = [open_folder(data_path("hazard_catalog"), "core", "hazard_catalog")]
     shipped = extension_names()
@@ -78,17 +108,7 @@ def load_catalog(
     folders += [open_extra(path) for path in extra]
     for folder in folders:
         problems.extend(folder.problems)
-    catalog = _resolve(folders, problems)
-    if only is None:
-        return catalog
-    known = [hazard.id for hazard in catalog.hazards]
-    wrong = [
-        f"unknown hazard {name!r}{did_you_mean(name, known)}" for name in only if name not in known
-    ]
-    if wrong:
-        raise InputError(wrong)
-    kept = tuple(hazard for hazard in catalog.hazards if hazard.id in only)
-    return catalog.model_copy(update={"hazards": kept})
+    return folders, problems
 
 
 def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:

@@ -126,8 +126,8 @@ class _Judge:
         if recipe is None:
             # Of a line whose words were all unknown enough is said.
             if all(written.get(key) != [] for key in ("place", "set", "target", "rooms")):
-                for _, text in own.noted:
-                    yield Refused(line, "", "malformed", one_line(text))
+                text = one_line("; ".join(text for _, text in own.noted))
+                yield Refused(line, "", "malformed", text)
             return
         said = one_line(reason) if isinstance(reason, str) else ""
         yield from self._placements(recipe.record(), line, said)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 
 from sdgen.catalog.cases import cases, unique_anomaly
+from sdgen.catalog.contradiction import models_object, never
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, UniqueAnomaly
 from sdgen.catalog.terms.term import Case
 from sdgen.errors import InputError, did_you_mean
@@ -30,6 +31,7 @@ def check_against_library(
     catalog: Catalog,
     library_states: Mapping[str, Collection[str]],
     library_parts: Mapping[str, Collection[str]] | None = None,
+    library_holding: Mapping[str, Collection[str]] | None = None,
 ) -> None:
     """Check that every hazard can be made with the models there are.
 
@@ -37,8 +39,10 @@ def check_against_library(
     A recipe may name categories without a model (they are skipped) as long as one has one; a
     state that none of its models knows is a problem, and so is a model of a category that nobody
     defines: it would never be used. ``library_parts``, where given, maps the categories to the
-    parts that their models have, and some part that shows a hazard must be among them. Raises
-    InputError with all problems.
+    parts that their models have, and some part that shows a hazard must be among them.
+    ``library_holding``, where given, says what takes things ``ON`` and ``INSIDE``: no recipe may
+    put something so on or into what never does, and no predicate ask for it. Raises InputError
+    with all problems.
     """
     known_categories = [category.name for category in catalog.categories]
     problems = [
@@ -75,6 +79,8 @@ def check_against_library(
                 f"hazard {hazard.id}: no model of any of its objects ({', '.join(names)})"
             )
         problems += _unknown_parts(hazard, library_parts)
+        if library_holding is not None:
+            problems += _never_held(hazard, library_states, library_holding)
     if problems:
         raise InputError(problems)
 
@@ -92,6 +98,25 @@ def _unknown_parts(
         names = ", ".join(hazard.evidence_parts)
         near = did_you_mean(hazard.evidence_parts[0], known)
         yield f"hazard {hazard.id}: evidence_parts: no model of its objects has a {names}{near}"
+
+
+def _never_held(
+    hazard: Hazard,
+    library_states: Mapping[str, Collection[str]],
+    library_holding: Mapping[str, Collection[str]],
+) -> Iterator[str]:
+    """A problem for each target that holds nothing so, and for a predicate that no model can be
+    what it asks for."""
+    if reason := never(hazard.predicate, models_object(library_states, library_holding)):
+        yield f"hazard {hazard.id}: predicate: can never hold: {reason}"
+    for key, recipes in (("anomalies", hazard.anomalies), ("lookalikes", hazard.lookalikes)):
+        for index, recipe in enumerate(recipes):
+            if not isinstance(recipe, PlaceRecipe):
+                continue
+            for target in recipe.targets:
+                text = cannot_hold(recipe.relation, target, library_holding)
+                if text and target in library_states:
+                    yield f"hazard {hazard.id}: {key}[{index}].target: {text}"
 
 
 def _knows(state: str | None, states: Collection[str]) -> bool:

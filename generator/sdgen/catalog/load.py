@@ -19,6 +19,7 @@ from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.folder import Folder, extension_names, open_extra, open_folder
 from sdgen.catalog.hazard_yaml import read_hazard
 from sdgen.catalog.home_yaml import read_home
+from sdgen.catalog.limits import MAX_ENTRIES, MAX_HAZARDS
 from sdgen.catalog.records import Catalog
 from sdgen.catalog.words import NOT_A_NAME, WORD, Names
 from sdgen.catalog.world_yaml import (
@@ -118,6 +119,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         for file, source in folder.all():
             for kind, entry in _entries(file, source, folder.pack):
                 _add(found[kind], _KINDS[kind], entry)
+    _check_numbers(found, folders, problems)
     names = Names(
         categories=tuple(sorted(found["categories"])),
         rooms=tuple(sorted(found["rooms"])),
@@ -160,6 +162,19 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
     if problems:
         raise InputError(tuple(dict.fromkeys(problems)))
     return catalog
+
+
+def _check_numbers(
+    found: Mapping[str, Mapping[str, Entry]], folders: Sequence[Folder], problems: list[str]
+) -> None:
+    """Raise InputError, before anything is made of them, where there are too many entries."""
+    for kind, entries in found.items():
+        most = MAX_HAZARDS if kind == "hazards" else MAX_ENTRIES
+        if len(entries) > most:
+            text = f"is one {_KINDS[kind]} too many: a catalogue has at most {most}"
+            list(entries.values())[most].problem(text)
+            problems.extend(p for f in folders for _, source in f.all() for p in source.problems)
+            raise InputError(tuple(dict.fromkeys(problems)))
 
 
 def _kinds_of(rooms: Mapping[str, Entry]) -> dict[str, tuple[str, ...]]:

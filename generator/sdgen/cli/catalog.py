@@ -148,7 +148,9 @@ def validate_paths(
     found = _load(paths, extensions)
     library = load_library(assets)
     check_drawings(found, library, paths)
-    check_against_library(found, library.states_by_category(), parts_by_category(library))
+    check_against_library(
+        found, library.states_by_category(), parts_by_category(library), library.holding()
+    )
     check_against_styles(found, library)
     trial = misfits(found, library, BuildOptions(extensions=split_names(extensions)))
     for line in trial.warnings:

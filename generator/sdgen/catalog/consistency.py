@@ -19,9 +19,7 @@ def check_recipes(entry: Entry, hazard: Hazard) -> None:
     and lookalikes that always would be."""
     number = sum(map(placements, (*hazard.anomalies, *hazard.lookalikes)))
     if number > MAX_PLACEMENTS:
-        text = (
-            f"its recipes stand for {number} placements, and at most {MAX_PLACEMENTS} are looked at"
-        )
+        text = f"its recipes stand for {number} placements; at most {MAX_PLACEMENTS} will do"
         entry.problem(text, "anomalies")
         return
     if reason := never(hazard.predicate):

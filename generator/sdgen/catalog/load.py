@@ -183,6 +183,10 @@ def _kinds_of(rooms: Mapping[str, Entry]) -> dict[str, tuple[str, ...]]:
     for name in sorted(rooms):
         like = rooms[name].key("like")
         if isinstance(like, str):
+            # Of one kind only: no rule has to follow a chain, or a circle.
+            if like in rooms and rooms[like].key("like") is not None:
+                text = f"{like!r} is like another room type itself: name that one, or none"
+                rooms[name].problem(text, "like")
             out[like] = (*out.get(like, ()), name)
     return out
 

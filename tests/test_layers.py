@@ -37,7 +37,7 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
     4: (("physics",), ("render",)),
     5: (("truth", "dataset"),),
     6: (("pipeline",), ("engines",)),
-    7: (("validate", "export", "gallery", "importing", "benchmark"),),
+    7: (("validate", "export", "gallery", "importing", "benchmark", "proposals"),),
     8: (("cli",),),
     9: (("__main__",),),
 }

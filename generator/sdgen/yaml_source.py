@@ -116,7 +116,11 @@ def read_yaml(
 
 
 def parse_yaml(
-    raw: bytes, name: str, max_bytes: int = MAX_BYTES, max_values: int = MAX_VALUES
+    raw: bytes,
+    name: str,
+    max_bytes: int = MAX_BYTES,
+    max_values: int = MAX_VALUES,
+    max_anchors: int = MAX_ANCHORS,
 ) -> Source:
     """Parse bytes. Syntax problems end up in ``problems`` with ``value`` None; never raises."""
     source = Source(name)
@@ -130,7 +134,7 @@ def parse_yaml(
         source.problem((), "is not UTF-8 text", line)
         return source
     try:
-        source.value = _Builder(source, text, max_values).document()
+        source.value = _Builder(source, text, max_values, max_anchors).document()
     except _Stop as stop:
         source.problem((), str(stop), stop.line)
     except yaml.YAMLError as error:
@@ -158,9 +162,10 @@ def _error_text(error: yaml.YAMLError) -> str:
 class _Builder:
     """Turns the event stream into values, noting lines on the way."""
 
-    def __init__(self, source: Source, text: str, max_values: int) -> None:
+    def __init__(self, source: Source, text: str, max_values: int, max_anchors: int) -> None:
         self.source = source
         self.max_values = max_values
+        self.max_anchors = max_anchors
         self.events: Iterator[Any] = iter(yaml.parse(text, Loader=_LOADER))
         # What an anchor stands for: the value and its lines relative to the anchor.
         self.anchors: dict[str, tuple[Any, dict[Path_, int]]] = {}
@@ -197,8 +202,9 @@ class _Builder:
         else:
             out = self.scalar(event, path)
         if event.anchor:
-            if len(self.anchors) >= MAX_ANCHORS:
-                raise _Stop(line, f"has more than {MAX_ANCHORS} anchors")
+            if len(self.anchors) >= self.max_anchors:
+                most = f"has more than {self.max_anchors} anchors"
+                raise _Stop(line, most if self.max_anchors else "anchors are not allowed here")
             size = len(path)
             lines = {k[size:]: v for k, v in self.source.lines.items() if k[:size] == path}
             self.anchors[event.anchor] = (out, lines)

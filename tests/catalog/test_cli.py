@@ -155,5 +155,5 @@ def test_validate_says_what_is_true_of_homes_as_they_stand(
 
 
 def test_every_subcommand_has_help_with_an_example() -> None:
-    for name in ("list", "show", "enumerate", "validate"):
+    for name in ("list", "show", "enumerate", "validate", "propose"):
         assert f"Example: sdgen catalog {name}" in " ".join(call(name, "--help").output.split())

@@ -36,6 +36,14 @@ def cases(recipe: Recipe) -> list[Case]:
     ]
 
 
+def placements(recipe: Recipe) -> int:
+    """How many cases a recipe has, told without making them."""
+    rooms = max(1, len(recipe.rooms))
+    if isinstance(recipe, SetRecipe):
+        return len(recipe.categories) * rooms
+    return len(recipe.categories) * sum(rooms if t == "floor" else 1 for t in recipe.targets)
+
+
 @cache
 def unique_anomaly(hazard: str, case: Case) -> UniqueAnomaly:
     """The case as an anomaly (or a near miss) of a hazard; made once a process."""

@@ -5,15 +5,29 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from sdgen.catalog.activity import Activity
-from sdgen.catalog.cases import cases
+from sdgen.catalog.cases import cases, placements
+from sdgen.catalog.contradiction import always, never
 from sdgen.catalog.entry import Entry
+from sdgen.catalog.limits import MAX_PLACEMENTS, MAX_PLACEMENTS_IN_ALL
 from sdgen.catalog.records import Category, Hazard, HouseholdTemplate, PlaceRecipe, Recipe
 from sdgen.catalog.terms.term import Case
 from sdgen.vocabulary import FLAT_M
 
 
 def check_recipes(entry: Entry, hazard: Hazard) -> None:
-    """Note anomalies that could never be one, and lookalikes that always would be."""
+    """Note a predicate that holds of nothing or of everything, anomalies that could never be one,
+    and lookalikes that always would be."""
+    number = sum(map(placements, (*hazard.anomalies, *hazard.lookalikes)))
+    if number > MAX_PLACEMENTS:
+        text = f"its recipes stand for {number} placements; at most {MAX_PLACEMENTS} will do"
+        entry.problem(text, "anomalies")
+        return
+    if reason := never(hazard.predicate):
+        entry.problem(f"can never hold: {reason}", "predicate")
+        return
+    if reason := always(hazard.predicate):
+        entry.problem(f"always holds: {reason}", "predicate")
+        return
     for index, recipe in enumerate(hazard.anomalies):
         for case in cases(recipe):
             if not hazard.predicate.possible(case).be_true:
@@ -34,6 +48,14 @@ def check_among(
     Only what follows from recipes alone; a build's first tries find the rest. Anomalies may be
     several hazards at once.
     """
+    number = 0
+    for hazard in hazards:
+        number += sum(map(placements, (*hazard.anomalies, *hazard.lookalikes)))
+        if number > MAX_PLACEMENTS_IN_ALL:
+            text = f"with it, all recipes stand for more than {MAX_PLACEMENTS_IN_ALL} placements"
+            entries[hazard.id].problem(text, "anomalies")
+            return
+    may_be = _by_category(hazards, [c.name for c in categories])
     high = {c.name for c in categories if c.extents_max_m[2] > FLAT_M and c.kind != "structure"}
     normal = [c.name for c in categories if c.lives or c.kind == "furniture"]
     for hazard in hazards:
@@ -50,7 +72,7 @@ def check_among(
                     entry.problem(text, key, index, "target")
         for index, recipe in enumerate(hazard.lookalikes):
             for case in cases(recipe):
-                for other in hazards:
+                for other in may_be[case.category]:
                     # What a pack claims of shipped recipes is no mistake in their files.
                     blamed = hazard.pack != "core" or other.pack == "core"
                     if other.id == hazard.id or not blamed:
@@ -58,6 +80,14 @@ def check_among(
                     if not other.predicate.possible(case).be_false:
                         text = f"{_words(case)} satisfies the hazard {other.id!r}"
                         entry.problem(f"{text}: it would be an anomaly", "lookalikes", index)
+
+
+def _by_category(hazards: Sequence[Hazard], categories: Sequence[str]) -> dict[str, list[Hazard]]:
+    """The hazards that a thing can be at all, by its category: few of many."""
+    return {
+        name: [one for one in hazards if one.predicate.possible(Case(name)).be_true]
+        for name in categories
+    }
 
 
 def _raised(recipe: Recipe, high: Collection[str]) -> Iterator[tuple[str, str]]:
@@ -86,6 +116,11 @@ def check_activities(
     """Note members of activities that would be an anomaly wherever they lie as asked for."""
     for activity in activities:
         entry, rooms = entries[activity.name], activity.rooms
+        number = max(1, len(activity.at)) * sum(len(member.thing) for member in activity.members)
+        if number > MAX_PLACEMENTS:
+            text = f"its members stand for {number} placements; at most {MAX_PLACEMENTS} will do"
+            entry.problem(text, "members")
+            continue
         for index, member in enumerate(activity.members):
             if member.on or member.inside:
                 continue

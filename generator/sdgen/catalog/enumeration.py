@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 
 from sdgen.catalog.cases import cases, unique_anomaly
+from sdgen.catalog.contradiction import models_object, never
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, UniqueAnomaly
+from sdgen.catalog.terms.term import Case
 from sdgen.errors import InputError, did_you_mean
 from sdgen.vocabulary import UNCATEGORISED
 
@@ -29,6 +31,7 @@ def check_against_library(
     catalog: Catalog,
     library_states: Mapping[str, Collection[str]],
     library_parts: Mapping[str, Collection[str]] | None = None,
+    library_holding: Mapping[str, Collection[str]] | None = None,
 ) -> None:
     """Check that every hazard can be made with the models there are.
 
@@ -36,8 +39,10 @@ def check_against_library(
     A recipe may name categories without a model (they are skipped) as long as one has one; a
     state that none of its models knows is a problem, and so is a model of a category that nobody
     defines: it would never be used. ``library_parts``, where given, maps the categories to the
-    parts that their models have, and some part that shows a hazard must be among them. Raises
-    InputError with all problems.
+    parts that their models have, and some part that shows a hazard must be among them.
+    ``library_holding``, where given, says what takes things ``ON`` and ``INSIDE``: no recipe may
+    put something so on or into what never does, and no predicate ask for it. Raises InputError
+    with all problems.
     """
     known_categories = [category.name for category in catalog.categories]
     problems = [
@@ -74,6 +79,8 @@ def check_against_library(
                 f"hazard {hazard.id}: no model of any of its objects ({', '.join(names)})"
             )
         problems += _unknown_parts(hazard, library_parts)
+        if library_holding is not None:
+            problems += _never_held(hazard, library_states, library_holding)
     if problems:
         raise InputError(problems)
 
@@ -93,5 +100,52 @@ def _unknown_parts(
         yield f"hazard {hazard.id}: evidence_parts: no model of its objects has a {names}{near}"
 
 
+def _never_held(
+    hazard: Hazard,
+    library_states: Mapping[str, Collection[str]],
+    library_holding: Mapping[str, Collection[str]],
+) -> Iterator[str]:
+    """A problem for each target that holds nothing so, and for a predicate that no model can be
+    what it asks for."""
+    if reason := never(hazard.predicate, models_object(library_states, library_holding)):
+        yield f"hazard {hazard.id}: predicate: can never hold: {reason}"
+    for key, recipes in (("anomalies", hazard.anomalies), ("lookalikes", hazard.lookalikes)):
+        for index, recipe in enumerate(recipes):
+            if not isinstance(recipe, PlaceRecipe):
+                continue
+            for target in recipe.targets:
+                text = cannot_hold(recipe.relation, target, library_holding)
+                if text and target in library_states:
+                    yield f"hazard {hazard.id}: {key}[{index}].target: {text}"
+
+
 def _knows(state: str | None, states: Collection[str]) -> bool:
     return state is None or state in states
+
+
+def cannot_be_made(
+    case: Case,
+    library_states: Mapping[str, Collection[str]],
+    library_holding: Mapping[str, Collection[str]],
+) -> str:
+    """Why no model can make a case; empty where some can. ``library_holding`` gives, by ``ON`` and
+    ``INSIDE``, the categories that take things so."""
+    states = library_states.get(case.category)
+    if states is None:
+        return f"the library has no model of {case.category}"
+    if not _knows(case.state, states):
+        near = did_you_mean(case.state or "", sorted(states))
+        return f"no model of {case.category} can be {case.state}{near}"
+    if case.target is None or case.relation is None or case.on_the_floor:
+        return ""
+    if case.target not in library_states:
+        return f"the library has no model of {case.target}"
+    return cannot_hold(case.relation, case.target, library_holding)
+
+
+def cannot_hold(relation: str, target: str, library_holding: Mapping[str, Collection[str]]) -> str:
+    """Why nothing can be put so ``relation`` a target; empty where something can."""
+    if target in library_holding[relation] or (relation, target) == ("ON", "floor"):
+        return ""
+    lacks = {"ON": "a surface that things stand on", "INSIDE": "a hollow that things fit into"}
+    return f"no model of {target} has {lacks[relation]}"

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from sdgen.errors import InputError, did_you_mean, nearest
+from sdgen.catalog.limits import MAX_BYTES, MAX_FILES
+from sdgen.errors import InputError, did_you_mean
 from sdgen.resources import data_path
 from sdgen.yaml_source import Source, read_yaml
 
@@ -28,6 +30,8 @@ _ORDER = (
 #: What a file was called before, when a plan meant two things.
 _RENAMED = {"plans": "mixes"}
 _SUFFIXES = (".yaml", ".yml")
+#: What may lie beside the files of a catalogue: words for people.
+_TEXTS = ("", ".md", ".rst", ".txt")
 #: Folders of the shipped catalogue that are not read with it: packs when they are asked for, and
 #: what other people's models are (see ``sdgen.importing.table``).
 _APART = ("extensions", "sources")
@@ -43,6 +47,7 @@ class Folder:
     pack: str
     sources: dict[str, list[Source]] = field(default_factory=dict)
     problems: list[str] = field(default_factory=list)
+    bytes_left: int = MAX_BYTES
 
     def all(self) -> Iterator[tuple[str, Source]]:
         """Every file with its kind, in reading order: what others refer to first."""
@@ -52,10 +57,23 @@ class Folder:
 
     def add(self, kind: str, path: Path, shown: str) -> None:
         """Parse a file, or note why it cannot be read."""
+        files = self.sources.setdefault(kind, [])
+        if len(files) >= MAX_FILES:
+            self._once(f"{Path(shown).parent}: holds more than {MAX_FILES} files")
+            return
+        if self.bytes_left < 0:
+            self._once(f"{self.pack}: its files have more than {MAX_BYTES // 10**6} MB")
+            return
+        with suppress(OSError, ValueError):  # what cannot be read is told by who reads it
+            self.bytes_left -= path.stat().st_size
         try:
-            self.sources.setdefault(kind, []).append(read_yaml(path, shown))
+            files.append(read_yaml(path, shown))
         except InputError as error:
             self.problems += error.problems
+
+    def _once(self, problem: str) -> None:
+        if problem not in self.problems:
+            self.problems.append(problem)
 
 
 def open_folder(root: Path, pack: str, shown: str) -> Folder:
@@ -67,10 +85,11 @@ def open_folder(root: Path, pack: str, shown: str) -> Folder:
             for below in sorted(path.iterdir()):
                 if _is_yaml(below):
                     out.add(path.name, below, f"{name}/{below.name}")
-                elif below.is_dir() and any(map(_is_yaml, below.rglob("*"))):
-                    out.problems.append(
-                        f"{name}/{below.name}: files in it are not read; move them up"
-                    )
+                elif below.is_dir() and not _is_set_aside(below):
+                    text = "folders in it are not read; move its files up"
+                    out.problems.append(f"{name}/{below.name}: {text}")
+                elif problem := _no_text(below):
+                    out.problems.append(f"{name}/{below.name}: {problem}")
         elif path.stem in FILES and _is_yaml(path):
             out.add(path.stem, path, name)
         elif path.name in _APART and (pack == "core" or path.name != "sources"):
@@ -84,6 +103,19 @@ def _is_yaml(path: Path) -> bool:
     return path.suffix in _SUFFIXES and not path.name.startswith(".")
 
 
+def _is_set_aside(path: Path) -> bool:
+    """Hidden, or put aside by its name: nobody takes it for a part of the catalogue."""
+    return path.name.startswith((".", "_"))
+
+
+def _no_text(path: Path) -> str:
+    """What is wrong with a file that is no YAML: nothing, where it is words for people."""
+    if _is_set_aside(path) or path.suffix.lower() in _TEXTS:
+        return ""
+    near = did_you_mean(path.suffix, _SUFFIXES)
+    return f"no file of a catalogue: its name does not end in .yaml{near}"
+
+
 def _draws(source: Source) -> bool:
     """Whether a file draws a home, wherever it lies: no hazard has rooms with outlines."""
     return isinstance(source.value, dict) and {"rooms", "openings"} <= source.value.keys()
@@ -91,7 +123,7 @@ def _draws(source: Source) -> bool:
 
 def _misplaced(path: Path) -> str:
     """What is wrong with something in a catalogue's folder that belongs to none of its kinds."""
-    if path.name.startswith("."):
+    if _is_set_aside(path):
         return ""
     if _is_yaml(path):
         if path.stem in _RENAMED:
@@ -99,13 +131,10 @@ def _misplaced(path: Path) -> str:
         near = did_you_mean(path.name, [f"{name}.yaml" for name in FILES])
         return f"no file of a catalogue{near}"
     if not path.is_dir():
-        return ""
+        return _no_text(path)
     if path.name == "sources":
         return "tables of models are given to 'sdgen assets import' with --table: move it out"
-    known = (*FOLDERS, "extensions")
-    if nearest(path.name, known) or any(map(_is_yaml, path.iterdir())):
-        return f"no folder of a catalogue{did_you_mean(path.name, known)}"
-    return ""
+    return f"no folder of a catalogue{did_you_mean(path.name, (*FOLDERS, 'extensions'))}"
 
 
 def extension_names() -> tuple[str, ...]:

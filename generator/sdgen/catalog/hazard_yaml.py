@@ -11,6 +11,7 @@ from pydantic_core import InitErrorDetails
 
 from sdgen.catalog.consistency import check_recipes
 from sdgen.catalog.entry import Entry, as_record
+from sdgen.catalog.limits import MAX_RECIPES
 from sdgen.catalog.predicate_yaml import read_predicate
 from sdgen.catalog.records import (
     Before,
@@ -201,8 +202,16 @@ class HazardYaml(Record):
     evidence_parts: PartNames = ()
     evidence_pixels: Annotated[int, between(1, 1000)] = EVIDENCE_PIXELS
     evidence_outdoors: Annotated[int, between(0, 10_000)] = 0
-    anomalies: Annotated[tuple[RecipeYaml, ...], Field(min_length=1), Expect("at least one recipe")]
-    lookalikes: tuple[RecipeYaml, ...] = ()
+    anomalies: Annotated[
+        tuple[RecipeYaml, ...],
+        Field(min_length=1, max_length=MAX_RECIPES),
+        Expect(f"at least one recipe, and at most {MAX_RECIPES}"),
+    ]
+    lookalikes: Annotated[
+        tuple[RecipeYaml, ...],
+        Field(max_length=MAX_RECIPES),
+        Expect(f"at most {MAX_RECIPES} recipes"),
+    ] = ()
     remedy: Annotated[tuple[RemedyYaml, ...], Field(min_length=1), Expect("at least one step")]
     replaces: bool = False
 

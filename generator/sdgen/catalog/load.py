@@ -19,6 +19,7 @@ from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.folder import Folder, extension_names, open_extra, open_folder
 from sdgen.catalog.hazard_yaml import read_hazard
 from sdgen.catalog.home_yaml import read_home
+from sdgen.catalog.limits import MAX_ENTRIES, MAX_HAZARDS
 from sdgen.catalog.records import Catalog
 from sdgen.catalog.words import NOT_A_NAME, WORD, Names
 from sdgen.catalog.world_yaml import (
@@ -64,6 +65,36 @@ def load_catalog(
     ``only`` keeps just these hazard ids. Raises InputError with every problem found, each
     ``file:line: key path: problem``.
     """
+    folders, problems = _opened(extra, extensions)
+    catalog = _resolve(folders, problems)
+    if only is None:
+        return catalog
+    known = [hazard.id for hazard in catalog.hazards]
+    wrong = [
+        f"unknown hazard {name!r}{did_you_mean(name, known)}" for name in only if name not in known
+    ]
+    if wrong:
+        raise InputError(wrong)
+    kept = tuple(hazard for hazard in catalog.hazards if hazard.id in only)
+    return catalog.model_copy(update={"hazards": kept})
+
+
+def written_hazard(
+    hazard: str, extra: Sequence[Path] = (), extensions: Sequence[str] = ()
+) -> dict[str, Any]:
+    """What a hazard of a sound catalogue is written as: plain values, in their order."""
+    folders, _ = _opened(extra, extensions)
+    files = [
+        source
+        for folder in folders
+        for source in folder.sources.get("hazards", ())
+        if Path(source.file).stem == hazard
+    ]
+    return dict(files[-1].value)
+
+
+def _opened(extra: Sequence[Path], extensions: Sequence[str]) -> tuple[list[Folder], list[str]]:
+    """All folders of a catalogue, parsed, later ones over earlier ones; and their problems."""
     problems: list[str] = []
     folders = [open_folder(data_path("hazard_catalog"), "core", "hazard_catalog")]
     shipped = extension_names()
@@ -78,17 +109,7 @@ def load_catalog(
     folders += [open_extra(path) for path in extra]
     for folder in folders:
         problems.extend(folder.problems)
-    catalog = _resolve(folders, problems)
-    if only is None:
-        return catalog
-    known = [hazard.id for hazard in catalog.hazards]
-    wrong = [
-        f"unknown hazard {name!r}{did_you_mean(name, known)}" for name in only if name not in known
-    ]
-    if wrong:
-        raise InputError(wrong)
-    kept = tuple(hazard for hazard in catalog.hazards if hazard.id in only)
-    return catalog.model_copy(update={"hazards": kept})
+    return folders, problems
 
 
 def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
@@ -98,6 +119,7 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
         for file, source in folder.all():
             for kind, entry in _entries(file, source, folder.pack):
                 _add(found[kind], _KINDS[kind], entry)
+    _check_numbers(found, folders, problems)
     names = Names(
         categories=tuple(sorted(found["categories"])),
         rooms=tuple(sorted(found["rooms"])),
@@ -142,12 +164,29 @@ def _resolve(folders: Sequence[Folder], problems: list[str]) -> Catalog:
     return catalog
 
 
+def _check_numbers(
+    found: Mapping[str, Mapping[str, Entry]], folders: Sequence[Folder], problems: list[str]
+) -> None:
+    """Raise InputError, before anything is made of them, where there are too many entries."""
+    for kind, entries in found.items():
+        most = MAX_HAZARDS if kind == "hazards" else MAX_ENTRIES
+        if len(entries) > most:
+            text = f"is one {_KINDS[kind]} too many: a catalogue has at most {most}"
+            list(entries.values())[most].problem(text)
+            problems.extend(p for f in folders for _, source in f.all() for p in source.problems)
+            raise InputError(tuple(dict.fromkeys(problems)))
+
+
 def _kinds_of(rooms: Mapping[str, Entry]) -> dict[str, tuple[str, ...]]:
     """By room type, those that are written to be ``like`` it."""
     out: dict[str, tuple[str, ...]] = {}
     for name in sorted(rooms):
         like = rooms[name].key("like")
         if isinstance(like, str):
+            # Of one kind only: no rule has to follow a chain, or a circle.
+            if like in rooms and rooms[like].key("like") is not None:
+                text = f"{like!r} is like another room type itself: name that one, or none"
+                rooms[name].problem(text, "like")
             out[like] = (*out.get(like, ()), name)
     return out
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Any
 
+from sdgen.catalog.limits import MAX_TERMS
 from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms import TERMS, AllTerm, Predicate
 from sdgen.catalog.terms.term import Scope
@@ -19,8 +20,15 @@ def read_predicate(
     source: Source, path: Path_, value: Any, categories: Collection[str], rooms: Collection[str]
 ) -> Predicate:
     """Read one predicate; problems are noted in ``source`` and a stand-in is returned."""
+    count = 0
 
     def read(source: Source, path: Path_, value: Any) -> Predicate:
+        nonlocal count
+        count += 1
+        if count > MAX_TERMS:
+            if count == MAX_TERMS + 1:
+                source.problem(path, f"the predicate has more than {MAX_TERMS} terms")
+            return AllTerm(terms=())
         if isinstance(value, list):
             terms = [read(source, (*path, index), item) for index, item in enumerate(value)]
             if not terms:

@@ -12,6 +12,7 @@ import click
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
+from sdgen.cli.catalog_propose import propose
 from sdgen.cli.params import split_names
 from sdgen.cli.shared_options import CATALOGS
 from sdgen.errors import InputError, UsageError, did_you_mean
@@ -42,6 +43,9 @@ def catalog() -> None:
 
     Example: sdgen catalog list
     """
+
+
+catalog.add_command(propose)
 
 
 @catalog.command("list")
@@ -144,7 +148,9 @@ def validate_paths(
     found = _load(paths, extensions)
     library = load_library(assets)
     check_drawings(found, library, paths)
-    check_against_library(found, library.states_by_category(), parts_by_category(library))
+    check_against_library(
+        found, library.states_by_category(), parts_by_category(library), library.holding()
+    )
     check_against_styles(found, library)
     trial = misfits(found, library, BuildOptions(extensions=split_names(extensions)))
     for line in trial.warnings:

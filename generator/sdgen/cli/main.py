@@ -41,7 +41,7 @@ EXIT_INTERRUPTED = 130
 #: What a shell reports of a tool that a closed pipe has ended (128 + SIGPIPE).
 EXIT_PIPE = 141
 #: Packages only some commands need -> the extra of sdgen that brings them.
-EXTRAS = {"coacd": "assets", "ray": "ray", "scipy": "assets"}
+EXTRAS = {"coacd": "assets", "openai": "llm", "ray": "ray", "scipy": "assets"}
 EPILOG = "Example: sdgen build --n 12 --seed 7 && sdgen view output/sdgen-n12-s7"
 
 

@@ -159,7 +159,9 @@ def _check(
 
     A build that goes on (``begun``) has found the hazards' places before.
     """
-    check_against_library(catalog, library.states_by_category(), parts_by_category(library))
+    check_against_library(
+        catalog, library.states_by_category(), parts_by_category(library), library.holding()
+    )
     check_against_styles(catalog, library)
     bases, mixes = homes_of(catalog, options)
     classes = hosted(catalog, bases, bool(mixes))

@@ -108,6 +108,16 @@ class Library:
             for category, assets in self._by_category.items()
         }
 
+    def holding(self) -> dict[str, set[str]]:
+        """By ``ON`` and ``INSIDE``, the categories of which some model takes things so."""
+        out: dict[str, set[str]] = {"ON": set(), "INSIDE": set()}
+        for category, assets in self._by_category.items():
+            if any(asset.supports for asset in assets):
+                out["ON"].add(category)
+            if any(asset.containers for asset in assets):
+                out["INSIDE"].add(category)
+        return out
+
     def mesh(self, asset_id: str) -> Mapping[str, MeshData]:
         """Triangles of every part. Raises AssetError for a missing or broken file."""
         return self.model(asset_id).meshes

@@ -10,7 +10,8 @@ from sdgen.catalog.reader import Reader
 from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Term, either
 from sdgen.kleene import YES, Kleene
 
-_OPPOSITE = {"ON": "OFF", "OFF": "ON", "OPEN": "CLOSED", "CLOSED": "OPEN"}
+#: States of which a thing is never in both.
+OPPOSITE = {"ON": "OFF", "OFF": "ON", "OPEN": "CLOSED", "CLOSED": "OPEN"}
 
 
 class StateTerm(Term):
@@ -40,7 +41,7 @@ class StateTerm(Term):
             return ALWAYS
         if set(self.any_of) <= set(case.not_state):
             return NEVER
-        return NEVER if set(self.any_of) == {_OPPOSITE.get(case.state or "")} else EITHER
+        return NEVER if set(self.any_of) == {OPPOSITE.get(case.state or "")} else EITHER
 
 
 def in_state(

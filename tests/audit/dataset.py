@@ -248,6 +248,9 @@ class Catalogue:
             c["name"]: c["properties"] for c in json["categories"]
         }
         self.kind: dict[str, str] = {c["name"]: c["kind"] for c in json["categories"]}
+        self.climbs: dict[str, float] = {
+            c["name"]: c["climb_m"] for c in json["categories"] if c["climb_m"] is not None
+        }
         self.lives: dict[str, list[Json]] = {c["name"]: c["lives"] for c in json["categories"]}
         self.reach_rows = sorted((r["max_age"], r["reach_m"]) for r in json["reach"])
 

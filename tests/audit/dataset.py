@@ -252,6 +252,12 @@ class Catalogue:
             c["name"]: c["climb_m"] for c in json["categories"] if c["climb_m"] is not None
         }
         self.lives: dict[str, list[Json]] = {c["name"]: c["lives"] for c in json["categories"]}
+        self.households: dict[str, Json] = {t["name"]: t for t in json["households"]}
+        #: What belongs to whom of a household: pets, conditions, groups of ages.
+        self.belongs_to: dict[str, list[str]] = {
+            c["name"]: c["belongs_to"] for c in json["categories"]
+        }
+        self.grasps: list[Json] = sorted(json["reach"], key=lambda row: row["max_age"])
         self.reach_rows = sorted((r["max_age"], r["reach_m"]) for r in json["reach"])
 
     def reach(self, age: int) -> float:

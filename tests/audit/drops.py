@@ -32,7 +32,7 @@ def drops(world: World, id: int) -> list[Drop]:
     body = world.bodies[id]
     on = some(one.told for one in world.related(id, "ON"))
     high = every([on, CAUGHT.more(float(body.low[2]))])
-    rooms = [room for room in world.rooms(id)]
+    rooms = world.rooms(id)
     if high == NO or not rooms:
         return [NOWHERE]
     found = [drop for room in rooms for drop in _in_room(world, body, room)]

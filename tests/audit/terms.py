@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 import shapely
 
@@ -25,7 +26,7 @@ class Answer(NamedTuple):
     """What a term says of an object, and what was measured of it where it holds."""
 
     told: Told
-    evidence: Evidence = {}
+    evidence: Evidence = MappingProxyType({})
 
 
 Term = Callable[[Json, World, int], Answer]
@@ -43,7 +44,7 @@ def measured(term: Json, world: World, id: int) -> Evidence:
     if kind == "not":
         return {}
     if kind in ("all", "any"):
-        found: Evidence = {}
+        found: dict[str, Any] = {}
         for part in term["terms"]:
             add(found, measured(part, world, id))
         return found
@@ -52,7 +53,7 @@ def measured(term: Json, world: World, id: int) -> Evidence:
     return answer(term, world, id).evidence
 
 
-def add(evidence: Evidence, more: Evidence) -> None:
+def add(evidence: dict[str, Any], more: Evidence) -> None:
     """Merge evidence: names that say something else already get ``_2``."""
     clash = {key for key, value in more.items() if evidence.get(key, value) != value}
     n = 2
@@ -140,7 +141,7 @@ def _heights(term: Json, world: World, id: int) -> list[Evidence]:
     if term["evidence"] == "height_m":
         return [{"height_m": height}]
     above, _, _, climbed = world.reach(id)
-    found: Evidence = {"reach_height_m": told_digits(above)}
+    found: dict[str, Any] = {"reach_height_m": told_digits(above)}
     if climbed is not None:
         found |= {"height_m": height, "climbed_id": climbed}
     return [found]
@@ -350,12 +351,12 @@ def _held(term: Json, world: World, id: int) -> Iterator[tuple[int, Told]]:
 
 def _held_evidence(term: Json, world: World, id: int) -> list[Evidence]:
     holding = [other for other, told in _held(term, world, id) if told.holds]
-    found: Evidence = {"held": len(holding)}
+    found: dict[str, Any] = {"held": len(holding)}
     return [found | ({"held_id": holding[0]} if holding else {})]
 
 
 def _all(term: Json, world: World, id: int) -> Answer:
-    evidence: Evidence = {}
+    evidence: dict[str, Any] = {}
     told = []
     # What is looked up first: most pairs of object and hazard end at a category.
     for part in sorted(term["terms"], key=lambda part: COST.get(part["kind"], 1)):

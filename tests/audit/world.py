@@ -6,8 +6,9 @@ Nothing here reads `graph.json`: what it says of relations and tags is compared 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ from tests.audit.dataset import Floats, Scene
 from tests.audit.outlines import LEAST_M2, Body, Surface
 from tests.audit.told import NO, YES, Limit, Told, about, every, some
 
-Evidence = dict[str, Any]
+Evidence = Mapping[str, Any]
 
 #: `docs/relations.md`, Limits.
 ON_GAP = Limit(0.01, 0.007, 0.02)
@@ -53,7 +54,7 @@ class Related(NamedTuple):
     target: int
     category: str
     told: Told
-    evidence: Evidence = {}
+    evidence: Evidence = MappingProxyType({})
     leaf: tuple[frozenset[str], frozenset[str]] | None = None
 
 
@@ -275,7 +276,7 @@ class World:
             angle, clear = self.bearing(body, other)
             ahead = FACING.less(angle)
             parts = [self.together(id, other.id), Told(ahead.holds, ahead.sure and clear.sure)]
-            evidence = {"facing_deg": angle}
+            evidence: dict[str, float] = {"facing_deg": angle}
             if other.id not in ids:
                 evidence["gap_m"] = self.gap(body, other)
                 parts.append(SAT_AT.less(evidence["gap_m"]))

@@ -17,6 +17,7 @@ from tests.audit import (
     notice,
     physics,
     pictures,
+    undone,
     walking,
 )
 from tests.audit.dataset import DataSet, Finding, Scene
@@ -73,6 +74,18 @@ CHECKS: dict[str, Check] = {
     "graph: tags anew": labels.tags,
     "pictures: masks and visibility": pictures.visibility,
 }
+
+
+#: What is asked of a twin or a toggle beside its scene.
+TWINS: dict[str, Callable[[Scene, Scene], Iterator[Finding]]] = {
+    "twins: left or undone": undone.listed,
+    "twins: still true": undone.still,
+    "twins: against the remedy": undone.obeys,
+    "twins: not as their scene": undone.same,
+}
+#: And of it alone, as of a scene: labels and graph are of what stands there now.
+OF_TWINS = {name for name in CHECKS if name.startswith("labels") or name.endswith("anew")}
+OF_TWINS |= {"household: report and notify"}
 
 
 #: So many homes show what a data set lacks.
@@ -198,7 +211,7 @@ WHOLE: dict[str, Callable[[DataSet, list[Scene]], Iterator[Finding]]] = {
 
 def run(data: DataSet, limit: int | None = None, only: str = "") -> dict[str, list[Finding]]:
     """The findings of every check (whose name holds ``only``) on a data set, by its name."""
-    names = [name for name in (*CHECKS, *WHOLE) if only in name]
+    names = [name for name in (*CHECKS, *TWINS, *WHOLE) if only in name]
     found: dict[str, list[Finding]] = {name: [] for name in names}
     looked_at = []
     for scene in data.scenes():
@@ -206,6 +219,11 @@ def run(data: DataSet, limit: int | None = None, only: str = "") -> dict[str, li
             break
         for name in found.keys() & CHECKS.keys():
             found[name].extend(CHECKS[name](scene))
+        for twin in data.twins_of(scene) if found.keys() & (OF_TWINS | TWINS.keys()) else ():
+            for name in found.keys() & OF_TWINS:
+                found[name].extend(CHECKS[name](twin))
+            for name in found.keys() & TWINS.keys():
+                found[name].extend(TWINS[name](scene, twin))
         # Meshes where they stand are many: only what whole checks need is kept.
         looked_at.append(Scene(scene.folder, scene.models, scene.catalogue))
     for name in found.keys() & WHOLE.keys():

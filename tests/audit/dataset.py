@@ -421,6 +421,7 @@ class DataSet:
     def __init__(self, folder: Path, assets: Path = ROOT / "assets") -> None:
         self.folder = folder
         self.models = Models(folder, assets)
+        self.about: Json = json.loads((folder / "dataset.json").read_text("utf-8"))
         self.catalogue = Catalogue(json.loads((folder / "catalogue.json").read_text("utf-8")))
         lines = (folder / "manifest.jsonl").read_text("utf-8").splitlines()
         self.manifest: list[Json] = [json.loads(line) for line in lines]
@@ -430,3 +431,16 @@ class DataSet:
         for row in self.manifest:
             if row["twin_of"] is None:
                 yield Scene(self.folder / "scenes" / row["id"], self.models, self.catalogue)
+
+    def twins_of(self, scene: Scene) -> Iterator[Scene]:
+        """The twin and the toggles of a scene."""
+        for row in self._twins.get(scene.id, []):
+            yield Scene(self.folder / "scenes" / row["id"], self.models, self.catalogue)
+
+    @cached_property
+    def _twins(self) -> dict[str, list[Json]]:
+        found: dict[str, list[Json]] = {}
+        for row in self.manifest:
+            if row["twin_of"] is not None:
+                found.setdefault(row["twin_of"], []).append(row)
+        return found

@@ -1,4 +1,4 @@
-"""Twins and toggles against their scenes: what was undone obeys its remedy, the rest is as it was."""
+"""Twins and toggles beside their scenes: what was undone obeys its remedy, the rest is untouched."""
 
 from __future__ import annotations
 

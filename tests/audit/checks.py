@@ -8,6 +8,7 @@ import numpy as np
 
 from tests.audit import (
     clutter,
+    drawn,
     facing,
     graph,
     hazards,
@@ -64,6 +65,7 @@ CHECKS: dict[str, Check] = {
     "labels: unlisted": labels.unlisted,
     "labels: evidence": labels.evidence,
     "labels: states": labels.states,
+    "labels: implied by nothing": drawn.implied,
     "graph: boxes": graph.boxes,
     "graph: CLOSE": graph.close,
     "graph: ON": graph.on,
@@ -86,6 +88,7 @@ TWINS: dict[str, Callable[[Scene, Scene], Iterator[Finding]]] = {
 #: And of it alone, as of a scene: labels and graph are of what stands there now.
 OF_TWINS = {name for name in CHECKS if name.startswith("labels") or name.endswith("anew")}
 OF_TWINS |= {"household: report and notify"}
+OF_TWINS -= {"labels: implied by nothing"}  # what implied it may be undone
 
 
 #: So many homes show what a data set lacks.
@@ -199,6 +202,10 @@ def differ(some: list[float], others: list[float]) -> bool:
 
 #: Checks of a whole data set; what takes many homes to say is silent on few.
 WHOLE: dict[str, Callable[[DataSet, list[Scene]], Iterator[Finding]]] = {
+    "drawn: not as asked": drawn.as_asked,
+    "drawn: dealt unevenly": drawn.dealt_evenly,
+    "drawn: counted in the manifest": drawn.counted_in_manifest,
+    "household: trait shares": drawn.trait_shares,
     "variety: categories never seen": never_seen,
     "variety: always wide open": always_wide_open,
     "variety: ages": ages_stop_short,

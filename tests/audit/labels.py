@@ -50,7 +50,8 @@ def listed(scene: Scene) -> Iterator[Finding]:
         told = asked(scene).get(pair, (NO, {}))[0]
         if told != YES:
             what = "is undecided" if not told.sure else "does not hold"
-            yield scene.found(scene.things.get(id), f"{hazard} {what}")
+            gone = "" if id in scene.things else f"{id}, which is not there: "
+            yield scene.found(scene.things.get(id), f"{gone}{hazard} {what}")
         if pairs.count(pair) > 1:
             yield scene.found(scene.things.get(id), f"{hazard} is listed twice", pairs.count(pair))
 

@@ -70,14 +70,16 @@ def report(scene: Scene) -> Iterator[Finding]:
         notify = rule(scene, hazard, label)
         if (label["notify"], label["report"]) != (notify, notify != "silent"):
             told = f"notify {label['notify']}, report {label['report']}, by the rule {notify}"
-            yield scene.found(scene.things[label["object_id"]], f"{label['hazard']}: {told}")
+            yield scene.found(scene.things.get(label["object_id"]), f"{label['hazard']}: {told}")
 
 
 def words(scene: Scene) -> Iterator[Finding]:
     """What a label says of its hazard and its object: group, urgency, severity, message, remedy."""
     world = world_of(scene)
     for label in scene.labels["anomalies"]:
-        thing = scene.things[label["object_id"]]
+        thing = scene.things.get(label["object_id"])
+        if thing is None:
+            continue  # its predicate is not true
         hazard = scene.catalogue.hazards[label["hazard"]]
         severity = hazard["severity"] and hazard["severity"]["harm"]
         target = label["target_id"]

@@ -1,4 +1,4 @@
-"""Twins and toggles beside their scenes: what was undone obeys its remedy, the rest is untouched."""
+"""Twins and toggles beside their scenes: what was undone obeys its remedy, all else is the same."""
 
 from __future__ import annotations
 
@@ -58,7 +58,10 @@ def obeys(base: Scene, twin: Scene) -> Iterator[Finding]:
     world = world_of(twin)
     for one in twin.labels["undone"]:
         id, action, target = one["object_id"], one["action"], one["target_id"]
-        was, now = base.things[id], twin.things.get(id)
+        was, now = base.things.get(id), twin.things.get(id)
+        if was is None:
+            yield twin.found(None, f"{one['anomaly_id']}: {id} was never there")
+            continue
         rules = [
             rule
             for label in base.labels["anomalies"]

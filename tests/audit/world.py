@@ -100,7 +100,7 @@ class World:
             return self.bodies[id].category
         if id in self.scene.rooms:
             return str(self.scene.rooms[id]["type"])
-        return self._structures[id]
+        return self._structures.get(id, "nothing")
 
     @cached_property
     def _structures(self) -> dict[int, str]:

@@ -19,7 +19,8 @@ def concerned(scene: Scene, hazard: Json, label: Json) -> bool:
     """Whether somebody of the household is concerned by a label of a hazard."""
     told, concerns = scene.household, hazard["concerns"]
     ages = [member["age"] for member in told["members"]]
-    room = scene.rooms.get(label["room_id"], {}).get("type")
+    thing = scene.things.get(label["object_id"])
+    room = None if thing is None else scene.room_type(thing)
     if concerns["rooms"] and room not in concerns["rooms"]:
         return False
     if concerns["who"] == "living_with":

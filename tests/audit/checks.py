@@ -8,13 +8,17 @@ import numpy as np
 
 from tests.audit import (
     clutter,
+    drawn,
     facing,
     graph,
     hazards,
     household,
+    labels,
     leaves,
+    notice,
     physics,
     pictures,
+    undone,
     walking,
 )
 from tests.audit.dataset import DataSet, Finding, Scene
@@ -48,21 +52,43 @@ CHECKS: dict[str, Check] = {
     "household: pets and bowls": household.pets,
     "household: silent about fire": household.silent_about_fire,
     "household: reasons as text": household.reasons,
-    "household: report and notify": household.report,
+    "household: report and notify": notice.report,
+    "household: not of its template": household.template,
+    "labels: words": notice.words,
     "clutter: copies side by side": clutter.copies,
     "clutter: soaps": clutter.soaps,
     "clutter: two knife blocks": clutter.knife_blocks,
     "clutter: not frozen, in a freezer": clutter.in_the_freezer,
     "clutter: odd places": clutter.odd_places,
     "clutter: odd on a floor": clutter.odd_floors,
+    "labels: do not hold": labels.listed,
+    "labels: unlisted": labels.unlisted,
+    "labels: evidence": labels.evidence,
+    "labels: states": labels.states,
+    "labels: implied by nothing": drawn.implied,
     "graph: boxes": graph.boxes,
     "graph: CLOSE": graph.close,
     "graph: ON": graph.on,
     "graph: INSIDE": graph.inside,
     "graph: FACING": graph.facing,
     "graph: zones and BLOCKS": graph.zones,
+    "graph: edges anew": labels.edges,
+    "graph: tags anew": labels.tags,
     "pictures: masks and visibility": pictures.visibility,
 }
+
+
+#: What is asked of a twin or a toggle beside its scene.
+TWINS: dict[str, Callable[[Scene, Scene], Iterator[Finding]]] = {
+    "twins: left or undone": undone.listed,
+    "twins: still true": undone.still,
+    "twins: against the remedy": undone.obeys,
+    "twins: not as their scene": undone.same,
+}
+#: And of it alone, as of a scene: labels and graph are of what stands there now.
+OF_TWINS = {name for name in CHECKS if name.startswith("labels") or name.endswith("anew")}
+OF_TWINS |= {"household: report and notify"}
+OF_TWINS -= {"labels: implied by nothing"}  # what implied it may be undone
 
 
 #: So many homes show what a data set lacks.
@@ -176,6 +202,10 @@ def differ(some: list[float], others: list[float]) -> bool:
 
 #: Checks of a whole data set; what takes many homes to say is silent on few.
 WHOLE: dict[str, Callable[[DataSet, list[Scene]], Iterator[Finding]]] = {
+    "drawn: not as asked": drawn.as_asked,
+    "drawn: dealt unevenly": drawn.dealt_evenly,
+    "drawn: counted in the manifest": drawn.counted_in_manifest,
+    "household: trait shares": drawn.trait_shares,
     "variety: categories never seen": never_seen,
     "variety: always wide open": always_wide_open,
     "variety: ages": ages_stop_short,
@@ -188,7 +218,7 @@ WHOLE: dict[str, Callable[[DataSet, list[Scene]], Iterator[Finding]]] = {
 
 def run(data: DataSet, limit: int | None = None, only: str = "") -> dict[str, list[Finding]]:
     """The findings of every check (whose name holds ``only``) on a data set, by its name."""
-    names = [name for name in (*CHECKS, *WHOLE) if only in name]
+    names = [name for name in (*CHECKS, *TWINS, *WHOLE) if only in name]
     found: dict[str, list[Finding]] = {name: [] for name in names}
     looked_at = []
     for scene in data.scenes():
@@ -196,6 +226,11 @@ def run(data: DataSet, limit: int | None = None, only: str = "") -> dict[str, li
             break
         for name in found.keys() & CHECKS.keys():
             found[name].extend(CHECKS[name](scene))
+        for twin in data.twins_of(scene) if found.keys() & (OF_TWINS | TWINS.keys()) else ():
+            for name in found.keys() & OF_TWINS:
+                found[name].extend(CHECKS[name](twin))
+            for name in found.keys() & TWINS.keys():
+                found[name].extend(TWINS[name](scene, twin))
         # Meshes where they stand are many: only what whole checks need is kept.
         looked_at.append(Scene(scene.folder, scene.models, scene.catalogue))
     for name in found.keys() & WHOLE.keys():

@@ -27,6 +27,7 @@ SETS = {
     "water_bottle",
     "soda_bottle",
     "candle",
+    "tea_light",
     "egg_carton",
     "yogurt_cup",
     "pudding_cup",

@@ -248,7 +248,16 @@ class Catalogue:
             c["name"]: c["properties"] for c in json["categories"]
         }
         self.kind: dict[str, str] = {c["name"]: c["kind"] for c in json["categories"]}
+        self.climbs: dict[str, float] = {
+            c["name"]: c["climb_m"] for c in json["categories"] if c["climb_m"] is not None
+        }
         self.lives: dict[str, list[Json]] = {c["name"]: c["lives"] for c in json["categories"]}
+        self.households: dict[str, Json] = {t["name"]: t for t in json["households"]}
+        #: What belongs to whom of a household: pets, conditions, groups of ages.
+        self.belongs_to: dict[str, list[str]] = {
+            c["name"]: c["belongs_to"] for c in json["categories"]
+        }
+        self.grasps: list[Json] = sorted(json["reach"], key=lambda row: row["max_age"])
         self.reach_rows = sorted((r["max_age"], r["reach_m"]) for r in json["reach"])
 
     def reach(self, age: int) -> float:
@@ -412,6 +421,7 @@ class DataSet:
     def __init__(self, folder: Path, assets: Path = ROOT / "assets") -> None:
         self.folder = folder
         self.models = Models(folder, assets)
+        self.about: Json = json.loads((folder / "dataset.json").read_text("utf-8"))
         self.catalogue = Catalogue(json.loads((folder / "catalogue.json").read_text("utf-8")))
         lines = (folder / "manifest.jsonl").read_text("utf-8").splitlines()
         self.manifest: list[Json] = [json.loads(line) for line in lines]
@@ -421,3 +431,16 @@ class DataSet:
         for row in self.manifest:
             if row["twin_of"] is None:
                 yield Scene(self.folder / "scenes" / row["id"], self.models, self.catalogue)
+
+    def twins_of(self, scene: Scene) -> Iterator[Scene]:
+        """The twin and the toggles of a scene."""
+        for row in self._twins.get(scene.id, []):
+            yield Scene(self.folder / "scenes" / row["id"], self.models, self.catalogue)
+
+    @cached_property
+    def _twins(self) -> dict[str, list[Json]]:
+        found: dict[str, list[Json]] = {}
+        for row in self.manifest:
+            if row["twin_of"] is not None:
+                found.setdefault(row["twin_of"], []).append(row)
+        return found

@@ -74,8 +74,10 @@ class Draft:
         **fields: Any,
     ) -> int:
         """A new thing of a model of the library; its id."""
-        record = library()[asset]
-        self.original.models.records.setdefault(asset, record)
+        record = self.original.models.records.setdefault(asset, library()[asset])
+        if "outlines_m" not in record:  # of a model that the data set does not have
+            meshes = self.original.models.parts(asset)
+            record["outlines_m"] = {p: [m.vertices.tolist()] for p, m in meshes.items()}
         self._next += 1
         if room is None:
             point = shapely.Point(at[:2])
@@ -183,6 +185,9 @@ def library() -> dict[str, Json]:
         for record in yaml.load(text, yaml.CSafeLoader)["assets"]:
             for part in record["parts"]:
                 part.setdefault("joint", None)
+            for rule in record["states"]:
+                for key, least in {"joint": None, "min": None, "max": None, "variants": []}.items():
+                    rule.setdefault(key, least)
             for support in record["supports"]:
                 support.setdefault("part", "body")
             for hollow in record["containers"]:

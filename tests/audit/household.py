@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 from tests.audit.dataset import Finding, Json, Scene
@@ -10,8 +11,6 @@ from tests.audit.dataset import Finding, Json, Scene
 #: An adult's bed this wide sleeps two, metres (a European double is 1.4 and wider).
 DOUBLE_M = 1.3
 BEDS = {"bed", "child_bed", "crib"}
-#: A baby climbs on nothing: children get onto chairs by 18 months (CDC, developmental milestones).
-CLIMBS_AT = 1
 #: Nobody is silent about these: fire, and a home that stands open.
 NEVER_SILENT = {"candle_on", "stove_on", "front_door_open"}
 #: Children up to this age sleep in a child's room, a crib or a child's bed of their own.
@@ -41,6 +40,40 @@ def nowhere_to_live(scene: Scene) -> Iterator[Finding]:
         yield scene.found(None, f"{len(members)} people and beds for {places}")
 
 
+def template(scene: Scene) -> Iterator[Finding]:
+    """Members, rooms, traits, choices and opt-outs that the household's template does not give."""
+    told = scene.household
+    rule = scene.catalogue.households[told["template"]]
+    if len(told["members"]) != len(rule["members"]):
+        yield scene.found(None, "other members than its template's", len(told["members"]))
+        return
+    before: int | None = None
+    for member, asked in zip(told["members"], rule["members"], strict=True):
+        age, after = member["age"], asked["years_after"]
+        younger = 0 if after is None or before is None else before - age
+        least, most = asked["age"]
+        if member["role"] != asked["role"] or not least <= age <= most:
+            yield scene.found(None, f"{asked['role']} of {least} to {most} is {member}")
+        elif after is not None and not after[0] <= younger <= after[1]:
+            yield scene.found(
+                None, f"{asked['role']} of {age}, younger than the one before", younger
+            )
+        before = age
+    have = Counter(room["type"] for room in scene.rooms.values())
+    for kind, many in Counter(rule["rooms"]).items():
+        if have[kind] < many:
+            yield scene.found(None, f"lives in a home with {kind}s of {many}", have[kind])
+    for kind in ("pets", "conditions", "opt_outs"):
+        for word in set(told[kind]) - {trait["name"] for trait in rule[kind]}:
+            yield scene.found(None, f"{kind}: {word} is none of {rule['name']}'s")
+    for hazard, choices in rule["notifications"].items():
+        known = hazard in scene.catalogue.hazards
+        if known and told["notifications"].get(hazard) not in choices:
+            yield scene.found(None, f"chose nothing of {choices} for {hazard}")
+    for hazard in told["notifications"].keys() - rule["notifications"].keys():
+        yield scene.found(None, f"chose for {hazard}, of which its template says nothing")
+
+
 def pets(scene: Scene) -> Iterator[Finding]:
     """Bowls without a pet, pets without a bowl."""
     bowls = [t for t in scene.things.values() if t.category == "pet_bowl"]
@@ -67,34 +100,3 @@ def reasons(scene: Scene) -> Iterator[Finding]:
             text = label[name]
             if re.search(r"-0\.0+\b|\b(None|nan)\b|\s\s|[{}]|_", text):
                 yield scene.found(scene.things[label["object_id"]], f"{name}: {text!r}")
-
-
-def report(scene: Scene) -> Iterator[Finding]:
-    """``report`` and ``notify`` against the documented rule: concern, choice, urgency.
-
-    Where one lives with a pet or a condition that raises a hazard, it is told at once.
-    """
-    lived_with = {*scene.household["pets"], *scene.household["conditions"]}
-    ages = [member["age"] for member in scene.household["members"]]
-    for label in scene.labels["anomalies"]:
-        hazard = scene.catalogue.hazards[label["hazard"]]
-        oldest = hazard["concerns"]["max_age"]
-        young = [age for age in ages if oldest is None or age <= oldest]
-        if hazard["concerns"]["by_reach"]:
-            height = label["evidence"].get("reach_height_m", 0.0)
-            above_floor = label["evidence"].get("height_m", height)
-            young = [
-                age
-                for age in young
-                if scene.catalogue.reach(age) >= (height if age >= CLIMBS_AT else above_floor)
-            ]
-        chosen = scene.household["notifications"].get(label["hazard"])
-        notify = chosen or ("summary" if hazard["urgency"] == "low" else "now")
-        if not young:
-            notify = "silent"
-        for raised in hazard["concerns"].get("raised_by", []):
-            if lived_with & set(raised["living_with"]):
-                notify = "now"
-        if (label["notify"], label["report"]) != (notify, notify != "silent"):
-            told = f"notify {label['notify']}, report {label['report']}, by the rule {notify}"
-            yield scene.found(scene.things[label["object_id"]], f"{label['hazard']}: {told}")

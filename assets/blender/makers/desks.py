@@ -154,7 +154,8 @@ def desk_secretary(
     case.legs((x[0], x[1] + 0.01), (-half, half), top - 0.02, 0.05, (0.012, 0.022), splay=0.03)
     case.carcass(x, (-half + 0.02, half - 0.02), (top - 0.13, top - 0.022))
     case.top((x[0] - 0.01, depth / 2), (-half, half), (top - 0.022, top))
-    case.supports[-1].polygon = [(max(a, x[0] + 0.2), b) for a, b in case.supports[-1].polygon]
+    # Clear of the knobs of the small drawers.
+    case.supports[-1].polygon = [(max(a, x[0] + 0.225), b) for a, b in case.supports[-1].polygon]
     case.drawer("drawer", x, (-half + 0.02, half - 0.02), (top - 0.13, top - 0.022))
     deep = (x[0], x[0] + 0.18)
     t = 0.014

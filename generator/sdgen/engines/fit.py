@@ -91,7 +91,7 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
         left = {name for name, trial in trials.items() if trial.open}
         if not left and not untouched.at_risk:
             break
-        home = _home(index, catalog, library, options)
+        home = home_to_try(index, catalog, library, options)
         if isinstance(home, Rejection):
             continue
         homes += 1
@@ -120,9 +120,10 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     )
 
 
-def _home(
+def home_to_try(
     index: int, catalog: Catalog, library: Library, options: BuildOptions
 ) -> FurnishedHome | Rejection:
+    """A furnished home in which hazards are tried: one for anybody, with all models."""
     rng = lane(options.seed, index, "fit")
     ids = node_ids(rng)
     spec = pick_home(catalog, options, index).spec(catalog, rng)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from sdgen.catalog.records import Hazard, PlaceRecipe
+from sdgen.catalog.records import Hazard, PlaceRecipe, UniqueAnomaly
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.placing import Injected, already_set, inject_candidate, is_set_so
 from sdgen.hazards.splits import withheld_anomaly
@@ -40,6 +40,21 @@ def inject(
             return _no_place(hazard_id, allowed, layout, context)
         anomalies.append(injected)
     return tuple(anomalies)
+
+
+def inject_unique(
+    unique: UniqueAnomaly, layout: Layout, context: HomeContext, rng: Rng
+) -> Injected | Rejection | None:
+    """This anomaly by the recipes that make it, and no other; None where the home has nothing for
+    it."""
+    recipes = context.catalog.hazard(unique.hazard).anomalies
+    every = candidates(unique.hazard, recipes, layout, context)
+    allowed = [one for one in every if one.unique == unique]
+    if not allowed:
+        return None
+    order = weighted_order(allowed, rng)
+    injected = _inject_first(order, layout, context, (), rng)
+    return injected or _no_place(unique.hazard, allowed, layout, context)
 
 
 def _objects(injected: Sequence[Injected]) -> set[int]:

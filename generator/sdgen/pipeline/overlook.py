@@ -13,6 +13,7 @@ from shapely.geometry import Polygon
 
 from sdgen.cameras.choice import Marked, pick, shows
 from sdgen.cameras.cover import CANONICAL, choose, shown_at_rest, states_shown, things_shown
+from sdgen.cameras.framing import Bools
 from sdgen.cameras.posts import candidates, swept_by
 from sdgen.cameras.seen import Seen
 from sdgen.cameras.spots import SetTo, spots_of
@@ -127,6 +128,30 @@ def looked_at(
     A near miss that they do not show is one thing among others, as an anomaly that they do not
     show is none: of a knife both must show the blade.
     """
+    shown = shown_by_views(home, facts, anomalies, lookalikes, client)
+    if isinstance(shown, Rejection):
+        return shown
+    scene = facts.scene
+    visible = [bool(column.any()) for column in shown.T]
+    kept = tuple(
+        one for one, seen in zip(lookalikes, visible[len(anomalies) :], strict=True) if seen
+    )
+    is_anomaly = [k < len(anomalies) for k in range(len(visible))]
+    views = pick(home.views, shown, is_anomaly, options.views, rng)
+    size = (options.width, options.height)
+    raised = [view.at(options.eye_height_m) for view in views]
+    return Looked(to_cameras(raised, scene.home.rooms, size, rng), kept)
+
+
+def shown_by_views(
+    home: FurnishedHome,
+    facts: Facts,
+    anomalies: Sequence[Anomaly],
+    lookalikes: Sequence[Injected],
+    client: Client,
+) -> Bools | Rejection:
+    """Which canonical view shows which of the anomalies and then of the near misses, (views,
+    marked); rejected when something stands before a camera, or an anomaly shows in none."""
     library, canonical, scene = home.layout.library, home.views[:CANONICAL], facts.scene
     marked = [
         Marked(
@@ -145,15 +170,7 @@ def looked_at(
         if not clear(world.cast, canonical).all():
             return reject("views", "blocked")
         shown = shows(library, scene, world.cast, canonical, marked)
-    visible = [bool(column.any()) for column in shown.T]
-    for anomaly, seen in zip(anomalies, visible, strict=False):
-        if not seen:
+    for anomaly, column in zip(anomalies, shown.T, strict=False):
+        if not column.any():
             return reject("views", "unseen", hazard=anomaly.hazard, objects=(anomaly.object_id,))
-    kept = tuple(
-        one for one, seen in zip(lookalikes, visible[len(anomalies) :], strict=True) if seen
-    )
-    is_anomaly = [k < len(anomalies) for k in range(len(marked))]
-    views = pick(home.views, shown, is_anomaly, options.views, rng)
-    size = (options.width, options.height)
-    raised = [view.at(options.eye_height_m) for view in views]
-    return Looked(to_cameras(raised, scene.home.rooms, size, rng), kept)
+    return shown

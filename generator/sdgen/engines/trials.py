@@ -17,7 +17,6 @@ from pathlib import Path
 
 from PIL import Image
 
-from sdgen.cameras.cover import CANONICAL
 from sdgen.catalog.records import Catalog, UniqueAnomaly
 from sdgen.closing import Closing
 from sdgen.engines.fit import home_to_try
@@ -28,7 +27,6 @@ from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
 from sdgen.pipeline.furnished import FurnishedHome
-from sdgen.pipeline.overlook import overlooked
 from sdgen.pipeline.scene import PLACEMENT_ATTEMPTS
 from sdgen.pipeline.trial import Fits, TrialHome
 from sdgen.rejection import Cause, Rejection
@@ -157,7 +155,7 @@ class _Worker(Closing):
         ]
 
     def _home(self, index: int) -> _Home | None:
-        """The home of this number, furnished and overlooked; None where it does not come out."""
+        """The home of this number, furnished; None where it does not come out."""
         if index not in self._homes:
             self._homes[index] = self._furnish(index)
         return self._homes[index]
@@ -167,8 +165,6 @@ class _Worker(Closing):
         home = home_to_try(index, catalog, self._library, BuildOptions(seed=seed))
         if isinstance(home, Rejection):
             return None
-        views = lane(seed, index, "trial:views")
-        home = overlooked(home, CANONICAL, self._clients[1], views)
         rng = lane(seed, index, "trial:household")
         household = sample_household(catalog, draw_template(catalog, rng), rng)
         return _Home(home.context.home.id, home, household)

@@ -13,7 +13,6 @@ from shapely.geometry import Polygon
 
 from sdgen.cameras.choice import Marked, pick, shows
 from sdgen.cameras.cover import CANONICAL, choose, shown_at_rest, states_shown, things_shown
-from sdgen.cameras.framing import Bools
 from sdgen.cameras.posts import candidates, swept_by
 from sdgen.cameras.seen import Seen
 from sdgen.cameras.spots import SetTo, spots_of
@@ -128,41 +127,8 @@ def looked_at(
     A near miss that they do not show is one thing among others, as an anomaly that they do not
     show is none: of a knife both must show the blade.
     """
-    shown = shown_by_views(home, facts, anomalies, lookalikes, client)
-    if isinstance(shown, Rejection):
-        return shown
-    scene = facts.scene
-    visible = [bool(column.any()) for column in shown.T]
-    kept = tuple(
-        one for one, seen in zip(lookalikes, visible[len(anomalies) :], strict=True) if seen
-    )
-    is_anomaly = [k < len(anomalies) for k in range(len(visible))]
-    views = pick(home.views, shown, is_anomaly, options.views, rng)
-    size = (options.width, options.height)
-    raised = [view.at(options.eye_height_m) for view in views]
-    return Looked(to_cameras(raised, scene.home.rooms, size, rng), kept)
-
-
-def shown_by_views(
-    home: FurnishedHome,
-    facts: Facts,
-    anomalies: Sequence[Anomaly],
-    lookalikes: Sequence[Injected],
-    client: Client,
-) -> Bools | Rejection:
-    """Which canonical view shows which of the anomalies and then of the near misses, (views,
-    marked); rejected when something stands before a camera, or an anomaly shows in none."""
     library, canonical, scene = home.layout.library, home.views[:CANONICAL], facts.scene
-    marked = [
-        Marked(
-            one.object_id,
-            one.evidence_parts,
-            one.evidence_pixels_needed,
-            one.evidence_outdoors_needed,
-            one.evidence_objects,
-        )
-        for one in anomalies
-    ]
+    marked = [marked_as(one) for one in anomalies]
     for one in lookalikes:
         body, hazard = facts.bodies[one.object_id], home.context.catalog.hazard(one.hazard)
         marked.append(Marked(one.object_id, *evidence_of(hazard, body.info, body.item)))
@@ -170,7 +136,26 @@ def shown_by_views(
         if not clear(world.cast, canonical).all():
             return reject("views", "blocked")
         shown = shows(library, scene, world.cast, canonical, marked)
-    for anomaly, column in zip(anomalies, shown.T, strict=False):
-        if not column.any():
+    visible = [bool(column.any()) for column in shown.T]
+    for anomaly, seen in zip(anomalies, visible, strict=False):
+        if not seen:
             return reject("views", "unseen", hazard=anomaly.hazard, objects=(anomaly.object_id,))
-    return shown
+    kept = tuple(
+        one for one, seen in zip(lookalikes, visible[len(anomalies) :], strict=True) if seen
+    )
+    is_anomaly = [k < len(anomalies) for k in range(len(marked))]
+    views = pick(home.views, shown, is_anomaly, options.views, rng)
+    size = (options.width, options.height)
+    raised = [view.at(options.eye_height_m) for view in views]
+    return Looked(to_cameras(raised, scene.home.rooms, size, rng), kept)
+
+
+def marked_as(anomaly: Anomaly) -> Marked:
+    """What of an anomaly a view must show."""
+    return Marked(
+        anomaly.object_id,
+        anomaly.evidence_parts,
+        anomaly.evidence_pixels_needed,
+        anomaly.evidence_outdoors_needed,
+        anomaly.evidence_objects,
+    )

@@ -1,16 +1,24 @@
 """One unique anomaly by itself in one home: put there, let settle, proved, seen and undone.
 
-As in a scene, but nothing everyday is added: anomalies come before clutter, which makes way.
+As in a scene, but nothing everyday is added: anomalies come before clutter, which makes way. And
+a home has no views of its own, which by chance look elsewhere: a thing must be seen from around it.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import compress
 
-from sdgen.cameras.cover import CANONICAL
-from sdgen.cameras.framing import Bools
-from sdgen.cameras.view import View
+import shapely
+from shapely.geometry import Polygon
+from shapely.geometry.base import BaseGeometry
+
+from sdgen.cameras.choice import shows
+from sdgen.cameras.parts import part_points
+from sdgen.cameras.posts import views_of
+from sdgen.cameras.view import View, clear
 from sdgen.catalog.records import UniqueAnomaly
 from sdgen.facts import Facts
 from sdgen.hazards.inject import inject_unique
@@ -18,22 +26,26 @@ from sdgen.hazards.labels import anomaly_records
 from sdgen.hazards.placing import Injected
 from sdgen.library import Library
 from sdgen.physics.client import Client
+from sdgen.physics.rays import RayWorld
 from sdgen.physics.world import World
 from sdgen.pipeline.attempt import Proved, prove
 from sdgen.pipeline.contents import Contents, culprits
 from sdgen.pipeline.furnished import FurnishedHome
-from sdgen.pipeline.overlook import shown_by_views
+from sdgen.pipeline.overlook import marked_as
 from sdgen.pipeline.spec import node_ids
 from sdgen.pipeline.undoing import check_standing, check_undone
-from sdgen.rejection import Rejection
+from sdgen.rejection import Rejection, reject
 from sdgen.scene import Anomaly, Household
 from sdgen.seeding import Rng
+
+#: Eyes around a thing: where some of them stand behind furniture, others see it.
+EYES = 8
 
 
 @dataclass(frozen=True)
 class Fits:
-    """An anomaly in its place: the facts of the scene that holds it, its record, and the views of
-    its home that show it."""
+    """An anomaly in its place: the facts of the scene that holds it, its record, and views that
+    show it."""
 
     facts: Facts
     anomaly: Anomaly
@@ -41,7 +53,7 @@ class Fits:
 
 
 class TrialHome:
-    """A furnished home with its views, in which anomalies are tried one after another, each from
+    """A furnished home in which anomalies are tried one after another, each from
     the home as it stands.
 
     ``clients`` are two: the home stays loaded in the first, so that nobody else may use that.
@@ -58,6 +70,13 @@ class TrialHome:
         self._household = household
         self._library = library
         self._own, self._client = clients
+
+    @cached_property
+    def _free(self) -> BaseGeometry:
+        """Where eyes may stand."""
+        free = shapely.union_all([Polygon(ring) for ring in self.home.free_space])
+        shapely.prepare(free)
+        return free
 
     @cached_property
     def _world(self) -> World:
@@ -80,28 +99,37 @@ class TrialHome:
         proved = prove(0, home, contents, self._library, world)
         if isinstance(proved, Rejection):
             return proved
-        return self._finished(proved, (injected.object_id, unique.hazard))
+        return self._finished(proved, (injected.object_id, unique.hazard), rng)
 
-    def _finished(self, proved: Proved, asked: tuple[int, str]) -> Fits | Rejection:
-        """What remains of a scene's checks: its views show it, and its twin is sound."""
+    def _finished(self, proved: Proved, pair: tuple[int, str], rng: Rng) -> Fits | Rejection:
+        """What remains of a scene's checks: it can be seen, and its twin is sound."""
         home, library, facts = self.home, self._library, proved.facts
         catalog, scene = home.context.catalog, facts.scene
         anomalies = anomaly_records(
             proved.surveyed.positives, facts, catalog, self._household, proved.drawn
         )
-        shown = shown_by_views(home, facts, anomalies, (), self._client)
-        if isinstance(shown, Rejection):
-            return shown
+        asked = anomalies[[(one.object_id, one.hazard) for one in anomalies].index(pair)]
+        views = self._views(facts, anomalies, asked, rng)
+        if not views:
+            return reject("views", "unseen", hazard=asked.hazard, objects=(asked.object_id,))
         undone = check_undone(scene, anomalies, catalog, library.infos, facts)
         if isinstance(undone, Rejection):
             return undone
         broken = check_standing(scene, undone[0], library, self._client)
         if broken is not None:
             return broken
-        number = [(one.object_id, one.hazard) for one in anomalies].index(asked)
-        return Fits(facts, anomalies[number], _showing(home, shown, number))
+        return Fits(facts, asked, views)
 
+    def _views(
+        self, facts: Facts, anomalies: Sequence[Anomaly], asked: Anomaly, rng: Rng
+    ) -> tuple[View, ...]:
+        """Views from around the thing that was asked for that show all that is to be seen."""
+        library, scene = self._library, facts.scene
+        points = part_points(library, scene.object(asked.object_id), asked.evidence_parts)
+        views = views_of(points, self._free, rng, EYES)
+        with RayWorld(library, scene, self._client.still) as world:
+            views = list(compress(views, clear(world.cast, views)))
+            marked = [marked_as(one) for one in anomalies]
+            shown = shows(library, scene, world.cast, views, marked).all(axis=1)
+        return tuple(compress(views, shown.tolist()))
 
-def _showing(home: FurnishedHome, shown: Bools, number: int) -> tuple[View, ...]:
-    pairs = zip(home.views[:CANONICAL], shown[:, number].tolist(), strict=True)
-    return tuple(view for view, shows in pairs if shows)

@@ -20,12 +20,16 @@ def close_up(
 ) -> Camera:
     """A camera of ``size`` (width, height) where a view stands, that shows the part of the view's
     picture around ``points_m`` (N, 3), all of which are before it, or all of the picture."""
-    whole = _camera(world_from_camera, np.asarray(intrinsics(WIDTH, HEIGHT)), room_id, WIDTH, HEIGHT)
+    whole = _camera(
+        world_from_camera, np.asarray(intrinsics(WIDTH, HEIGHT)), room_id, WIDTH, HEIGHT
+    )
     pixels, depth = project(whole, points_m)
     pixels = np.clip(pixels[depth > NEAR_M], (0.0, 0.0), (WIDTH, HEIGHT))
     low, high = pixels.min(axis=0), pixels.max(axis=0)
     width, height = size
-    across = max(_LEAST, _AROUND * float(max(high[0] - low[0], (high[1] - low[1]) * width / height)))
+    across = max(
+        _LEAST, _AROUND * float(max(high[0] - low[0], (high[1] - low[1]) * width / height))
+    )
     across = min(across, float(WIDTH))
     shown = np.array([across, across * height / width])
     # Of the picture itself, as far as there is some on either side.
@@ -42,9 +46,7 @@ def in_picture(camera: Camera, boxes_m: Array) -> npt.NDArray[np.bool_]:
     """Which world boxes, low and high corners (N, 2, 3), a camera may show some of, (N,)."""
     ends = np.array([(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)])
     corners = boxes_m[:, ends, [0, 1, 2]].reshape(-1, 3)
-    pixels, depth = (
-        values.reshape(len(boxes_m), 8, -1) for values in project(camera, corners)
-    )
+    pixels, depth = (values.reshape(len(boxes_m), 8, -1) for values in project(camera, corners))
     ahead = depth[..., 0] > NEAR_M
     out = ahead.any(axis=1)
     # Of a box that reaches behind the camera nobody knows where it ends in the picture.

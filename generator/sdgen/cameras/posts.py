@@ -111,11 +111,9 @@ def _near(library: Library, free: BaseGeometry, spots: Spots, rng: Rng) -> Itera
             yield View("near", eye, _beside(eye, place, rng.uniform(-1.0, 1.0, 2)))
 
 
-def _eyes_around(
-    free: BaseGeometry, place: Array, size_m: float, rng: Rng, count: int
-) -> Array:
-    """At most ``count`` eyes over the free floor in the ring around a place or a thing of a size, (N, 3),
-    lifted to look onto a high one."""
+def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng, count: int) -> Array:
+    """At most ``count`` eyes over the free floor in the ring around a place or a thing of a size,
+    (N, 3), lifted to look onto a high one."""
     lifted = min(max(float(place[2]) + _LOOKS_DOWN_M - EYE_HEIGHT_M, 0.0), _LIFT_M)
     further = _DISTANCE_PER_SIZE * size_m
     if place[2] < _FLOOR_Z_M:

@@ -12,6 +12,7 @@ import click
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
+from sdgen.cli.catalog_test import test_hazards
 from sdgen.cli.params import split_names
 from sdgen.cli.shared_options import CATALOGS
 from sdgen.errors import InputError, UsageError, did_you_mean
@@ -42,6 +43,9 @@ def catalog() -> None:
 
     Example: sdgen catalog list
     """
+
+
+catalog.add_command(test_hazards)
 
 
 @catalog.command("list")

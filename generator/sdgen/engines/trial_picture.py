@@ -13,16 +13,14 @@ from sdgen.cameras.sight import rectangle_pixels
 from sdgen.cameras.view import poses_of
 from sdgen.library import Library
 from sdgen.pipeline.trial import Fits
-from sdgen.render.protocol import Renderer
 from sdgen.render.frames import render_frames
+from sdgen.render.protocol import Renderer
 
 #: Pixels, across and down.
 SIZE = (320, 240)
 
 
-def trial_picture(
-    found: Fits, library: Library, renderer: Renderer
-) -> npt.NDArray[np.uint8]:
+def trial_picture(found: Fits, library: Library, renderer: Renderer) -> npt.NDArray[np.uint8]:
     """The thing and what is around it, (H, W, 3), from the view in which it is largest."""
     facts, scene = found.facts, found.facts.scene
     item = scene.object(found.anomaly.object_id)

@@ -8,7 +8,6 @@ whichever others are tried.
 from __future__ import annotations
 
 import os
-import time
 from collections import Counter
 from collections.abc import Callable
 from contextlib import closing
@@ -19,6 +18,7 @@ from PIL import Image
 
 from sdgen.catalog.records import Catalog, UniqueAnomaly
 from sdgen.closing import Closing
+from sdgen.engines.early_stop import hint
 from sdgen.engines.fit import home_to_try
 from sdgen.engines.in_order import in_order
 from sdgen.engines.trial_picture import trial_picture
@@ -29,7 +29,7 @@ from sdgen.physics.client import Client
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.pipeline.scene import PLACEMENT_ATTEMPTS
 from sdgen.pipeline.trial import Fits, TrialHome
-from sdgen.rejection import Cause, Rejection
+from sdgen.rejection import Cause, Rejection, most_frequent
 from sdgen.render import Choice, open_renderer
 from sdgen.scene import Household
 from sdgen.seeding import lane
@@ -63,6 +63,27 @@ class Tried:
     def fits(self) -> bool:
         """True when it could be made."""
         return self.home is not None
+
+
+def in_words(unique: UniqueAnomaly) -> str:
+    """``spill: SPILLED milk_puddle ON floor (kitchen)``."""
+    parts = (unique.state, unique.category, unique.relation, unique.target)
+    words = " ".join(part for part in parts if part is not None)
+    room = "" if unique.room is None else f" ({unique.room})"
+    return f"{unique.hazard}: {words}{room}"
+
+
+def why_not(tried: Tried, library: Library) -> str:
+    """Why an anomaly fitted nowhere, in words: most frequent rejections first, and what to do."""
+    unique = tried.unique
+    if not tried.tries:
+        for name in (unique.category, unique.target):
+            if name not in (None, "floor", *library.categories):
+                return f"there is no model of {name}"
+        return f"none of {MOST_HOMES} homes has anything for it: look at its targets and rooms"
+    causes = ", ".join(f"{c.what()} x{n}" for c, n in most_frequent(tried.causes)[:3])
+    first = most_frequent(tried.causes)[0][0]
+    return f"{tried.tries} tries in {tried.homes} homes: {causes}; {hint(first)}"
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sdgen.catalog.records import Catalog, Hazard, HomeSpec, Recipe, SetRecipe
+from sdgen.errors import UsageError, did_you_mean
 
 
 def hosted(catalog: Catalog, homes: Sequence[HomeSpec], generated: bool) -> tuple[str, ...]:
@@ -36,3 +37,11 @@ def hosts(home: HomeSpec, hazard: Hazard, catalog: Catalog) -> bool:
 def _needed(recipe: Recipe) -> Sequence[str]:
     """Categories of which a recipe needs one to be there."""
     return recipe.categories if isinstance(recipe, SetRecipe) else recipe.targets
+
+
+def check_named(names: Sequence[str], catalog: Catalog) -> None:
+    """Raise UsageError for names that no hazard of the catalogue has, all of them."""
+    known = [hazard.id for hazard in catalog.hazards]
+    wrong = [f"{name!r}{did_you_mean(name, known)}" for name in names if name not in known]
+    if wrong:
+        raise UsageError(f"no hazard {', '.join(wrong)}")

@@ -130,6 +130,5 @@ class TrialHome:
         with RayWorld(library, scene, self._client.still) as world:
             views = list(compress(views, clear(world.cast, views)))
             marked = [marked_as(one) for one in anomalies]
-            shown = shows(library, scene, world.cast, views, marked).all(axis=1)
-        return tuple(compress(views, shown.tolist()))
-
+            shown = shows(library, scene, world.cast, views, marked)
+        return tuple(view for view, row in zip(views, shown, strict=True) if row.all())

@@ -12,7 +12,7 @@ from sdgen.scene import Camera
 
 #: A close-up is so many times as wide as the thing, so that what it lies on is plain to see, and
 #: never a smaller part of the view, (pixels at the reference size).
-_AROUND, _LEAST = 2.6, 90.0
+_AROUND, _LEAST = 3.2, 120.0
 
 
 def close_up(

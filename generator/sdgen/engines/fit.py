@@ -82,7 +82,7 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     """Hazards that found no place in any of some homes, or that are true of the homes as they
     stand; and those that always are another, too."""
     bases, mixes = homes_of(catalog, options)
-    drawn = hosted(catalog, bases, bool(mixes))
+    drawn = hosted(catalog, bases, bool(mixes), options.only)
     trials = {name: _Trial() for name in drawn}
     untouched = Untouched(catalog, library)
     seen: set[str] = set()
@@ -112,7 +112,7 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     left_out = [
         f"hazard {hazard.id!r} is not drawn: {bases[0].id} has nothing for it"
         for hazard in catalog.hazards
-        if hazard.id not in drawn
+        if hazard.id in (options.only or {hazard.id}) and hazard.id not in drawn
     ]
     return Misfits(
         tuple(problems[name] for name in sorted(problems)),

@@ -93,9 +93,14 @@ def _no_place(
 
 
 def add_lookalikes(
-    layout: Layout, context: HomeContext, anomalies: Sequence[Injected], rng: Rng
+    layout: Layout,
+    context: HomeContext,
+    anomalies: Sequence[Injected],
+    rng: Rng,
+    only: Collection[str] = (),
 ) -> tuple[Injected, ...]:
-    """One benign near miss for most hazards, whether or not they were drawn.
+    """One benign near miss for most hazards (of ``only``, unless it is empty), whether or not they
+    were drawn.
 
     A home holds as many things of a kind with an anomaly as without: where a hazard's anomaly was
     put, it stands for the near miss of its own kind, or a second candle would tell of a lit one.
@@ -106,6 +111,8 @@ def add_lookalikes(
     anomalous = _objects(anomalies)
     put = {other.hazard for other in anomalies if other.before is None}
     for hazard in context.catalog.hazards:
+        if only and hazard.id not in only:
+            continue
         wanted = rng.random() < LOOKALIKE_SHARE
         order = weighted_order(candidates(hazard.id, hazard.lookalikes, layout, context), rng)
         if not wanted:

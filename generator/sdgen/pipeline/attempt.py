@@ -98,7 +98,8 @@ def placed(
     lane = f"{home_attempt}:{placement}"
     layout = home.layout.copy(node_ids(spec.lane(f"ids:{lane}"), taken=home.ids))
     training = spec.split == "train"
-    return place_contents(spec.hazards, home, layout, training, spec.lane(f"place:{lane}"))
+    rng = spec.lane(f"place:{lane}")
+    return place_contents(spec.hazards, home, layout, training, rng, spec.only)
 
 
 def _unproved(rested: Rested, surveyed: Survey, library: Library) -> dict[int, Rejection]:

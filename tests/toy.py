@@ -379,7 +379,7 @@ def build(path: Path, options: BuildOptions | None = None) -> Path:
 
 def twin(made: SceneBundle) -> SceneBundle:
     """The benign twin of a bundle, the plain way."""
-    found = check_undone(made, catalog(), infos())
+    found = check_undone(made.scene, made.anomalies.anomalies, catalog(), infos())
     assert not isinstance(found, Rejection), found
     return twin_of(made, catalog(), infos(), *found)
 

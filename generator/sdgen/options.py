@@ -45,6 +45,8 @@ class BuildOptions(Record):
     toggles: bool = False
     #: Small things of the folders of ``--assets`` alone, as far as these have them.
     assets_only: bool = False
+    #: Ids of the hazards that are drawn, sorted; empty: all. The others are proved absent.
+    only: tuple[str, ...] = ()
 
     @property
     def most_folders(self) -> int:

@@ -178,6 +178,17 @@ def test_own_models_alone_need_some(
     assert not asked[0].where.non_commercial
 
 
+def test_only_some_hazards_are_drawn_each_once_a_scene(asked: list[Any]) -> None:
+    assert run(["build", "--only", "stove_on,spill", "--only", "spill"]) == 0
+    options = asked[0].options
+    assert options.only == ("spill", "stove_on")
+    assert (options.hazards_min, options.hazards_max) == (0, 2)
+    assert run(["build", "--only", "spill", "--hazards", "0-3"]) == 0
+    assert asked[1].options.hazards_max == 3  # refused, with a reason, by the build
+    assert run(["build"]) == 0
+    assert (asked[2].options.only, asked[2].options.hazards_max) == ((), 5)
+
+
 def test_seed_zero_is_a_seed(asked: list[Any]) -> None:
     assert run(["build", "--seed", "0", "--n", "3"]) == 0
     assert asked[0].options.seed == 0

@@ -90,6 +90,7 @@ def test_what_is_missing_or_could_not_be_made_is_said(tmp_path: Path) -> None:
         ({"seed": 8}, "seed 8 (A has 7)"),
         ({"views": 3}, "views 3 (A has 2)"),
         ({"rgb": "jpg"}, "rgb jpg (A has png)"),
+        ({"only": ("spill",)}, "only spill (A has none)"),
     ],
 )
 def test_pieces_of_other_builds_are_refused_and_nothing_is_written(

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import HomeSpec
-from sdgen.hazards.hosting import hosted, hosts
+from sdgen.errors import UsageError
+from sdgen.hazards.hosting import check_named, hosted, hosts
 from sdgen.options import BuildOptions
 from sdgen.pipeline.spec import draw_spec
 
@@ -43,3 +45,15 @@ def test_it_is_never_drawn() -> None:
     options = BuildOptions(n=40, seed=5, homes="base")
     drawn = {name for k in range(40) for name in draw_spec(k, alone, options).hazards}
     assert drawn == set(EVERY) - {"fridge_open"}
+
+
+def test_only_the_named_ones_are_drawn_wherever() -> None:
+    assert hosted(CATALOG, [], generated=True, only=("spill", "stove_on")) == ("spill", "stove_on")
+    bare = CATALOG.homes[0]
+    assert hosted(CATALOG, [bare], generated=False, only=("spill",)) == ("spill",)
+
+
+def test_unknown_names_are_told_all_at_once() -> None:
+    check_named(("spill",), CATALOG)
+    with pytest.raises(UsageError, match=r"'spil' \(did you mean 'spill'\?\), 'xyzzy'"):
+        check_named(("spil", "spill", "xyzzy"), CATALOG)

@@ -72,6 +72,16 @@ def test_each_drawn_hazard_gets_an_object_of_its_own(home):
     raise AssertionError("no try placed all five")
 
 
+def test_near_misses_are_of_the_named_hazards_alone(home):
+    found = Counter()
+    for k in range(12):
+        layout = home.layout.copy(node_ids(lane(4, k, "ids"), home.ids))
+        only = ("sharp_object", "stove_on")
+        others = add_lookalikes(layout, home.context, (), lane(4, k, "lookalikes"), only)
+        found.update(one.hazard for one in others)
+    assert set(found) == {"sharp_object", "stove_on"}
+
+
 def test_a_hazard_without_a_place_is_named(home):
     hazard = CATALOG.hazard("spill")
     recipes = tuple(r.model_copy(update={"rooms": ("ballroom",)}) for r in hazard.anomalies)

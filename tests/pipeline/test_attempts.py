@@ -135,11 +135,12 @@ def test_an_anomaly_or_furniture_at_fault_rejects_the_try(culprit, hazard):
 
 def test_a_twin_that_is_not_benign_is_a_rejection_not_a_crash():
     made = toy.bundle(3)
-    assert not isinstance(check_undone(made, toy.catalog(), toy.infos()), Rejection)
+    assert not isinstance(
+        check_undone(made.scene, made.anomalies.anomalies, toy.catalog(), toy.infos()), Rejection
+    )
     kept = made.anomalies.anomalies[1:]
     left = made.anomalies.anomalies[0]
-    careless = replace(made, anomalies=made.anomalies.model_copy(update={"anomalies": kept}))
-    rejection = check_undone(careless, toy.catalog(), toy.infos())
+    rejection = check_undone(made.scene, kept, toy.catalog(), toy.infos())
     assert isinstance(rejection, Rejection)
     assert rejection.cause == Cause("twin", "not_benign", None, left.category, left.hazard)
     assert rejection.objects == (left.object_id,)

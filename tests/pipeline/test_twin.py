@@ -85,7 +85,7 @@ def test_a_twin_that_takes_a_support_away_rejects_the_try():
     made = replace(made, scene=made.scene.model_copy(update={"objects": tuple(loose)}))
     shelf = made.anomalies.anomalies[1].model_copy(update={"object_id": 30})
     records = made.anomalies.model_copy(update={"anomalies": (*made.anomalies.anomalies, shelf)})
-    rejection = check_undone(replace(made, anomalies=records), toy.catalog(), toy.infos())
+    rejection = check_undone(made.scene, records.anomalies, toy.catalog(), toy.infos())
     assert isinstance(rejection, Rejection)
     assert rejection.cause == Cause("twin", "lost_its_support", None, "knife")
     assert rejection.objects == (512,)

@@ -73,6 +73,13 @@ def candidates(
     return [*_near(library, free, spots, rng), *_overviews(rooms, free, rng)]
 
 
+def views_of(points_m: Array, free: BaseGeometry, rng: Rng, count: int) -> list[View]:
+    """At most ``count`` near views straight at a thing with these points (N, 3), from where it
+    could be looked at: from none that lies behind what cannot be walked around."""
+    place, size = points_m.mean(axis=0), float(np.ptp(points_m, axis=0).max())
+    return [View("near", eye, place) for eye in _eyes_around(free, place, size, rng, count)]
+
+
 def swept_by(layout: Layout, states: Sequence[SetTo]) -> BaseGeometry:
     """The floor under every leaf, lid and drawer that may be set open: no eye stands in its way."""
     shapes = []
@@ -100,13 +107,13 @@ def _near(library: Library, free: BaseGeometry, spots: Spots, rng: Rng) -> Itera
             found = spots.states[state]
             points = part_points(library, found.item, found.parts)
             place, size = points.mean(axis=0), float(np.ptp(points, axis=0).max())
-        for eye in _eyes_around(free, place, size, rng):
+        for eye in _eyes_around(free, place, size, rng, _EYES):
             yield View("near", eye, _beside(eye, place, rng.uniform(-1.0, 1.0, 2)))
 
 
-def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng) -> Array:
-    """A few eyes over the free floor in the ring around a place or a thing of a size, (N, 3),
-    lifted to look onto a high one."""
+def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng, count: int) -> Array:
+    """At most ``count`` eyes over the free floor in the ring around a place or a thing of a size,
+    (N, 3), lifted to look onto a high one."""
     lifted = min(max(float(place[2]) + _LOOKS_DOWN_M - EYE_HEIGHT_M, 0.0), _LIFT_M)
     further = _DISTANCE_PER_SIZE * size_m
     if place[2] < _FLOOR_Z_M:
@@ -117,8 +124,8 @@ def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng) -> A
     angle = rng.uniform(-math.pi, math.pi, _DRAWS)
     points = place[:2] + distance[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
     inside = shapely.contains_xy(free, points[:, 0], points[:, 1])
-    stands = points[inside][:_EYES]
-    heights = EYE_HEIGHT_M + lifted + rng.uniform(-HEIGHT_JITTER_M, HEIGHT_JITTER_M, _EYES)
+    stands = points[inside][:count]
+    heights = EYE_HEIGHT_M + lifted + rng.uniform(-HEIGHT_JITTER_M, HEIGHT_JITTER_M, count)
     return np.column_stack([stands, heights[: len(stands)]])
 
 

@@ -88,6 +88,12 @@ def eye_height(text: str) -> float:
     show_default=True,
     help="Anomalies a scene.",
 )
+@click.option(
+    "--only",
+    multiple=True,
+    metavar="HAZARD,...",
+    help="Draw these hazards alone, and near misses of them; all others stay proved absent.",
+)
 @VIEWS
 @SIZE
 @click.option(
@@ -186,6 +192,7 @@ def build(
     out: Path | None,
     homes: Literal["base", "procedural", "mixed"] | Path,
     hazards: tuple[int, int],
+    only: tuple[str, ...],
     views: int,
     pixels: tuple[int, int],
     sensors: tuple[Sensor, ...],
@@ -223,6 +230,10 @@ def build(
         raise UsageError("--ray-address goes with --engine ray")
     if assets_only and not assets:
         raise UsageError("--assets-only goes with --assets")
+    named = tuple(sorted(split_names(only)))
+    if named and _by_default("hazards"):
+        # Each is shown once a scene: of one hazard there are no five.
+        hazards = (hazards[0], min(hazards[1], len(named)))
     options = BuildOptions(
         n=n,
         seed=seed,
@@ -231,6 +242,7 @@ def build(
         hazards_max=hazards[1],
         draw=draw,
         extensions=split_names(extensions),
+        only=named,
         views=views,
         width=pixels[0],
         height=pixels[1],
@@ -256,6 +268,12 @@ def build(
     where = Where(out, (first, end), overwrite, workers, engine, ray_address, non_commercial)
     alone = homes if isinstance(homes, Path) else None
     _close(_run(options, where, catalogs, assets, quiet, alone), as_json)
+
+
+def _by_default(parameter: str) -> bool:
+    """True when the command line does not say the parameter."""
+    source = click.get_current_context().get_parameter_source(parameter)
+    return source is click.core.ParameterSource.DEFAULT
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
 from sdgen.cli.catalog_propose import propose
+from sdgen.cli.catalog_test import test_hazards
 from sdgen.cli.params import split_names
 from sdgen.cli.shared_options import CATALOGS
 from sdgen.errors import InputError, UsageError, did_you_mean
@@ -46,6 +47,7 @@ def catalog() -> None:
 
 
 catalog.add_command(propose)
+catalog.add_command(test_hazards)
 
 
 @catalog.command("list")

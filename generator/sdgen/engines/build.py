@@ -20,7 +20,7 @@ from sdgen.engines.tally import Tally
 from sdgen.engines.worker import SceneResult, WorkerSetup
 from sdgen.errors import AssetError, InputError, SdgenError, WorkerFault
 from sdgen.hazards.draw import check_range
-from sdgen.hazards.hosting import hosted
+from sdgen.hazards.hosting import check_named, hosted
 from sdgen.library import Library
 from sdgen.library.cache import usable_cache
 from sdgen.library.licences import NON_COMMERCIAL
@@ -159,12 +159,13 @@ def _check(
 
     A build that goes on (``begun``) has found the hazards' places before.
     """
+    check_named(options.only, catalog)
     check_against_library(
         catalog, library.states_by_category(), parts_by_category(library), library.holding()
     )
     check_against_styles(catalog, library)
     bases, mixes = homes_of(catalog, options)
-    classes = hosted(catalog, bases, bool(mixes))
+    classes = hosted(catalog, bases, bool(mixes), options.only)
     check_range(options.hazards_min, options.hazards_max, len(classes))
     if options.hazards_max and not begun:
         found = misfits(catalog, library, options)

@@ -79,11 +79,11 @@ def _against(hazard: str, causes: Causes) -> Counter[Cause]:
 def _in_words(hazard: str, why: Counter[Cause], scenes: int) -> str:
     return (
         f"hazard {hazard!r} fits nowhere: never made in {why.total()} tries for {scenes} scenes "
-        f"({causes_in_words(why, 4)}); {_hint(most_frequent(why)[0][0])}"
+        f"({causes_in_words(why, 4)}); {hint(most_frequent(why)[0][0])}"
     )
 
 
-def _hint(cause: Cause) -> str:
+def hint(cause: Cause) -> str:
     """What to look at first."""
     if cause.other is not None:
         return f"what it puts there also is {cause.other}: make the predicates exclude each other"

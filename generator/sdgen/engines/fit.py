@@ -82,7 +82,7 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     """Hazards that found no place in any of some homes, or that are true of the homes as they
     stand; and those that always are another, too."""
     bases, mixes = homes_of(catalog, options)
-    drawn = hosted(catalog, bases, bool(mixes))
+    drawn = hosted(catalog, bases, bool(mixes), options.only)
     trials = {name: _Trial() for name in drawn}
     untouched = Untouched(catalog, library)
     seen: set[str] = set()
@@ -91,7 +91,7 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
         left = {name for name, trial in trials.items() if trial.open}
         if not left and not untouched.at_risk:
             break
-        home = _home(index, catalog, library, options)
+        home = home_to_try(index, catalog, library, options)
         if isinstance(home, Rejection):
             continue
         homes += 1
@@ -112,7 +112,7 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     left_out = [
         f"hazard {hazard.id!r} is not drawn: {bases[0].id} has nothing for it"
         for hazard in catalog.hazards
-        if hazard.id not in drawn
+        if hazard.id in (options.only or {hazard.id}) and hazard.id not in drawn
     ]
     return Misfits(
         tuple(problems[name] for name in sorted(problems)),
@@ -120,9 +120,10 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
     )
 
 
-def _home(
+def home_to_try(
     index: int, catalog: Catalog, library: Library, options: BuildOptions
 ) -> FurnishedHome | Rejection:
+    """A furnished home in which hazards are tried: one for anybody, with all models."""
     rng = lane(options.seed, index, "fit")
     ids = node_ids(rng)
     spec = pick_home(catalog, options, index).spec(catalog, rng)

@@ -80,7 +80,7 @@ def write_gallery(
     among a data set's scenes, InputError for a broken scene; a new page that cannot be finished
     is taken away again.
     """
-    _refuse_foreign(out)
+    refuse_foreign(out, MARK)
     fresh = not out.exists()
     try:
         return _write(data, out, limit, on_scene)
@@ -93,19 +93,10 @@ def write_gallery(
 def _write(
     data: Dataset, out: Path, limit: int | None, on_scene: Callable[[int, int], None] | None
 ) -> Shown:
-    environment = Environment(
-        loader=PackageLoader("sdgen.gallery", "templates"),
-        autoescape=select_autoescape(default=True, default_for_string=True),
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["words"] = lambda text: str(text).replace("_", " ")
+    environment = templates()
     environment.filters["evidence"] = _evidence
-    out.mkdir(parents=True, exist_ok=True)
     items = list(data)[:limit]
-    style = environment.get_template("style.css.j2").render()
-    write_output(out / STYLE, MARK + b"\n" + style.encode("utf-8"))
+    begin_page(out, environment, MARK)
     page = environment.get_template("scene.html.j2")
     cards = []
     for k, item in enumerate(items):
@@ -149,13 +140,34 @@ def _write(
     return Shown(out / INDEX, len(items), len(data))
 
 
-def _refuse_foreign(out: Path) -> None:
+def templates() -> Environment:
+    """The page templates, strict about names and careful with text from files."""
+    environment = Environment(
+        loader=PackageLoader("sdgen.gallery", "templates"),
+        autoescape=select_autoescape(default=True, default_for_string=True),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["words"] = lambda text: str(text).replace("_", " ")
+    return environment
+
+
+def begin_page(out: Path, environment: Environment, mark: bytes) -> None:
+    """Make the folder of a page, with its style, which begins with ``mark``."""
+    out.mkdir(parents=True, exist_ok=True)
+    style = environment.get_template("style.css.j2").render()
+    write_output(out / STYLE, mark + b"\n" + style.encode("utf-8"))
+
+
+def refuse_foreign(out: Path, mark: bytes) -> None:
+    """Raise SdgenError for a folder that holds something other than a page with this mark."""
     refuse_links(out, "folder")
     refuse_data_set(out)
     if out.exists() and not out.is_dir():
         raise SdgenError(f"{out}: is a file; choose another place for the page")
     style = out / STYLE
-    ours = style.is_file() and style.read_bytes().startswith(MARK)
+    ours = style.is_file() and style.read_bytes().startswith(mark)
     if out.is_dir() and any(out.iterdir()) and not ours:
         raise SdgenError(f"{out}: is not empty; choose another place for the page")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from sdgen.catalog.records import Hazard, PlaceRecipe
+from sdgen.catalog.records import Hazard, PlaceRecipe, UniqueAnomaly
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.placing import Injected, already_set, inject_candidate, is_set_so
 from sdgen.hazards.splits import withheld_anomaly
@@ -40,6 +40,21 @@ def inject(
             return _no_place(hazard_id, allowed, layout, context)
         anomalies.append(injected)
     return tuple(anomalies)
+
+
+def inject_unique(
+    unique: UniqueAnomaly, layout: Layout, context: HomeContext, rng: Rng
+) -> Injected | Rejection | None:
+    """This anomaly by the recipes that make it, and no other; None where the home has nothing for
+    it."""
+    recipes = context.catalog.hazard(unique.hazard).anomalies
+    every = candidates(unique.hazard, recipes, layout, context)
+    allowed = [one for one in every if one.unique == unique]
+    if not allowed:
+        return None
+    order = weighted_order(allowed, rng)
+    injected = _inject_first(order, layout, context, (), rng)
+    return injected or _no_place(unique.hazard, allowed, layout, context)
 
 
 def _objects(injected: Sequence[Injected]) -> set[int]:
@@ -78,9 +93,14 @@ def _no_place(
 
 
 def add_lookalikes(
-    layout: Layout, context: HomeContext, anomalies: Sequence[Injected], rng: Rng
+    layout: Layout,
+    context: HomeContext,
+    anomalies: Sequence[Injected],
+    rng: Rng,
+    only: Collection[str] = (),
 ) -> tuple[Injected, ...]:
-    """One benign near miss for most hazards, whether or not they were drawn.
+    """One benign near miss for most hazards (of ``only``, unless it is empty), whether or not they
+    were drawn.
 
     A home holds as many things of a kind with an anomaly as without: where a hazard's anomaly was
     put, it stands for the near miss of its own kind, or a second candle would tell of a lit one.
@@ -91,6 +111,8 @@ def add_lookalikes(
     anomalous = _objects(anomalies)
     put = {other.hazard for other in anomalies if other.before is None}
     for hazard in context.catalog.hazards:
+        if only and hazard.id not in only:
+            continue
         wanted = rng.random() < LOOKALIKE_SHARE
         order = weighted_order(candidates(hazard.id, hazard.lookalikes, layout, context), rng)
         if not wanted:

@@ -52,12 +52,25 @@ def attempt(
     on another.
     """
     contents = placed(spec, home, home_attempt, placement)
+    if isinstance(contents, Rejection):
+        return contents
+    return prove(spec.index, home, contents, library, World(library, client))
+
+
+def prove(
+    index: int, home: FurnishedHome, contents: Contents, library: Library, world: World
+) -> Proved | Rejection:
+    """Contents at rest with exactly their anomalies, without the everyday things that were in the
+    way of that.
+
+    ``world`` is empty, or holds the same home and nothing loose.
+    """
     taken_away: Counter[Cause] = Counter()
-    world = World(library, client)
+    spent = False
     for round_ in range(SETTLE_ROUNDS):
-        if isinstance(contents, Rejection):
-            return contents
-        rested = come_to_rest(spec.index, home, contents, round_ > 0, library, world)
+        if spent:
+            world, spent = World(library, world.client), False
+        rested = come_to_rest(index, home, contents, round_ > 0, library, world)
         offenders = rested.offenders
         if not offenders:
             surveyed = survey(rested.facts, home.context.catalog)
@@ -66,7 +79,7 @@ def attempt(
                 offenders = will_not_stay(rested.contents, world)
                 if not offenders:
                     return _proved(home, rested, surveyed, taken_away, library)
-                world = World(library, client)
+                spent = True
         reduced = without(rested.contents, offenders)
         if isinstance(reduced, Rejection):
             return reduced
@@ -85,7 +98,8 @@ def placed(
     lane = f"{home_attempt}:{placement}"
     layout = home.layout.copy(node_ids(spec.lane(f"ids:{lane}"), taken=home.ids))
     training = spec.split == "train"
-    return place_contents(spec.hazards, home, layout, training, spec.lane(f"place:{lane}"))
+    rng = spec.lane(f"place:{lane}")
+    return place_contents(spec.hazards, home, layout, training, rng, spec.only)
 
 
 def _unproved(rested: Rested, surveyed: Survey, library: Library) -> dict[int, Rejection]:

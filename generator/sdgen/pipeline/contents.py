@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -83,12 +83,18 @@ class Contents:
 
 
 def place_contents(
-    hazards: Sequence[str], home: FurnishedHome, layout: Layout, training: bool, rng: Rng
+    hazards: Sequence[str],
+    home: FurnishedHome,
+    layout: Layout,
+    training: bool,
+    rng: Rng,
+    only: Collection[str] = (),
 ) -> Contents | Rejection:
     """The home's own things, anomalies of the drawn hazards, lookalikes and clutter, placed in
     ``layout`` (taken over); of a home that is as it is drawn neither of the last two.
 
-    ``training`` leaves withheld unique anomalies out.
+    ``training`` leaves withheld unique anomalies out; ``only`` are the hazards of which there are
+    near misses, empty: all.
     """
     for item in home.things.items:
         layout.put(item, home.things.intents.get(item.id))
@@ -97,7 +103,7 @@ def place_contents(
         return anomalies
     lookalikes: tuple[Injected, ...] = ()
     if not home.as_drawn:
-        lookalikes = add_lookalikes(layout, home.context, anomalies, rng)
+        lookalikes = add_lookalikes(layout, home.context, anomalies, rng, only)
         add_clutter(layout, home.context, rng, culprits(anomalies))
     labelled = [Injected(name, key, None) for key, name in home.things.anomalies.items()]
     return Contents(

@@ -57,7 +57,7 @@ def finish(
     )
     # Whether or not it is written: what a scene holds does not depend on --twins. Where things
     # would go by their remedies is only looked for when it is; nothing is rejected for that.
-    undone_soundly = check_undone(bundle, catalog, library.infos, facts)
+    undone_soundly = check_undone(scene, anomalies, catalog, library.infos, facts)
     if isinstance(undone_soundly, Rejection):
         return undone_soundly
     broken = check_standing(scene, undone_soundly[0], library, client)

@@ -128,16 +128,7 @@ def looked_at(
     show is none: of a knife both must show the blade.
     """
     library, canonical, scene = home.layout.library, home.views[:CANONICAL], facts.scene
-    marked = [
-        Marked(
-            one.object_id,
-            one.evidence_parts,
-            one.evidence_pixels_needed,
-            one.evidence_outdoors_needed,
-            one.evidence_objects,
-        )
-        for one in anomalies
-    ]
+    marked = [marked_as(one) for one in anomalies]
     for one in lookalikes:
         body, hazard = facts.bodies[one.object_id], home.context.catalog.hazard(one.hazard)
         marked.append(Marked(one.object_id, *evidence_of(hazard, body.info, body.item)))
@@ -157,3 +148,14 @@ def looked_at(
     size = (options.width, options.height)
     raised = [view.at(options.eye_height_m) for view in views]
     return Looked(to_cameras(raised, scene.home.rooms, size, rng), kept)
+
+
+def marked_as(anomaly: Anomaly) -> Marked:
+    """What of an anomaly a view must show."""
+    return Marked(
+        anomaly.object_id,
+        anomaly.evidence_parts,
+        anomaly.evidence_pixels_needed,
+        anomaly.evidence_outdoors_needed,
+        anomaly.evidence_objects,
+    )

@@ -21,7 +21,8 @@ from sdgen.seeding import Rng, lane
 @dataclass(frozen=True)
 class SceneSpec:
     """The drawn hazards, the home and its split, and who lives there (``tenants``: what that
-    means for what is in the home)."""
+    means for what is in the home). Near misses are of hazards of ``only``, of any where it is
+    empty."""
 
     index: int
     seed: int
@@ -31,6 +32,7 @@ class SceneSpec:
     household: Household
     tenants: Tenants
     assets_only: bool = False
+    only: tuple[str, ...] = ()
 
     def lane(self, name: str) -> Rng:
         """A generator of this scene's own."""
@@ -47,7 +49,7 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
     hazards = draw(
         options.seed,
         index,
-        hosted(catalog, bases, bool(mixes)),
+        hosted(catalog, bases, bool(mixes), options.only),
         options.hazards_min,
         options.hazards_max,
         options.draw,
@@ -77,6 +79,7 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
             float(lane(options.seed, index, "tidiness").uniform(*template.tidiness)),
         ),
         assets_only=options.assets_only,
+        only=options.only,
     )
 
 

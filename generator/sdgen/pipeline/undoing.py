@@ -18,7 +18,7 @@ from sdgen.physics.checks import penetrations, unsupported
 from sdgen.physics.client import Client
 from sdgen.physics.world import standing
 from sdgen.rejection import Rejection, reject
-from sdgen.scene import Scene, SceneBundle
+from sdgen.scene import Anomaly, Scene
 
 #: Collision pieces reach less far than this beyond what is drawn, metres, and contacts are looked
 #: for within less.
@@ -26,15 +26,16 @@ _AROUND_M = 0.1
 
 
 def check_undone(
-    bundle: SceneBundle,
+    before: Scene,
+    anomalies: Sequence[Anomaly],
     catalog: Catalog,
     infos: Mapping[str, AssetInfo],
     known: Facts | None = None,
 ) -> tuple[Facts, Survey] | Rejection:
-    """Facts and survey of the scene with its anomalies undone; rejected when some hazard still
+    """Facts and survey of a scene with its anomalies undone; rejected when some hazard still
     holds, or may, or when something has lost what it stood on. ``known`` are the facts of the
-    bundle's own scene."""
-    scene = undone(bundle.scene, bundle.anomalies.anomalies, catalog, infos, known)
+    scene before."""
+    scene = undone(before, anomalies, catalog, infos, known)
     facts = facts_of(scene, infos, catalog, known)
     surveyed = survey(facts, catalog)
     for left in surveyed.positives:

@@ -156,7 +156,7 @@ def power_cable(line: str, colour: str, ends: str, radius: float, seed: int) -> 
         mass=0.25,
         friction=0.8,
         variants={"default": ["body", "sheath"], "frayed": ["body", "torn", "copper"]},
-        states=[{"state": "FRAYED", "variants": ["frayed"], "parts": ["copper"]}],
+        states=[{"state": "FRAYED", "variants": ["frayed"], "parts": ["copper", "torn"]}],
         texture_size=128,
         prune=False,
     )

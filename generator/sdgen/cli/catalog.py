@@ -12,6 +12,8 @@ import click
 from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
+from sdgen.cli.catalog_categories import list_categories
+from sdgen.cli.catalog_new import new_hazard
 from sdgen.cli.catalog_propose import propose
 from sdgen.cli.catalog_test import test_hazards
 from sdgen.cli.params import split_names
@@ -46,6 +48,8 @@ def catalog() -> None:
     """
 
 
+catalog.add_command(list_categories)
+catalog.add_command(new_hazard)
 catalog.add_command(propose)
 catalog.add_command(test_hazards)
 

@@ -15,6 +15,8 @@ from sdgen.scene import Anomaly, EvidenceValue, Household, Lookalike, Remedy, an
 
 #: Evidence that names a thing which makes an anomaly together with its object.
 SHOWN_WITH = ("nearest_id", "above_id", "held_id", "facing_id", "away_from_id")
+#: Relations of which the target does, rather than hold it: the door that a box stands before.
+SHOWN_TARGETS = ("BLOCKS", "CLOSE", "FACING", "UNDER", "NEAR_HEAT", "NEAR_WATER")
 
 
 def anomaly_records(
@@ -90,14 +92,25 @@ def _shown_with(
     evidence: Mapping[str, EvidenceValue], facts: Facts, object_id: int
 ) -> tuple[int, ...]:
     """The other things that make it an anomaly and are to be seen with it, by what was measured:
-    the heater it is near, the bed below. What it lies on is seen anyhow, and what a child climbs
-    on matters where it is seen from above alone."""
+    the heater it is near, the bed below, the door it blocks. What it lies on is seen anyhow, and
+    what a child climbs on matters where it is seen from above alone."""
     found = {
         value
         for key, value in evidence.items()
-        if key.rstrip("_0123456789") in SHOWN_WITH and isinstance(value, int)
+        if isinstance(value, int) and (_plain(key) in SHOWN_WITH or _is_beside(key, evidence))
     }
     return tuple(sorted(key for key in found if key in facts.bodies and key != object_id))
+
+
+def _plain(key: str) -> str:
+    """The name of a piece of evidence that several terms have."""
+    return key.rstrip("_0123456789")
+
+
+def _is_beside(key: str, evidence: Mapping[str, EvidenceValue]) -> bool:
+    """Whether it names the target of a relation to something that does not hold the object."""
+    number = key.removeprefix("target_id")
+    return _plain(key) == "target_id" and evidence.get(f"relation{number}") in SHOWN_TARGETS
 
 
 def _words(category: str) -> str:

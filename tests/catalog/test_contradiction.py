@@ -118,7 +118,10 @@ def test_what_no_model_can_be(text: str, told: str) -> None:
     ("terms", "told"),
     [
         ("all: [{category: vase}, {category: mug}]", ":8: predicate: can never hold: nothing is"),
-        ("any: [{relation: ON}, {not: {relation: ON}}]", ":8: predicate: always holds, whatever it is asked of"),
+        (
+            "any: [{relation: ON}, {not: {relation: ON}}]",
+            ":8: predicate: always holds, whatever it is asked of",
+        ),
     ],
 )
 def test_it_is_told_with_its_line(tmp_path: Path, terms: str, told: str) -> None:

@@ -98,7 +98,7 @@ BY_THE_BED = (
     ("thing", "target", "code", "told"),
     [
         ("medicine_bottle", "nightstand", 0, "'wobbly_vase' overlaps 'poison_medication': "),
-        ("vase", "wall_clock", 1, "no model of wall_clock has a surface"),
+        ("vase", "coaster", 1, "'wobbly_vase' fits nowhere: "),
     ],
     ids=["another hazard too", "no place"],
 )

@@ -125,7 +125,7 @@ def test_a_contradiction_is_told(tmp_path: Path, old: str, new: str, problem: st
         (
             "  category: vase\n  relation: ON",
             "  any: [{category: vase}, {not: {category: vase}}]",
-            ":8: predicate: is true of every ",
+            ":8: predicate: always holds, whatever it is asked of",
         ),
         (
             "  category: vase\n  relation: ON",

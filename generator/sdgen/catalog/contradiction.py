@@ -45,9 +45,9 @@ def never(predicate: Term, *further: Objection) -> str:
     return _no_way(predicate, True, (_objection, *further))
 
 
-def always(predicate: Term) -> str:
-    """Why a predicate holds of everything; empty where it might not."""
-    return _no_way(predicate, False, (_objection,))
+def always(predicate: Term) -> bool:
+    """True for a predicate that holds of everything, as far as one can tell."""
+    return _no_way(predicate, False, (_objection,)) != ""
 
 
 def _no_way(predicate: Term, holds: bool, objections: Collection[Objection]) -> str:

@@ -77,7 +77,9 @@ def template(scene: Scene) -> Iterator[Finding]:
 def pets(scene: Scene) -> Iterator[Finding]:
     """Bowls without a pet, pets without a bowl."""
     bowls = [t for t in scene.things.values() if t.category == "pet_bowl"]
-    if bowls and not scene.household["pets"]:
+    # Hazards are drawn before households: a bowl on a table may be a visitor's.
+    put = scene.hazards_of.keys() | scene.lookalikes
+    if [t for t in bowls if t.id not in put] and not scene.household["pets"]:
         yield scene.found(bowls[0], "a pet's bowl and no pet")
     if scene.household["pets"] and not bowls:
         yield scene.found(None, f"{scene.household['pets'][0]} without a bowl")

@@ -101,14 +101,11 @@ def obeys(base: Scene, twin: Scene) -> Iterator[Finding]:
             continue
         allowed = {name for rule in rules for name in rule["targets"]}
         allowed |= {"floor"} if action == "move_away" else set()
-        told = [r for r in world.related(id, PUT.get(action, "ON")) if r.target == target]
-        if not any(r.category in allowed for r in told):
+        related = world.related(id, PUT.get(action, "ON"))
+        if action not in PUT or world.category(target) not in allowed:
             yield wrong(f"{target} is no target of {action}")
-        elif not any(r.told == YES for r in told):
-            # A later anomaly of the same object may have moved it on.
-            last = [u for u in twin.labels["undone"] if u["object_id"] == id][-1]
-            if last["target_id"] == target:
-                yield wrong(f"is not {PUT[action]} {target}")
+        elif not any(r.target == target and r.told == YES for r in related):
+            yield wrong(f"is not {PUT[action]} {target}")
 
 
 def same(base: Scene, twin: Scene) -> Iterator[Finding]:

@@ -6,7 +6,7 @@ from itertools import chain
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import RemedyRule
-from sdgen.catalog.terms import AllTerm, CategoryTerm, HeightTerm
+from sdgen.catalog.terms import AllTerm, CategoryTerm, HeightTerm, NotTerm, RelationTerm
 from sdgen.facts import unheld
 from sdgen.hazards.certify import certify, facts_of
 from sdgen.hazards.twin import PUT, SET_BACK, TAKE_AWAY
@@ -232,3 +232,40 @@ def test_of_two_hazards_of_a_thing_one_is_undone(low_candle):
     assert (lit.object_id, lit.hazard) in found.pairs
     assert [(one.anomaly_id, one.action, one.moved) for one in records] == [("a98", "put_on", True)]
     assert "ON" in found.facts.scene.object(low.object_id).states
+
+
+def test_what_is_put_elsewhere_twice_is_told_of_where_it_is(low_candle):
+    """First onto a shelf, and since it is not shut away there, into a cupboard."""
+    bundle, spec, tools, (lit, low) = low_candle
+    away = CATALOG.hazard("candle_on").model_copy(
+        update={
+            "id": "candle_about",
+            "predicate": AllTerm(
+                terms=(
+                    CategoryTerm(any_of=(lit.category,)),
+                    NotTerm(term=RelationTerm(relation="INSIDE")),
+                    HeightTerm(max_m=2.5),
+                )
+            ),
+            "remedy": (
+                RemedyRule(
+                    action="put_in",
+                    targets=(
+                        "wall_cabinet",
+                        "kitchen_counter",
+                        "dresser",
+                        "tv_stand",
+                        "nightstand",
+                    ),
+                ),
+            ),
+        }
+    )
+    catalog = CATALOG.model_copy(update={"hazards": (*tools.context.catalog.hazards, away)})
+    tools = replace(tools, context=replace(tools.context, catalog=catalog))
+    anomalies = (low, low.model_copy(update={"id": "a99", "hazard": away.id}))
+    found, records = undo((bundle, spec, tools, anomalies), anomalies, [])
+    assert (low.object_id, away.id) not in found.pairs
+    held = {r.target_id for r in found.facts.inside(low.object_id) if r.holds}
+    assert [one.action for one in records] == ["put_in", "put_in"]
+    assert {one.target_id for one in records} <= held

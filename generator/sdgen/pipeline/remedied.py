@@ -179,6 +179,12 @@ def _after(
     if step.item is not None and not before.fixed and not _stays(key, facts, tools):
         return None
     cleared = {pair: step for pair in now.pairs - pairs if pair[0] == key}
+    # What was done to it before is no longer so: it was put elsewhere since, or is gone.
+    past = {pair: one for pair, one in now.done.items() if pair[0] == key}
+    if put:
+        cleared |= {pair: step for pair, one in past.items() if one.action in PUT}
+    elif step.item is None:
+        cleared |= dict.fromkeys(past, step)
     altered = now.altered | ({step.shut.id} if step.shut is not None else set())
     return Remedied(facts, surveyed, {**now.done, **cleared}, rests, altered)
 

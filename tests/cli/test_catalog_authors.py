@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from sdgen.cli.main import run
 from sdgen.engines import trials
-from sdgen.engines.trials import Tried, Trials
+from sdgen.engines.trials import Trials, Tried
 from sdgen.rejection import reject
 
 

@@ -32,7 +32,7 @@ def one_home(monkeypatch):
 @pytest.mark.usefixtures("one_home")
 @pytest.mark.slow
 def test_what_fits_fits_alone_and_among_others():
-    mine = "spill: SPILLED water_puddle ON floor (kitchen)"
+    mine = "spill: SPILLED coffee_puddle ON floor (kitchen)"
     alone = tried([mine])[mine]
     assert (alone.fits, alone.homes) == (True, 1)
     assert alone.message
@@ -45,7 +45,7 @@ def test_what_fits_fits_alone_and_among_others():
 @pytest.mark.usefixtures("one_home")
 @pytest.mark.slow
 def test_what_its_predicate_refuses_never_fits_and_says_so():
-    mine = "spill: SPILLED water_puddle ON floor (kitchen)"
+    mine = "spill: SPILLED coffee_puddle ON floor (kitchen)"
     never = CATALOG.hazard("spill").model_copy(
         update={"predicate": CATALOG.hazard("stove_on").predicate}
     )

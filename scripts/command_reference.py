@@ -13,7 +13,7 @@ HEAD = """# Commands
 Written by `make docs` from the commands themselves; `sdgen COMMAND --help` says the same.
 
 Exit codes: 0 all done, 1 an error (one line: what, where, how to mend it), 2 a command line that
-makes no sense, 3 some scenes could not be made, 130 interrupted,
+makes no sense, 3 some scenes could not be made (or anomalies, by `catalog test`), 130 interrupted,
 143 terminated (a build goes on with the same command).
 """
 

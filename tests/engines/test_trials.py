@@ -5,7 +5,7 @@ import pytest
 from sdgen.catalog.enumeration import enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.engines import trials
-from sdgen.engines.trials import Trials, in_words, try_all, why_not
+from sdgen.engines.trials import Trials, home_in_turn, in_words, try_all, why_not
 
 from tests.shipped import shipped_library
 
@@ -32,7 +32,7 @@ def one_home(monkeypatch):
 @pytest.mark.usefixtures("one_home")
 @pytest.mark.slow
 def test_what_fits_fits_alone_and_among_others():
-    mine = "spill: SPILLED water_puddle ON floor (kitchen)"
+    mine = "spill: SPILLED coffee_puddle ON floor (kitchen)"
     alone = tried([mine])[mine]
     assert (alone.fits, alone.homes) == (True, 1)
     assert alone.message
@@ -45,7 +45,7 @@ def test_what_fits_fits_alone_and_among_others():
 @pytest.mark.usefixtures("one_home")
 @pytest.mark.slow
 def test_what_its_predicate_refuses_never_fits_and_says_so():
-    mine = "spill: SPILLED water_puddle ON floor (kitchen)"
+    mine = "spill: SPILLED coffee_puddle ON floor (kitchen)"
     never = CATALOG.hazard("spill").model_copy(
         update={"predicate": CATALOG.hazard("stove_on").predicate}
     )
@@ -70,3 +70,11 @@ def test_handfuls_cover_all():
     some = Trials(CATALOG, (), "", every)
     assert (some.jobs - 1) * trials.HANDFUL < len(every) <= some.jobs * trials.HANDFUL
     assert np.isclose(Trials(CATALOG, (), "", ()).jobs, 0)
+
+
+def test_every_room_and_base_home_comes_in_turn():
+    turns = [home_in_turn(CATALOG, 3, index) for index in range(trials.MOST_HOMES)]
+    assert {one.base.id for one in turns if one.base} == {home.id for home in CATALOG.homes}
+    mixes = [mix for one in turns for mix in one.mixes]
+    assert set(CATALOG.mixes) == set(mixes)
+    assert len({one.id for one in turns}) == len(turns)

@@ -1,4 +1,4 @@
-"""What authors can name: every category with its models, their states and parts, where it is."""
+"""What authors can name: categories, their models with states and parts, and where they are."""
 
 from __future__ import annotations
 

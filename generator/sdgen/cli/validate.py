@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 
 import click
 
+from sdgen.cli.params import split_names
+from sdgen.cli.recertify import certify_again
 from sdgen.engines.machine import usable_cores
-from sdgen.errors import SHOWN, InputError
+from sdgen.errors import SHOWN, InputError, UsageError
 
 if TYPE_CHECKING:
     from sdgen.validate import Problem
@@ -36,7 +38,14 @@ if TYPE_CHECKING:
     "catalogs",
     type=click.Path(exists=True, path_type=Path),
     multiple=True,
-    help="Evaluate this catalogue's predicates instead of the data set's own; repeatable.",
+    help="Only ask whether this catalogue would label the same: its predicates are evaluated on "
+    "the stored poses. Folder or file; repeatable.",
+)
+@click.option(
+    "--extensions",
+    multiple=True,
+    metavar="NAME,...",
+    help="The same with these shipped packs of hazards [default with --catalog: the data set's].",
 )
 @click.option(
     "--assets",
@@ -53,6 +62,7 @@ def validate(
     rebuild: int,
     physics: bool,
     catalogs: tuple[Path, ...],
+    extensions: tuple[str, ...],
     assets: tuple[Path, ...],
     workers: int | None,
     as_json: bool,
@@ -63,23 +73,29 @@ def validate(
     boxes, colours against masks, every relation, zone and predicate evaluated again. Exit code 1
     when anything is wrong.
 
+    With --catalog or --extensions it is certified against another catalogue instead: labels that
+    no longer hold, pairs of object and hazard that hold and are not labelled, and undecided ones
+    are listed, and counted by hazard. Exit code 1 when there are any.
+
     \b
     Example: sdgen validate output/sdgen-n12-s7
     Example: sdgen validate output/sdgen-n12-s7 --rebuild 3
     Example: sdgen validate output/sdgen-n12-s7 --physics
+    Example: sdgen validate output/sdgen-n12-s7 --catalog my_hazards
     """
     from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
     from sdgen.validate import validate as check
 
-    catalog, note, stood, made = None, "", 0, 0
-    if catalogs:
-        from sdgen.catalog.load import load_catalog
-
-        extensions = Dataset(dataset, partial=True).info.options.extensions
-        catalog = load_catalog(catalogs, extensions=extensions)
+    if catalogs or extensions:
+        if rebuild or physics:
+            raise UsageError("--catalog and --extensions go without --rebuild and --physics")
+        packs, cores = split_names(extensions), workers or usable_cores()
+        good = certify_again(dataset, catalogs, packs, cores, as_json)
+        click.get_current_context().exit(0 if good else 1)
+    note, stood, made = "", 0, 0
     with bar("checking") as on_scene:
-        problems = check(dataset, catalog, on_scene, workers or usable_cores())
+        problems = check(dataset, on_scene, workers or usable_cores())
     if physics and not problems:
         from sdgen.library import load_library
         from sdgen.validate.physics import check_physics

@@ -21,7 +21,7 @@ from sdgen.hazards.inject import ALREADY_SET, inject
 from sdgen.hazards.splits import SplitModels, small_categories
 from sdgen.library import Library
 from sdgen.options import BuildOptions
-from sdgen.pipeline.furnished import FurnishedHome, furnished_home, homes_of, pick_home
+from sdgen.pipeline.furnished import FurnishedHome, HomeChoice, furnished_home, homes_of, pick_home
 from sdgen.pipeline.spec import node_ids
 from sdgen.rejection import Cause, Rejection, most_frequent
 from sdgen.seeding import lane
@@ -121,12 +121,17 @@ def misfits(catalog: Catalog, library: Library, options: BuildOptions) -> Misfit
 
 
 def home_to_try(
-    index: int, catalog: Catalog, library: Library, options: BuildOptions
+    index: int,
+    catalog: Catalog,
+    library: Library,
+    options: BuildOptions,
+    choice: HomeChoice | None = None,
 ) -> FurnishedHome | Rejection:
-    """A furnished home in which hazards are tried: one for anybody, with all models."""
+    """A furnished home in which hazards are tried: one for anybody, with all models. ``choice``
+    says which; None: as the scene of this number would pick it."""
     rng = lane(options.seed, index, "fit")
     ids = node_ids(rng)
-    spec = pick_home(catalog, options, index).spec(catalog, rng)
+    spec = (choice or pick_home(catalog, options, index)).spec(catalog, rng)
     if isinstance(spec, Rejection):
         return spec
     models = SplitModels(library, "test", small_categories(catalog) if options.assets_only else ())

@@ -26,7 +26,7 @@ from sdgen.households import draw_template, sample_household
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
-from sdgen.pipeline.furnished import FurnishedHome
+from sdgen.pipeline.furnished import FurnishedHome, HomeChoice, homes_of
 from sdgen.pipeline.scene import PLACEMENT_ATTEMPTS
 from sdgen.pipeline.trial import Fits, TrialHome
 from sdgen.rejection import Cause, Rejection, most_frequent
@@ -121,6 +121,18 @@ def try_all(
     return found
 
 
+def home_in_turn(catalog: Catalog, seed: int, index: int) -> HomeChoice:
+    """The home of this number: generated ones of each mix in turn, a base home after each, until
+    all of these have come. So every type of room occurs."""
+    bases, mixes = homes_of(catalog, BuildOptions(homes="mixed" if catalog.homes else "procedural"))
+    pairs = min(len(bases), len(mixes))
+    if index < 2 * pairs and index % 2:
+        base = bases[index // 2]
+        return HomeChoice(base.id, base)
+    turn = index // 2 if index < 2 * pairs else index - pairs
+    return HomeChoice(f"procedural_{seed}_{index:06d}", None, (mixes[turn % len(mixes)],))
+
+
 @dataclass(frozen=True)
 class _Home:
     name: str
@@ -183,7 +195,8 @@ class _Worker(Closing):
 
     def _furnish(self, index: int) -> _Home | None:
         catalog, seed = self._trials.catalog, self._trials.seed
-        home = home_to_try(index, catalog, self._library, BuildOptions(seed=seed))
+        choice = home_in_turn(catalog, seed, index)
+        home = home_to_try(index, catalog, self._library, BuildOptions(seed=seed), choice)
         if isinstance(home, Rejection):
             return None
         rng = lane(seed, index, "trial:household")

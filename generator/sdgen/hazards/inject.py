@@ -49,7 +49,11 @@ def inject_unique(
     it."""
     recipes = context.catalog.hazard(unique.hazard).anomalies
     every = candidates(unique.hazard, recipes, layout, context)
-    allowed = [one for one in every if one.unique == unique]
+    allowed = [
+        one
+        for one in every
+        if one.unique == unique and already_set(one, layout, context) is not None
+    ]
     if not allowed:
         return None
     order = weighted_order(allowed, rng)

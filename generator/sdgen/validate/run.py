@@ -23,20 +23,18 @@ OnScene = Callable[[int, int], None]
 
 def validate(
     path: str | Path,
-    catalog_override: Catalog | None = None,
     on_scene: OnScene | None = None,
     workers: int = 1,
 ) -> list[Problem]:
     """Everything found wrong with a data set, from its files alone; empty when it is sound.
 
-    ``catalog_override`` evaluates the predicates of another catalogue instead of the data set's
-    own. ``on_scene(done, total)`` is called after each scene; ``workers`` processes share them.
-    Never raises for bad input.
+    ``on_scene(done, total)`` is called after each scene; ``workers`` processes share them. Never
+    raises for bad input.
     """
     try:
         data = Dataset(path, partial=True)
         problems = list(check_whole(data))
-        catalog = catalog_override or data.catalog
+        catalog = data.catalog
         _ = data.infos
     except InputError as error:
         return [Problem("file", text) for text in error.problems]

@@ -4,10 +4,10 @@
 lookalikes of the thirteen classes, or with ``--packs`` of the extension packs, hazard after hazard
 in turn, by sha256 of what they are; each in the view that shows most of it, boxed, with the box
 enlarged beside. The pictures are numbered in an order that says nothing; ``classes.txt`` says what
-each class means; the key goes beside the folder. Somebody who sees the folder alone writes
-``answers.jsonl``, one line ``{"n": 1, "answer": "candle_on"}`` a picture, or ``"none"`` where the
-boxed thing is no hazard. ``blind_hazards.py score FOLDER`` counts: an anomaly is right by any of
-the classes that its object is labelled with, a lookalike by ``none``.
+each class means, by its title and its predicate; the key goes beside the folder. Somebody who sees
+the folder alone writes ``answers.jsonl``, one line ``{"n": 1, "answer": "candle_on"}`` a picture,
+or ``"none"`` where the boxed thing is no hazard. ``blind_hazards.py score FOLDER`` counts: an
+anomaly is right by any of the classes that its object is labelled with, a lookalike by ``none``.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from PIL import Image, ImageDraw
+from sdgen import Dataset
 
 EACH, LEAST_PIXELS, ZOOM = 130, 100, 480
 NONE = "none"
@@ -121,14 +122,15 @@ def draw(dataset: Path, folder: Path, packs: bool, each: int) -> None:
         key = csv.writer(stream)
         key.writerow(("n", "kind", "hazard", "labels", "category", "scene", "object", "picture"))
         for n, row in enumerate(chosen, 1):
-            tile(row).save(folder / f"{n:03d}.jpg", quality=92)
+            tile(row).save(folder / f"{n:03d}.png")
             where = row.picture.relative_to(dataset).as_posix()
             labels = " ".join(row.labels)
             key.writerow(
                 (n, row.kind, row.hazard, labels, row.category, row.scene, row.object_id, where)
             )
-    words = "".join(f"{one['id']}: {one['title']}\n" for one in catalogue["hazards"] if one in of)
-    (folder / "classes.txt").write_text(words)
+    meant = {one.id: one for one in Dataset(dataset).catalog.hazards}
+    words = [f"{one['id']}: {one['title']}. {meant[one['id']].predicate.in_words()}" for one in of]
+    (folder / "classes.txt").write_text("\n".join(words) + "\n")
     print(f"{len(chosen)} pictures in {folder}")
 
 

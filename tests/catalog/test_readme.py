@@ -63,7 +63,7 @@ def test_the_examples_load_and_mean_what_they_say(tmp_path: Path) -> None:
 def test_the_catalog_commands_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert len(COMMANDS) == 2
+    assert len(COMMANDS) == 3
     _write_examples(tmp_path)
     monkeypatch.chdir(tmp_path)
     for line in COMMANDS:

@@ -12,7 +12,9 @@ from tests.shipped import shipped_library
 
 
 def homes(catalog, count):
-    made = (fit._home(k, catalog, shipped_library(), BuildOptions(seed=1)) for k in range(count))
+    made = (
+        fit.home_to_try(k, catalog, shipped_library(), BuildOptions(seed=1)) for k in range(count)
+    )
     return [home for home in made if isinstance(home, FurnishedHome)]
 
 

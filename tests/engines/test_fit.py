@@ -39,7 +39,7 @@ def test_a_hazard_without_a_target_is_named_before_anything_is_written(
 ):
     # As if the library had a model of it, and no room a place for it.
     catalog = changed(tools["catalog"], "sharp_object", targets=("stool_of_gold",))
-    monkeypatch.setattr(building, "check_against_library", lambda *_: None)
+    monkeypatch.setattr(building, "check_buildable", lambda *_: None)
     with pytest.raises(InputError, match=r"sharp_object.* in \d+ tries .*stool_of_gold"):
         building.build(BuildOptions(n=2), tmp_path / "set", catalog, tools["library"])
     assert list(tmp_path.iterdir()) == []

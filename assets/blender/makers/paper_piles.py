@@ -140,7 +140,8 @@ def paper_stack(form: str, size: tuple[float, float], count: int, seed: int, **a
         {"body": Part(meshes, collision=pieces)},
         mass=round(min(mass, 9.0), 2),
         friction=0.6,
-        supports=[Support("top", z, top)],
+        # Nothing stands on a knot.
+        supports=[] if form == "tied" else [Support("top", z, top)],
         texture_size=128,
         prune=False,
     )

@@ -20,7 +20,7 @@ from sdgen.cli.params import (
     sensor_list,
     split_names,
 )
-from sdgen.cli.shared_options import ASSETS, CATALOGS, RENDERER, SIZE, VIEWS
+from sdgen.cli.shared_options import ASSETS, CATALOGS, EXTENSIONS, RENDERER, SIZE, VIEWS
 from sdgen.errors import BuildIncomplete, UsageError
 from sdgen.options import (
     MAX_SCENES,
@@ -128,12 +128,7 @@ def eye_height(text: str) -> float:
 )
 @RENDERER
 @CATALOGS
-@click.option(
-    "--extensions",
-    multiple=True,
-    metavar="NAME,...",
-    help="Shipped packs of hazards to switch on, such as electrical,heat,water.",
-)
+@EXTENSIONS
 @ASSETS
 @click.option(
     "--assets-only",

@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from sdgen.catalog.enumeration import check_against_library, enumerate_anomalies
+from sdgen.catalog.enumeration import enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
 from sdgen.cli.catalog_categories import list_categories
@@ -17,23 +17,17 @@ from sdgen.cli.catalog_new import new_hazard
 from sdgen.cli.catalog_propose import propose
 from sdgen.cli.catalog_test import test_hazards
 from sdgen.cli.params import split_names
-from sdgen.cli.shared_options import CATALOGS
+from sdgen.cli.shared_options import CATALOGS, EXTENSIONS
 from sdgen.errors import InputError, UsageError, did_you_mean
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
 
-_EXTENSIONS = click.option(
-    "--extensions",
-    multiple=True,
-    metavar="NAME,...",
-    help="Shipped packs of hazards to switch on, such as electrical,heat,water.",
-)
 _JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
 
 def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
     """The options that say which catalogue is meant."""
-    return CATALOGS(_EXTENSIONS(command))
+    return CATALOGS(EXTENSIONS(command))
 
 
 def _load(catalogs: Sequence[Path], extensions: tuple[str, ...]) -> Catalog:
@@ -128,7 +122,7 @@ def enumerate_all(catalogs: tuple[Path, ...], extensions: tuple[str, ...], as_js
 
 
 @catalog.command("validate")
-@_EXTENSIONS
+@EXTENSIONS
 @click.option(
     "--assets",
     type=click.Path(exists=True, path_type=Path),
@@ -148,16 +142,13 @@ def validate_paths(
 
     Example: sdgen catalog validate my_hazards/
     """
-    from sdgen.engines.fit import check_against_styles, misfits, parts_by_category
+    from sdgen.engines.fit import check_buildable, misfits
     from sdgen.home.drawing_check import check_drawings
 
     found = _load(paths, extensions)
     library = load_library(assets)
     check_drawings(found, library, paths)
-    check_against_library(
-        found, library.states_by_category(), parts_by_category(library), library.holding()
-    )
-    check_against_styles(found, library)
+    check_buildable(found, library)
     trial = misfits(found, library, BuildOptions(extensions=split_names(extensions)))
     for line in trial.warnings:
         click.echo(f"warning: {line}", err=True)

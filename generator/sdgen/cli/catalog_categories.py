@@ -10,19 +10,14 @@ from typing import TYPE_CHECKING
 import click
 
 from sdgen.cli.params import split_names
-from sdgen.cli.shared_options import ASSETS
+from sdgen.cli.shared_options import ASSETS, EXTENSIONS
 
 if TYPE_CHECKING:
     from sdgen.catalog.inventory import Stocked
 
 
 @click.command("categories")
-@click.option(
-    "--extensions",
-    multiple=True,
-    metavar="NAME,...",
-    help="Shipped packs to switch on, such as electrical,heat,water.",
-)
+@EXTENSIONS
 @ASSETS
 @click.option(
     "--name",

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sdgen.cli.params import split_names
-from sdgen.cli.shared_options import ASSETS, CATALOGS
+from sdgen.cli.shared_options import ASSETS, CATALOGS, EXTENSIONS
 from sdgen.errors import SdgenError, UsageError, did_you_mean
 
 if TYPE_CHECKING:
@@ -62,12 +62,7 @@ _REFUSED: dict[Why, str] = {
     help="Write the hazard with what fits, to be reviewed; a new file.",
 )
 @CATALOGS
-@click.option(
-    "--extensions",
-    multiple=True,
-    metavar="NAME,...",
-    help="Shipped packs of hazards to switch on.",
-)
+@EXTENSIONS
 @ASSETS
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def propose(

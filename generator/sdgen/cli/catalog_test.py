@@ -10,7 +10,7 @@ import click
 
 from sdgen.cli.bar import bar
 from sdgen.cli.params import split_names
-from sdgen.cli.shared_options import ASSETS, RENDERER
+from sdgen.cli.shared_options import ASSETS, EXTENSIONS, RENDERER
 from sdgen.errors import UsageError
 from sdgen.options import MAX_SEED
 
@@ -23,12 +23,7 @@ _NAMED = 50
 
 
 @click.command("test")
-@click.option(
-    "--extensions",
-    multiple=True,
-    metavar="NAME,...",
-    help="Shipped packs of hazards to switch on and test, such as electrical,heat,water.",
-)
+@EXTENSIONS
 @ASSETS
 @click.option(
     "--hazard", "hazards", multiple=True, metavar="ID,...", help="Only these hazards; repeatable."
@@ -106,9 +101,8 @@ def test_hazards(
     Example: sdgen catalog test my_hazards --out tried
     Example: sdgen catalog test --extensions heat --limit 50
     """
-    from sdgen.catalog.enumeration import check_against_library
     from sdgen.catalog.load import load_catalog
-    from sdgen.engines.fit import check_against_styles, parts_by_category
+    from sdgen.engines.fit import check_buildable
     from sdgen.engines.machine import default_workers
     from sdgen.engines.trials import Trials, try_all
     from sdgen.gallery.trials_page import begin_trials, trials_report, write_trials
@@ -120,10 +114,7 @@ def test_hazards(
     catalog = load_catalog(paths, extensions=split_names(extensions))
     library = load_library(assets)
     check_drawings(catalog, library, paths)
-    check_against_library(
-        catalog, library.states_by_category(), parts_by_category(library), library.holding()
-    )
-    check_against_styles(catalog, library)
+    check_buildable(catalog, library)
     names = _meant(catalog, split_names(hazards), paths, split_names(extensions))
     choice = None if out is None or no_pictures else choose_renderer(renderer)
     pictures = begin_trials(out) if out is not None else None

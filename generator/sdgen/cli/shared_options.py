@@ -17,6 +17,12 @@ CATALOGS = click.option(
     multiple=True,
     help="Extra catalogue folder or file; repeatable.",
 )
+EXTENSIONS = click.option(
+    "--extensions",
+    multiple=True,
+    metavar="NAME,...",
+    help="Shipped packs of hazards to switch on, such as electrical,heat,water.",
+)
 ASSETS = click.option(
     "--assets",
     type=click.Path(exists=True, path_type=Path),

@@ -6,12 +6,11 @@ import dataclasses
 import time
 from pathlib import Path
 
-from sdgen.catalog.load import check_against_library
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.vocabularies import vocabularies
 from sdgen.dataset.writer import DatasetWriter
 from sdgen.engines.early_stop import EarlyStop
-from sdgen.engines.fit import check_against_styles, misfits, parts_by_category
+from sdgen.engines.fit import check_buildable, misfits
 from sdgen.engines.machine import held_mb
 from sdgen.engines.protocol import Engine, Outcome
 from sdgen.engines.registry import ENGINES, EngineOptions, check_engine
@@ -160,10 +159,7 @@ def _check(
     A build that goes on (``begun``) has found the hazards' places before.
     """
     check_named(options.only, catalog)
-    check_against_library(
-        catalog, library.states_by_category(), parts_by_category(library), library.holding()
-    )
-    check_against_styles(catalog, library)
+    check_buildable(catalog, library)
     bases, mixes = homes_of(catalog, options)
     classes = hosted(catalog, bases, bool(mixes), options.only)
     check_range(options.hazards_min, options.hazards_max, len(classes))

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Collection
 from dataclasses import dataclass, field
 
+from sdgen.catalog.enumeration import check_against_library
 from sdgen.catalog.records import Catalog, Hazard, SetRecipe
 from sdgen.catalog.styles import check_styles
 from sdgen.engines.early_stop import none_left
@@ -56,6 +57,15 @@ class Misfits:
 
     problems: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
+
+
+def check_buildable(catalog: Catalog, library: Library) -> None:
+    """Raise InputError for what the catalogue names and no model of the library can be, hold, or
+    match."""
+    check_against_library(
+        catalog, library.states_by_category(), parts_by_category(library), library.holding()
+    )
+    check_against_styles(catalog, library)
 
 
 def check_against_styles(catalog: Catalog, library: Library) -> None:

@@ -138,6 +138,32 @@ def test_over_an_edge(home: FurnishedHome, reach_m: tuple[float, float]) -> None
         assert -reach_m[1] - 0.005 <= nearest <= -reach_m[0] + 0.04
 
 
+def test_near_on_the_floor_plan_is_near_at_any_height(home: FurnishedHome) -> None:
+    near = Near(to=("kitchen_counter", "sink_cabinet", "tv_stand", "desk"), max_m=0.1)
+    above = place(categories=("mug",), targets=("wall_shelf", "fridge"), min_height_m=1.4)
+    with pytest.raises(AssertionError, match="no place"):
+        put(home, above.model_copy(update={"near": near}))
+    from_above = near.model_copy(update={"from_above": True})
+    layout, made = put(home, above.model_copy(update={"near": from_above}))
+    mug, *others = (
+        Body(layout.items[k], layout.info(k))
+        for k in (made.object_id, *categories(layout, *near.to))
+    )
+    plan = [gaps(mug.low[:2], mug.high[:2], o.low[None, :2], o.high[None, :2])[0] for o in others]
+    assert min(plan) <= 0.15  # measured at the box that it fills, turned
+
+
+def test_near_is_in_the_same_room(home: FurnishedHome) -> None:
+    """A metre from a bed may be beyond a wall."""
+    for k in range(TRIES):
+        layout = home.layout.copy(node_ids(lane(4, k, "ids"), home.ids))
+        beds = {layout.items[b].room_id for b in categories(layout, "bed")}
+        recipe = place(near=Near(to=("bed",), max_m=2.0))
+        for candidate in candidates("spill", [recipe], layout, home.context):
+            made = inject_candidate(candidate, layout, home.context, (), lane(4, k, "near"))
+            assert made is None or layout.items[made.object_id].room_id in beds
+
+
 def test_set_only_what_is_near(home: FurnishedHome) -> None:
     near = Near(to=("bed",), max_m=0.8)
     layout, made = put(

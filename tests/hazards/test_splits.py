@@ -4,7 +4,7 @@ from collections import Counter
 
 from sdgen.catalog.enumeration import enumerate_anomalies
 from sdgen.catalog.load import load_catalog
-from sdgen.hazards.splits import SplitModels, split_of_home, withheld_anomaly
+from sdgen.hazards.splits import SplitModels, split_of_home, withheld_anomaly, withholds
 
 from tests.shipped import shipped_library
 
@@ -39,6 +39,17 @@ def test_some_unique_anomalies_are_withheld_but_no_hazard_as_a_whole():
     assert {one.hazard for one in unique if not withheld_anomaly(one)} == {
         one.hazard for one in unique
     }
+
+
+def test_a_hazard_of_few_ways_withholds_none() -> None:
+    """Or one of a single way, as an author's first is, would happen in no training home."""
+    catalog = load_catalog(extensions=["water", "heat"])
+    few, many = catalog.hazard("wet_floor"), catalog.hazard("candle_on")
+    assert any(
+        withheld_anomaly(one) for one in enumerate_anomalies(catalog) if one.hazard == few.id
+    )
+    assert not withholds(few)
+    assert withholds(many)
 
 
 def test_a_suite_is_withheld_as_a_whole():

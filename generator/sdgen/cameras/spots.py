@@ -18,7 +18,7 @@ from shapely.geometry.base import BaseGeometry
 
 from sdgen.actions import in_state
 from sdgen.cameras.outdoors import outer_opening
-from sdgen.catalog.records import PlaceRecipe, Recipe, SetRecipe
+from sdgen.catalog.records import Before, Near, PlaceRecipe, Recipe, SetRecipe
 from sdgen.facts import Body
 from sdgen.geometry import Array
 from sdgen.home.context import HomeContext
@@ -70,10 +70,8 @@ class Wanted:
     zone: tuple[str, ...] = ()
     avoid: tuple[str, ...] = ()
     #: Furniture that it is to be so near to, and what it is to be so far before.
-    near: tuple[str, ...] = ()
-    near_m: float = 0.0
-    before: tuple[str, ...] = ()
-    before_m: float = 0.0
+    near: Near | None = None
+    before: Before | None = None
 
 
 @dataclass(frozen=True)
@@ -265,19 +263,20 @@ class _Surfaces:
             fits &= self._within(wanted.zone, surface.room, points)
         if wanted.avoid:
             fits &= ~self._within(wanted.avoid, surface.room, points)
-        if wanted.near:
-            fits &= self._near(wanted.near, wanted.near_m + _HALF_M, points)
-        if wanted.before:
-            fits &= self._before(wanted.before, wanted.before_m, points)
+        if wanted.near is not None:
+            fits &= self._near(wanted.near, points)
+        if wanted.before is not None:
+            fits &= self._before(wanted.before, points)
         return fits
 
-    def _near(self, names: tuple[str, ...], within_m: float, points: Array) -> Bools:
-        boxes = self._boxes(names)
+    def _near(self, near: Near, points: Array) -> Bools:
+        boxes = self._boxes(near.to)
         if not len(boxes):
             return np.zeros(len(points), dtype=np.bool_)
         outside = np.maximum(boxes[:, 0] - points[:, None], points[:, None] - boxes[:, 1])
-        apart = np.linalg.norm(np.maximum(outside, 0.0), axis=-1)
-        return np.asarray(apart.min(axis=1) <= within_m)
+        axes = slice(0, 2 if near.from_above else 3)
+        apart = np.linalg.norm(np.maximum(outside, 0.0)[..., axes], axis=-1)
+        return np.asarray(apart.min(axis=1) <= near.max_m + _HALF_M)
 
     def _boxes(self, names: tuple[str, ...]) -> Array:
         """Lowest and highest corners of what is called so, (N, 2, 3)."""
@@ -288,8 +287,9 @@ class _Surfaces:
             self._boxes_of[names] = np.reshape(corners, (-1, 2, 3)).astype(np.float64)
         return self._boxes_of[names]
 
-    def _before(self, names: tuple[str, ...], deep_m: float, points: Array) -> Bools:
-        strips = [strip_before(item, deep_m, self._layout) for item in self._called(names)]
+    def _before(self, before: Before, points: Array) -> Bools:
+        items = self._called(before.of)
+        strips = [strip_before(item, before.max_m, self._layout) for item in items]
         shape = shapely.union_all(strips)
         return np.asarray(shapely.contains_xy(shape, points[:, 0], points[:, 1]))
 
@@ -346,25 +346,19 @@ def _wanted(recipe: PlaceRecipe, target: str, context: HomeContext) -> Wanted:
         recipe.max_height_m,
         recipe.zone,
         recipe.avoid_zones,
-        *_company(recipe, context),
+        _near_furniture(recipe, context),
+        recipe.before,
     )
 
 
-def _company(
-    recipe: PlaceRecipe, context: HomeContext
-) -> tuple[tuple[str, ...], float, tuple[str, ...], float]:
-    """The furniture that a recipe's thing is to be near and before, how near and how far before;
-    nothing where it brings small things along: these may lie wherever it does."""
-    near, before = recipe.near, recipe.before
+def _near_furniture(recipe: PlaceRecipe, context: HomeContext) -> Near | None:
+    """The furniture that a recipe's thing is to be near; None where it is small things that it
+    brings along: these may lie wherever it does."""
+    near = recipe.near
     fixed = near is not None and all(
         context.catalog.category(name).kind in ("furniture", "opening") for name in near.to
     )
-    return (
-        near.to if near is not None and fixed else (),
-        near.max_m if near is not None and fixed else 0.0,
-        before.of if before is not None else (),
-        before.max_m if before is not None else 0.0,
-    )
+    return near if fixed else None
 
 
 def _everyday(context: HomeContext, layout: Layout) -> dict[Wanted, float]:

@@ -48,13 +48,15 @@ CategoryKind = Literal["small", "furniture", "opening", "structure", "hazard_onl
 
 
 class Near(Record):
-    """No farther than ``max_m``, box to box, from something of the categories ``to`` (in
-    ``to_state``, if any). ``bring``: what is in another state is brought into it, and where there
-    is none, one is put there, too; with a ``count`` above 1 so many are put there."""
+    """No farther than ``max_m`` from something of the categories ``to`` (in ``to_state``, if any)
+    in the same room: box to box, or ``from_above`` on the floor plan, whatever the heights.
+    ``bring``: what is in another state is brought into it, and where there is none, one is put
+    there, too; with a ``count`` above 1 so many are put there."""
 
     to: Annotated[tuple[str, ...], names_of("category"), Expect("a category or a list of them")]
     to_state: State | None = None
     max_m: Annotated[float, between(0.0, 5.0)]
+    from_above: bool = False
     bring: bool = False
     count: Annotated[int, between(1, 8)] = 1
 

@@ -70,12 +70,15 @@ def _fit(
 
 @dataclass(frozen=True)
 class Nook:
-    """Where a thing may be for its company's sake: within ``near_m`` of the box from ``low`` to
-    ``high`` (3,), and on a floor with its middle in ``before``; None: there is no such wish."""
+    """Where a thing may be for its company's sake: in the room ``room_id``, within ``near_m`` of
+    the box from ``low`` to ``high`` (3,), ``from_above`` at any height, and on a floor with its
+    middle in ``before``; None: there is no such wish."""
 
     low: Array | None = None
     high: Array | None = None
     near_m: float = 0.0
+    from_above: bool = False
+    room_id: int | None = None
     before: BaseGeometry | None = None
 
     def takes(self, bulk: Bulk, spot: Vec3Yaw) -> bool:
@@ -89,6 +92,8 @@ class Nook:
         """Whether something on or in a piece of furniture may be near enough at all."""
         if self.low is None:
             return True
+        if item.room_id != self.room_id:
+            return False
         body = Body(item, layout.library.info(item.asset))
         return self._within(body.low, body.high)
 
@@ -103,7 +108,9 @@ class Nook:
     def _within(self, low: Array, high: Array) -> bool:
         if self.low is None or self.high is None:
             return True
-        return bool(gaps(low, high, self.low[None], self.high[None])[0] <= self.near_m)
+        axes = slice(0, 2 if self.from_above else 3)
+        apart = gaps(low[axes], high[axes], self.low[None, axes], self.high[None, axes])[0]
+        return bool(apart <= self.near_m)
 
 
 def nook_by(recipe: PlaceRecipe, item: ObjectInstance | None, layout: Layout) -> Nook | None:
@@ -120,7 +127,8 @@ def nook_by(recipe: PlaceRecipe, item: ObjectInstance | None, layout: Layout) ->
     if recipe.near is None or item is None:
         return Nook(before=before)
     body = Body(item, layout.library.info(item.asset))
-    return Nook(body.low, body.high, recipe.near.max_m, before)
+    near = recipe.near
+    return Nook(body.low, body.high, near.max_m, near.from_above, item.room_id, before)
 
 
 def near_some(
@@ -130,6 +138,7 @@ def near_some(
     near = recipe.near
     if near is None:
         return list(items)
+    axes = slice(0, 2 if near.from_above else 3)
     others = [
         Body(one, layout.library.info(one.asset))
         for one in layout.items.values()
@@ -139,9 +148,9 @@ def near_some(
     for item in items:
         body = Body(item, layout.library.info(item.asset))
         apart = (
-            gaps(body.low, body.high, other.low[None], other.high[None])[0]
+            gaps(body.low[axes], body.high[axes], other.low[None, axes], other.high[None, axes])[0]
             for other in others
-            if other.item.id != item.id
+            if other.item.id != item.id and other.item.room_id == item.room_id
         )
         if min(apart, default=np.inf) <= near.max_m:
             out.append(item)

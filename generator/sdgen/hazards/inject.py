@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from sdgen.catalog.records import Hazard, PlaceRecipe, UniqueAnomaly
 from sdgen.hazards.candidates import Candidate, candidates, weighted_order
 from sdgen.hazards.placing import Injected, already_set, inject_candidate, is_set_so
-from sdgen.hazards.splits import withheld_anomaly
+from sdgen.hazards.splits import withheld_anomaly, withholds
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
 from sdgen.rejection import Rejection, reject
@@ -30,7 +30,7 @@ def inject(
     for hazard_id in hazards:
         hazard = context.catalog.hazard(hazard_id)
         allowed = candidates(hazard_id, hazard.anomalies, layout, context)
-        if training:
+        if training and withholds(hazard):
             allowed = [one for one in allowed if not withheld_anomaly(one.unique)]
         taken = _objects(anomalies)
         order = weighted_order(allowed, rng)[:CANDIDATES_TRIED]

@@ -10,7 +10,7 @@ from collections.abc import Collection
 from functools import cache
 from typing import Literal
 
-from sdgen.catalog.records import Catalog, UniqueAnomaly
+from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, UniqueAnomaly
 from sdgen.library import Asset, Library
 from sdgen.seeding import unit_hash
 
@@ -25,6 +25,8 @@ WITHHELD_ASSETS = 0.2
 WITHHELD_ANOMALIES = 0.15
 #: A category with fewer models than this is never withheld: train would lose it.
 FEWEST_MODELS = 3
+#: And of a hazard with fewer ways to happen than this none is: train might lose them all.
+FEWEST_WAYS = 10
 
 
 def split_of_home(home_id: str) -> Split:
@@ -47,12 +49,24 @@ def _withheld(peers: tuple[tuple[str, str | None], ...]) -> frozenset[str]:
     return frozenset(drawn[: len(peers) // 3])
 
 
+def withholds(hazard: Hazard) -> bool:
+    """Whether some of a hazard's unique anomalies may be withheld from train."""
+    placed = (recipe for recipe in hazard.anomalies if isinstance(recipe, PlaceRecipe))
+    ways = {
+        (category, recipe.state, recipe.relation, target)
+        for recipe in placed
+        for category in recipe.categories
+        for target in recipe.targets
+    }
+    return len(ways) >= FEWEST_WAYS
+
+
 def withheld_anomaly(anomaly: UniqueAnomaly) -> bool:
-    """True for a unique anomaly that train never shows."""
+    """True for a unique anomaly that train never shows, of a hazard that withholds some."""
     key = [anomaly.hazard, anomaly.category, anomaly.state, anomaly.relation, anomaly.target]
     if anomaly.room is not None:
         key.append(anomaly.room)
-    # A hazard with one way to happen (fridge_open) has no target and is never withheld.
+    # What is only set to a state (an open fridge) has no target and is never withheld.
     return anomaly.target is not None and unit_hash("anomaly", *key) < WITHHELD_ANOMALIES
 
 

@@ -66,6 +66,7 @@ def put_by(
             for room in context.home.rooms
             if (not recipe.rooms or room.type in recipe.rooms)
             and candidate.unique.room in (None, room.type)
+            and nook.room_id in (None, room.id)
             and context.shows.anything_on(room.id)
             and not (benign and _beside_itself(asset, context.floor_id(room.id), layout, context))
             and not (benign and _enough(asset, room.id, layout, context))
@@ -206,10 +207,12 @@ def _place_on_floor(
     gap_m: float,
 ) -> int | None:
     asset, bulk = layout.library.assets[thing.asset], layout.bulk_of(thing)
+    floor = nook.floor(bulk)
+    if floor is not None:
+        rooms = [r for r in rooms if context.ground(r.id).outline.intersects(floor)]
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
         ground = context.ground(room.id, recipe.avoid_zones, recipe.zone)
-        floor = nook.floor(bulk)
         if floor is not None:
             ground = ground.within(floor)
         for _ in range(SPOTS_TRIED * (1 if floor is None else MORE_SPOTS)):

@@ -274,8 +274,7 @@ class _Surfaces:
         if not len(boxes):
             return np.zeros(len(points), dtype=np.bool_)
         outside = np.maximum(boxes[:, 0] - points[:, None], points[:, None] - boxes[:, 1])
-        axes = slice(0, 2 if near.from_above else 3)
-        apart = np.linalg.norm(np.maximum(outside, 0.0)[..., axes], axis=-1)
+        apart = np.linalg.norm(np.maximum(outside, 0.0)[..., near.axes], axis=-1)
         return np.asarray(apart.min(axis=1) <= near.max_m + _HALF_M)
 
     def _boxes(self, names: tuple[str, ...]) -> Array:

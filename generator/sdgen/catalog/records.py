@@ -60,6 +60,11 @@ class Near(Record):
     bring: bool = False
     count: Annotated[int, between(1, 8)] = 1
 
+    @property
+    def axes(self) -> slice:
+        """Of x, y and z, those along which it is measured."""
+        return slice(0, 2 if self.from_above else 3)
+
     @model_validator(mode="after")
     def _brought(self) -> Near:
         if self.count > 1 and not self.bring:

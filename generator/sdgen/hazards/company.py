@@ -22,6 +22,7 @@ from sdgen.home.layout import Bulk, Layout, Vec3Yaw, room_to_change
 from sdgen.home.vicinity import strip_before
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
+from sdgen.vocabulary import OPENINGS
 
 #: Bounds the search: things looked at for one to be near, and before.
 COMPANY_TRIED = 4
@@ -70,14 +71,13 @@ def _fit(
 
 @dataclass(frozen=True)
 class Nook:
-    """Where a thing may be for its company's sake: in the room ``room_id``, within ``near_m`` of
-    the box from ``low`` to ``high`` (3,), ``from_above`` at any height, and on a floor with its
-    middle in ``before``; None: there is no such wish."""
+    """Where a thing may be for its company's sake: in the room ``room_id``, as ``near`` as that to
+    the box from ``low`` to ``high`` (3,), and on a floor with its middle in ``before``; None: there
+    is no such wish."""
 
+    near: Near | None = None
     low: Array | None = None
     high: Array | None = None
-    near_m: float = 0.0
-    from_above: bool = False
     room_id: int | None = None
     before: BaseGeometry | None = None
 
@@ -92,25 +92,30 @@ class Nook:
         """Whether something on or in a piece of furniture may be near enough at all."""
         if self.low is None:
             return True
-        if item.room_id != self.room_id:
+        if self.room_id not in (None, item.room_id):
             return False
         body = Body(item, layout.library.info(item.asset))
         return self._within(body.low, body.high)
 
     def floor(self, bulk: Bulk) -> BaseGeometry | None:
         """Where on a floor the middle of what fills this may be; None: anywhere."""
-        if self.low is None or self.high is None:
+        if self.near is None or self.low is None or self.high is None:
             return self.before
-        reach = self.near_m + max(bulk.size_m[:2]) / 2
+        reach = self.near.max_m + max(bulk.size_m[:2]) / 2
         around = shapely.box(*self.low[:2], *self.high[:2]).buffer(reach, quad_segs=4)
         return around if self.before is None else around.intersection(self.before)
 
     def _within(self, low: Array, high: Array) -> bool:
-        if self.low is None or self.high is None:
+        if self.near is None or self.low is None or self.high is None:
             return True
-        axes = slice(0, 2 if self.from_above else 3)
+        axes = self.near.axes
         apart = gaps(low[axes], high[axes], self.low[None, axes], self.high[None, axes])[0]
-        return bool(apart <= self.near_m)
+        return bool(apart <= self.near.max_m)
+
+
+def _room_of(item: ObjectInstance) -> int | None:
+    """The room in which things are near it; None: a door or a window is near in both of its own."""
+    return None if item.category in OPENINGS else item.room_id
 
 
 def nook_by(recipe: PlaceRecipe, item: ObjectInstance | None, layout: Layout) -> Nook | None:
@@ -127,8 +132,7 @@ def nook_by(recipe: PlaceRecipe, item: ObjectInstance | None, layout: Layout) ->
     if recipe.near is None or item is None:
         return Nook(before=before)
     body = Body(item, layout.library.info(item.asset))
-    near = recipe.near
-    return Nook(body.low, body.high, near.max_m, near.from_above, item.room_id, before)
+    return Nook(recipe.near, body.low, body.high, _room_of(item), before)
 
 
 def near_some(
@@ -138,7 +142,7 @@ def near_some(
     near = recipe.near
     if near is None:
         return list(items)
-    axes = slice(0, 2 if near.from_above else 3)
+    axes = near.axes
     others = [
         Body(one, layout.library.info(one.asset))
         for one in layout.items.values()
@@ -150,7 +154,7 @@ def near_some(
         apart = (
             gaps(body.low[axes], body.high[axes], other.low[None, axes], other.high[None, axes])[0]
             for other in others
-            if other.item.id != item.id and other.item.room_id == item.room_id
+            if other.item.id != item.id and _room_of(other.item) in (None, item.room_id)
         )
         if min(apart, default=np.inf) <= near.max_m:
             out.append(item)

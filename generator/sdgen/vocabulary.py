@@ -92,6 +92,8 @@ ZONE_SHARE_MARGIN = 0.15
 #: takes what is in the way for something put aside. Of 3,354 spots with 0.7 in walkways, 102
 #: were on no way of the audit's and beside a wall or furniture; of 3,317 such ones, 50.
 ZONE_KEEP_SHARE = 0.99
+#: And what has its ends beside it, a cord that lies across a way: surely more in than out.
+ZONE_ACROSS_SHARE = 0.7
 #: Of its footprint, what may reach into a zone to be avoided: a thing at the edge of a walkway is
 #: in nobody's way, and zones taken whole would leave small rooms bare.
 ZONE_AVOID_SHARE = 0.2

@@ -19,6 +19,7 @@ from sdgen.library.states import rest_states
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import lane
+from shapely.geometry.base import BaseGeometry
 
 from tests.shipped import shipped_library
 
@@ -145,6 +146,9 @@ class _Nothing:
 
     def anything_on(self, _target_id: int) -> bool:
         return False
+
+    def floor(self, shape: BaseGeometry) -> BaseGeometry:
+        return shape
 
 
 def test_a_fridge_is_as_full_open_as_shut() -> None:

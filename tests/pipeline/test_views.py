@@ -87,6 +87,9 @@ def test_a_hazard_that_no_view_can_show_is_not_tried_for(furnished):
         def anything_on(self, target_id):
             return False
 
+        def floor(self, shape):
+            return shape
+
     with Client() as client:
         home = overlooked(furnished, 8, client, lane())
     object.__setattr__(home.context, "shows", Nothing())

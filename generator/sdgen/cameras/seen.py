@@ -6,6 +6,8 @@ from collections import defaultdict
 from collections.abc import Collection, Sequence
 
 import numpy as np
+import shapely
+from shapely.geometry.base import BaseGeometry
 
 from sdgen.cameras.framing import Bools, Framed, enough, facing_pixels, framed, glance_pixels
 from sdgen.cameras.parts import part_area, world_triangles
@@ -27,6 +29,8 @@ _SLACK_M = (0.02, 0.15)
 #: Parts that tell must show so many times what rays will count in the end: a thing hides some of
 #: its own sides, and what is put there later more.
 _TELLING_TIMES = 1.2
+#: Floors are looked at so closely, metres.
+_PATCH_M = 0.2
 
 
 class Seen:
@@ -64,6 +68,21 @@ class Seen:
     def anything_on(self, target_id: int) -> bool:
         """False when no view would show a thing on a piece of furniture, or on a room's floor."""
         return target_id not in self._hidden
+
+    def floor(self, shape: BaseGeometry) -> BaseGeometry:
+        """The part of a floor that views have in their pictures with no furniture before it,
+        roughly: what is small and lies elsewhere is not seen."""
+        if shape.is_empty:
+            return shape
+        x0, y0, x1, y1 = shape.bounds
+        x, y = np.meshgrid(np.arange(x0, x1, _PATCH_M), np.arange(y0, y1, _PATCH_M))
+        points = np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
+        at = framed(self._poses, points)
+        seen = points[(at.inside & self._unhidden(at)).any(axis=0)]
+        # Each point speaks for what is nearer to it than to its neighbours, and a little more:
+        # things are larger than points.
+        patches = shapely.box(*(seen[:, :2] - _PATCH_M).T, *(seen[:, :2] + _PATCH_M).T)
+        return shape.intersection(shapely.union_all(patches))
 
     def set_to(self, object_id: int, state: str) -> tuple[ObjectInstance, ...]:
         """An object in a state, its leaves as far open as some view shows them."""

@@ -29,6 +29,7 @@ def cases(recipe: Recipe) -> list[Case]:
             recipe.min_height_m,
             recipe.max_height_m,
             recipe.not_state,
+            recipe.zone_share,
         )
         for category in recipe.categories
         for target in recipe.targets

@@ -76,7 +76,8 @@ def check_against_library(
         if not made:
             names = sorted({c for recipe in hazard.anomalies for c in recipe.categories})
             problems.append(
-                f"hazard {hazard.id}: no model of any of its objects ({', '.join(names)})"
+                f"hazard {hazard.id}: no model of any of its objects ({', '.join(names)}): name "
+                "the folder of your models with --assets"
             )
         problems += _unknown_parts(hazard, library_parts)
         if library_holding is not None:

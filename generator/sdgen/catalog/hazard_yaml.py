@@ -93,6 +93,7 @@ class PlaceYaml(Record):
     relation: HoldingRelation
     target: Categories
     zone: Zones = ()
+    across: bool = False
     avoid_zones: Zones = ()
     rooms: RoomNames = ()
     min_height_m: _Height | None = None
@@ -117,6 +118,8 @@ class PlaceYaml(Record):
             refuse(problem(("before",), "before needs 'target: floor'"))
         if self.over_edge is not None and (self.relation != "ON" or "floor" in self.target):
             refuse(problem(("over_edge",), "over_edge needs 'relation: ON' and furniture to be on"))
+        if self.across and not self.zone:
+            refuse(problem(("across",), "across needs a zone that it lies across"))
         if self.zone and self.avoid_zones:
             refuse(problem(("avoid_zones",), "avoid_zones does nothing beside a zone"))
         return self

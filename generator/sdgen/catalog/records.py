@@ -34,7 +34,14 @@ from sdgen.catalog.words import (
 from sdgen.geometry import Coordinate, Vec3
 from sdgen.scene import Notify, Record
 from sdgen.strict import Expect, problem, refuse
-from sdgen.vocabulary import EVIDENCE_PIXELS, HoldingRelation, OpeningKind, Urgency
+from sdgen.vocabulary import (
+    EVIDENCE_PIXELS,
+    ZONE_ACROSS_SHARE,
+    ZONE_KEEP_SHARE,
+    HoldingRelation,
+    OpeningKind,
+    Urgency,
+)
 
 Group = Literal["safety", "sanitation", "child_safety"]
 Label = Literal["unsafe", "unsanitary", "unsafe for children"]
@@ -84,10 +91,11 @@ class PlaceRecipe(Record):
     """Put a new object of one of ``categories`` (in ``state``, if any) ``relation`` a target.
 
     ``targets`` are receptacle categories or ``floor``; ``zone`` asks for a spot in such a zone
-    (on the floor or on what lies flat on it), ``avoid_zones`` for one clear of them; ``rooms``
-    restricts rooms. Models that come in one of the states of ``not_state`` (a cut apple) are left
-    out. ``near`` and ``before`` name other things it is to be by; ``over_edge`` [least, most] says
-    how far it reaches over the edge of its target, metres, with less than 0 within it.
+    (on the floor or on what lies flat on it), wholly or, ``across``, with its ends out of it,
+    ``avoid_zones`` for one clear of them; ``rooms`` restricts rooms. Models that come in one of the
+    states of ``not_state`` (a cut apple) are left out. ``near`` and ``before`` name other things
+    it is to be by; ``over_edge`` [least, most] says how far it reaches over the edge of its target,
+    metres, with less than 0 within it.
     """
 
     kind: Literal["place"] = "place"
@@ -97,6 +105,7 @@ class PlaceRecipe(Record):
     relation: HoldingRelation
     targets: tuple[str, ...]
     zone: tuple[str, ...] = ()
+    across: bool = False
     avoid_zones: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     min_height_m: float | None = None
@@ -105,6 +114,11 @@ class PlaceRecipe(Record):
     before: Before | None = None
     over_edge: tuple[float, float] | None = None
     weight: AboveZero = 1.0
+
+    @property
+    def zone_share(self) -> float:
+        """How much of its footprint a thing has in the zone that is asked for, at least."""
+        return ZONE_ACROSS_SHARE if self.across else ZONE_KEEP_SHARE
 
 
 class SetRecipe(Record):

@@ -40,6 +40,13 @@ _SOURCES = ("ycb", "gso", "replicacad", "fantastic-breaks", "folder")
     multiple=True,
     help="YAML of your own that says which category models are; repeatable.",
 )
+@click.option(
+    "--catalog",
+    "catalogs",
+    type=click.Path(exists=True, path_type=Path),
+    multiple=True,
+    help="Catalogue of your own whose categories models may be, too; repeatable.",
+)
 @click.option("--licence", metavar="SPDX", help="Licence of the models, where no file says it.")
 @click.option("--attribution", metavar="TEXT", help="Whom to name for them.")
 @click.option(
@@ -64,6 +71,7 @@ def import_assets(
     library: Path,
     names: tuple[str, ...],
     tables: tuple[Path, ...],
+    catalogs: tuple[Path, ...],
     licence: str | None,
     attribution: str | None,
     non_commercial: bool,
@@ -102,7 +110,8 @@ def import_assets(
         overwrite,
     )
     with bar("importing") as on_model:
-        report = import_models(asked, load_catalog(), on_model, workers or usable_cores(), names)
+        workers = workers or usable_cores()
+        report = import_models(asked, load_catalog(catalogs), on_model, workers, names)
     if as_json:
         click.echo(json.dumps(_as_json(report), indent=1))
     else:

@@ -9,9 +9,10 @@ from typing import Any
 
 import click
 
+from sdgen.catalog.advice import advice
 from sdgen.catalog.enumeration import enumerate_anomalies
 from sdgen.catalog.load import load_catalog
-from sdgen.catalog.records import Catalog, Hazard, PlaceRecipe, Recipe
+from sdgen.catalog.records import Catalog, Hazard, Near, PlaceRecipe, Recipe
 from sdgen.cli.catalog_categories import list_categories
 from sdgen.cli.catalog_new import new_hazard
 from sdgen.cli.catalog_propose import propose
@@ -138,7 +139,8 @@ def validate_paths(
     What is sound is then tried as a build tries it first: each hazard is placed in up to twelve
     furnished homes, twenty tries each, without physics, and named if it fits nowhere, is always
     another hazard too, or is true of the furniture of most homes before anything is done (of some
-    homes: a warning). That takes a second or two, and about as long again per such hazard.
+    homes: a warning). What its recipes leave to chance is a warning, too. That takes a second or
+    two, and about as long again per such hazard.
 
     Example: sdgen catalog validate my_hazards/
     """
@@ -150,7 +152,8 @@ def validate_paths(
     check_drawings(found, library, paths)
     check_buildable(found, library)
     trial = misfits(found, library, BuildOptions(extensions=split_names(extensions)))
-    for line in trial.warnings:
+    chances = [line for hazard in found.hazards for line in advice(hazard)]
+    for line in (*chances, *trial.warnings):
         click.echo(f"warning: {line}", err=True)
     if trial.problems:
         raise InputError(list(trial.problems))
@@ -198,16 +201,32 @@ def _sheet(hazard: Hazard) -> list[str]:
     return lines
 
 
+def _near_words(near: Near) -> str:
+    state = f"{near.to_state.lower()} " if near.to_state else ""
+    many = f"{near.count} of " if near.count > 1 else ""
+    others = f"{many}{state}{' or '.join(near.to)}"
+    seen = " seen from above" if near.from_above else ""
+    brought = ", which it brings along" if near.bring else ""
+    return f"within {near.max_m:g} m{seen} of {others}{brought}"
+
+
 def _recipe_line(recipe: Recipe) -> str:
     things = ", ".join(recipe.categories)
     if not isinstance(recipe, PlaceRecipe):
-        return f"set {things} {recipe.state}"
+        near = f" {_near_words(recipe.near)}" if recipe.near is not None else ""
+        return f"set {things} {recipe.state}{near}"
     text = f"{recipe.state.lower() + ' ' if recipe.state else ''}{things} {recipe.relation} "
     text += ", ".join(recipe.targets)
     if recipe.zone:
-        text += f" in a {' or '.join(recipe.zone)}"
+        text += f" {'across' if recipe.across else 'in'} a {' or '.join(recipe.zone)}"
     if recipe.avoid_zones:
         text += f" clear of {', '.join(recipe.avoid_zones)}"
+    if recipe.near is not None:
+        text += f" {_near_words(recipe.near)}"
+    if recipe.before is not None:
+        text += f" at most {recipe.before.max_m:g} m before a {' or '.join(recipe.before.of)}"
+    if recipe.over_edge is not None:
+        text += " reaching {:g} to {:g} m over the edge".format(*recipe.over_edge)
     if recipe.min_height_m is not None:
         text += f" at {recipe.min_height_m:g} m or higher"
     if recipe.max_height_m is not None:

@@ -24,7 +24,9 @@ def trial_picture(found: Fits, library: Library, renderer: Renderer) -> npt.NDAr
     """The thing and what is around it, (H, W, 3), from the view in which it is largest."""
     facts, scene = found.facts, found.facts.scene
     item = scene.object(found.anomaly.object_id)
-    points = part_points(library, item, ())
+    # With what makes it an anomaly: the bowl that a trap is beside.
+    shown_with = [scene.object(key) for key in found.anomaly.evidence_objects]
+    points = np.concatenate([part_points(library, one, ()) for one in (item, *shown_with)])
     poses = poses_of(found.views)
     best = poses[int(rectangle_pixels(poses, points).argmax())]
     camera = close_up(best, points, item.room_id, SIZE)

@@ -38,6 +38,28 @@ def candidates(
     ]
 
 
+def lacking(recipes: Sequence[Recipe], layout: Layout, context: HomeContext) -> str | None:
+    """What the home has none of, nor may get, and each of the recipes needs: the first such thing
+    of the first recipe that is kept from its rooms by nothing else. None: something else fails."""
+    present = {item.category for item in layout.items.values()} | {"floor"}
+    wanting: list[str] = []
+    for recipe in recipes:
+        needs = [recipe.categories] if isinstance(recipe, SetRecipe) else [recipe.targets]
+        brought = [] if isinstance(recipe, SetRecipe) else [recipe.categories]
+        if recipe.near is not None:
+            (brought if recipe.near.bring else needs).append(recipe.near.to)
+        found = [names for names in needs if present.isdisjoint(names)]
+        found += [
+            names
+            for names in brought
+            if present.isdisjoint(names) and not any(context.models(name) for name in names)
+        ]
+        if not found:
+            return None
+        wanting.append(found[0][0])
+    return wanting[0] if wanting else None
+
+
 def _possible(recipe: Recipe, present: Collection[str], context: HomeContext) -> Iterator[Case]:
     """What :func:`~sdgen.catalog.cases.cases` says of a recipe, as far as the home has it."""
     near = recipe.near

@@ -5,12 +5,19 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from sdgen.catalog.records import Hazard, PlaceRecipe, UniqueAnomaly
-from sdgen.hazards.candidates import Candidate, candidates, weighted_order
-from sdgen.hazards.placing import Injected, already_set, inject_candidate, is_set_so
+from sdgen.hazards.candidates import Candidate, candidates, lacking, weighted_order
+from sdgen.hazards.placing import (
+    Injected,
+    already_set,
+    inject_candidate,
+    is_set_so,
+    set_further,
+)
 from sdgen.hazards.splits import withheld_anomaly, withholds
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
 from sdgen.rejection import Rejection, reject
+from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
 
 #: Bound the search; a try that finds no place is cheap and the next is drawn anew.
@@ -36,6 +43,7 @@ def inject(
         order = weighted_order(allowed, rng)[:CANDIDATES_TRIED]
         injected = _brought_already(order, anomalies, layout, context)
         injected = injected or _inject_first(order, layout, context, taken, rng)
+        injected = injected or _of_the_same(order, anomalies, layout, context, rng)
         if injected is None:
             return _no_place(hazard_id, allowed, layout, context)
         anomalies.append(injected)
@@ -82,11 +90,52 @@ def _brought_already(
     return None
 
 
+def _of_the_same(
+    order: Sequence[Candidate],
+    anomalies: Sequence[Injected],
+    layout: Layout,
+    context: HomeContext,
+    rng: Rng,
+) -> Injected | None:
+    """What another anomaly is already, or becomes and stays what it was for that one: the only bath
+    of a home, full, that runs over."""
+    for candidate in order:
+        for other in anomalies:
+            item = layout.items[other.object_id]
+            if is_set_so(candidate, item, layout, context):
+                return Injected(candidate.unique.hazard, item.id, item)
+            kept = _states_of(item, anomalies, context)
+            further = set_further(candidate, item, kept, layout, context, rng)
+            if further is not None:
+                return further
+    return None
+
+
+def _states_of(
+    item: ObjectInstance, anomalies: Sequence[Injected], context: HomeContext
+) -> frozenset[str]:
+    """The states that make a thing the anomalies that it is."""
+    return frozenset(
+        recipe.state
+        for one in anomalies
+        if one.object_id == item.id
+        for recipe in context.catalog.hazard(one.hazard).anomalies
+        if recipe.state is not None
+        and item.category in recipe.categories
+        and recipe.state in item.states
+    )
+
+
 def _no_place(
     hazard_id: str, allowed: Sequence[Candidate], layout: Layout, context: HomeContext
 ) -> Rejection:
-    """``already_set`` with the category and the state, where all recipes ask for what there is
+    """``lacks`` with a category of which the home has none, where each recipe needs one;
+    ``already_set`` with the category and the state, where all recipes ask for what there is
     already; else ``no_place``."""
+    if not allowed:
+        missing = lacking(context.catalog.hazard(hazard_id).anomalies, layout, context)
+        if missing is not None:
+            return reject("hazards", "lacks", hazard=hazard_id, category=missing)
     already = [already_set(one, layout, context) for one in allowed]
     if True in already and False not in already:
         unique = allowed[already.index(True)].unique

@@ -12,7 +12,7 @@ from sdgen.hazards.candidates import Candidate
 from sdgen.hazards.company import companions, near_some
 from sdgen.hazards.spots import TARGETS_TRIED, put_by
 from sdgen.hazards.states import changed
-from sdgen.home.context import HomeContext
+from sdgen.home.context import KEEP_CLEAR, HomeContext
 from sdgen.home.layout import Layout, room_to_change
 from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
@@ -64,15 +64,42 @@ def _set(
         if item.id not in taken and recipe.state not in item.states
     ]
     for k in rng.permutation(len(found)).tolist()[:TARGETS_TRIED]:
-        before = found[k]
-        after = changed(before, recipe.state, layout, context, rng)
-        if after is None or recipe.state not in after.states:
-            continue
-        if not room_to_change(layout, context.home, before, after):
-            continue
-        layout.put(after)
-        return Injected(candidate.unique.hazard, before.id, before)
+        after = _in_state(found[k], recipe, layout, context, rng)
+        if after is not None:
+            layout.put(after)
+            return Injected(candidate.unique.hazard, after.id, found[k])
     return None
+
+
+def _in_state(
+    before: ObjectInstance, recipe: SetRecipe, layout: Layout, context: HomeContext, rng: Rng
+) -> ObjectInstance | None:
+    after = changed(before, recipe.state, layout, context, rng)
+    if after is None or recipe.state not in after.states:
+        return None
+    return after if room_to_change(layout, context.home, before, after) else None
+
+
+def set_further(
+    candidate: Candidate,
+    item: ObjectInstance,
+    kept: Collection[str],
+    layout: Layout,
+    context: HomeContext,
+    rng: Rng,
+) -> Injected | None:
+    """Bring a thing into the candidate's state as well, where it stays in those that are to be
+    ``kept``; None, and no change, where it does not."""
+    recipe = candidate.recipe
+    if not isinstance(recipe, SetRecipe) or item not in _concerned(
+        candidate, recipe, layout, context
+    ):
+        return None
+    after = _in_state(item, recipe, layout, context, rng)
+    if after is None or not set(kept) <= set(after.states):
+        return None
+    layout.put(after)
+    return Injected(candidate.unique.hazard, item.id, item)
 
 
 def _concerned(
@@ -147,7 +174,8 @@ def _place(
         return None
     brought: list[int] = []
     while len(brought) < recipe.near.count:
-        other = _brought_along(candidate, recipe.near, layout.items[put], layout, context, rng)
+        item, in_the_way = layout.items[put], bool(recipe.zone or recipe.before)
+        other = _brought_along(candidate, recipe.near, item, in_the_way, layout, context, rng)
         if other is None:
             for key in (put, *brought):
                 layout.drop(key)
@@ -160,6 +188,7 @@ def _brought_along(
     candidate: Candidate,
     near: Near,
     item: ObjectInstance,
+    in_the_way: bool,
     layout: Layout,
     context: HomeContext,
     rng: Rng,
@@ -175,6 +204,8 @@ def _brought_along(
                 relation="ON",
                 targets=(target,),
                 rooms=(context.room_type(item.room_id),),
+                # What only helps to make it one is in nobody's way, unless it is to be.
+                avoid_zones=() if in_the_way else KEEP_CLEAR,
                 near=Near(to=(item.category,), max_m=near.max_m),
             )
             other = Candidate(unique_anomaly(candidate.unique.hazard, cases(recipe)[0]), recipe)

@@ -27,7 +27,7 @@ from sdgen.home.layout import (
 from sdgen.library.records import Asset
 from sdgen.scene import ObjectInstance, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import ZONE_AVOID_SHARE, ZONE_KEEP_SHARE
+from sdgen.vocabulary import ZONE_AVOID_SHARE
 
 #: What only exists as a hazard lies where it is put: half a millimetre proud of the surface.
 FLUSH_M = 0.0005
@@ -71,7 +71,8 @@ def put_by(
             and not (benign and _beside_itself(asset, context.floor_id(room.id), layout, context))
             and not (benign and _enough(asset, room.id, layout, context))
         ]
-        for gap_m in IN_THE_WAY_M if recipe.zone and not benign else (FLOOR_GAP_M,):
+        in_the_way = recipe.zone and not recipe.across and not benign
+        for gap_m in IN_THE_WAY_M if in_the_way else (FLOOR_GAP_M,):
             put = _place_on_floor(
                 candidate, recipe, thing, nook, rooms, layout, context, rng, gap_m
             )
@@ -186,7 +187,7 @@ def _in_zones(recipe: PlaceRecipe, bulk: Bulk, spot: Vec3Yaw, context: HomeConte
     print_ = shapely.convex_hull(shapely.multipoints(bulk.corners(spot)[:, :2]))
     shape = context.zone_shape(recipe.zone or recipe.avoid_zones)
     share = shape.intersection(print_).area / max(print_.area, LEAST_M2)
-    return bool(share >= ZONE_KEEP_SHARE if recipe.zone else share <= ZONE_AVOID_SHARE)
+    return bool(share >= recipe.zone_share if recipe.zone else share <= ZONE_AVOID_SHARE)
 
 
 def _height_fits(recipe: PlaceRecipe, z: float) -> bool:
@@ -212,7 +213,9 @@ def _place_on_floor(
         rooms = [r for r in rooms if context.ground(r.id).outline.intersects(floor)]
     for k in rng.permutation(len(rooms)).tolist()[:TARGETS_TRIED]:
         room = rooms[k]
-        ground = context.ground(room.id, recipe.avoid_zones, recipe.zone)
+        ground = context.ground(
+            room.id, recipe.avoid_zones, recipe.zone, recipe.zone_share, in_view=True
+        )
         if floor is not None:
             ground = ground.within(floor)
         for _ in range(SPOTS_TRIED * (1 if floor is None else MORE_SPOTS)):

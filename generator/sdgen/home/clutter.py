@@ -210,10 +210,10 @@ def _place_on_floor(
     if picked is None:
         return
     asset = picked.asset
-    ground = context.ground(room.id, KEEP_CLEAR)
     must_show = context.keeps_to_views(asset.category, rng)
     if must_show and not context.shows.anything_on(room.id):
         return
+    ground = context.ground(room.id, KEEP_CLEAR, in_view=must_show)
     for _ in range(SPOTS_TRIED):
         spot = layout.spot_on_floor(asset, ground, rng)
         if spot is None:

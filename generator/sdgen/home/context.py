@@ -26,6 +26,7 @@ from sdgen.zones import floor_obstacles
 
 #: Which models a scene may use (its split decides): category -> models.
 Models = Callable[[str], tuple[Asset, ...]]
+_GroundKey = tuple[int, tuple[str, ...], tuple[str, ...], float, bool]
 
 #: A thing on the floor has its middle at least so far from the walls: what lies there alone has
 #: been dropped or left, not pushed into the angle of wall and floor.
@@ -54,6 +55,10 @@ class Shows(Protocol):
         """True where so many pixels of these parts of a thing will show."""
         ...
 
+    def floor(self, shape: BaseGeometry, /) -> BaseGeometry:
+        """The part of a floor on which things may be seen."""
+        ...
+
     def set_to(self, object_id: int, state: str, /) -> Sequence[ObjectInstance] | None:
         """A piece of furniture brought into a state, in each way that is seen; None: any way."""
         ...
@@ -74,6 +79,10 @@ class Everything:
     def telling(self, _item: ObjectInstance, _parts: Sequence[str], _pixels: int, /) -> bool:
         """True."""
         return True
+
+    def floor(self, shape: BaseGeometry, /) -> BaseGeometry:
+        """All of it."""
+        return shape
 
     def set_to(self, _object_id: int, _state: str, /) -> None:
         """Any way."""
@@ -147,16 +156,28 @@ class HomeContext:
         return self._outline(room_id).buffer(-FLOOR_OFF_WALLS_M)
 
     def ground(
-        self, room_id: int, clear_of: Sequence[str] = (), within: Sequence[str] = ()
+        self,
+        room_id: int,
+        clear_of: Sequence[str] = (),
+        within: Sequence[str] = (),
+        keep_share: float = ZONE_KEEP_SHARE,
+        in_view: bool = False,
     ) -> Ground:
         """The floor of a room that takes things which are to be clear of zones of some kinds, or
-        mostly within some; computed once a home. What is to keep off walkways is put aside."""
-        key = (room_id, tuple(clear_of), tuple(within))
+        with so much of themselves within some, or where they may be seen; computed once a home.
+        What is to keep off walkways is put aside."""
+        key = (room_id, tuple(clear_of), tuple(within), keep_share, in_view)
         if key not in self._grounds:
-            self._grounds[key] = self._ground(*key)
+            ground = self._ground(*key[:-1])
+            if in_view:
+                seen = self.shows.floor(ground.outline)
+                ground = ground.within(seen if ground.area is not None else seen.buffer(ASIDE_M[1]))
+            self._grounds[key] = ground
         return self._grounds[key]
 
-    def _ground(self, room_id: int, clear_of: Sequence[str], within: Sequence[str]) -> Ground:
+    def _ground(
+        self, room_id: int, clear_of: Sequence[str], within: Sequence[str], keep_share: float
+    ) -> Ground:
         outline, avoid = self._outline(room_id), self.zone_shape(clear_of)
         if "walkway" in clear_of and not within:
             # Clipped first: what a room's walls are clear of is little of what stands in a home.
@@ -168,7 +189,7 @@ class HomeContext:
         if not within:
             return Ground(outline, area, avoid=avoid)
         area = area.intersection(self.zone_shape(within, room_id))
-        return Ground(outline, area, keep_share=ZONE_KEEP_SHARE)
+        return Ground(outline, area, keep_share=keep_share)
 
     @cached_property
     def _beside(self) -> BaseGeometry:
@@ -180,7 +201,7 @@ class HomeContext:
         return Polygon(next(room.polygon_m for room in self.home.rooms if room.id == room_id))
 
     @cached_property
-    def _grounds(self) -> dict[tuple[int, tuple[str, ...], tuple[str, ...]], Ground]:
+    def _grounds(self) -> dict[_GroundKey, Ground]:
         return {}
 
     def zone_shape(self, kinds: Sequence[str], room_id: int | None = None) -> BaseGeometry:

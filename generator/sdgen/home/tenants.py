@@ -19,6 +19,7 @@ from sdgen.catalog.records import (
     HomeSpec,
     HouseholdTemplate,
     PlaceRecipe,
+    Recipe,
 )
 from sdgen.home.context import Models
 from sdgen.library.records import Asset, AssetInfo
@@ -51,14 +52,23 @@ class Tenants:
         """
         not_theirs = {c.name for c in catalog.categories if not self.have(c.belongs_to)}
         for hazard in self.asked:
-            needed = {
-                name
-                for recipe in hazard.anomalies
-                for name in (recipe.categories if isinstance(recipe, PlaceRecipe) else ("",))
-            }
-            if needed <= not_theirs:
-                not_theirs -= needed
+            if all(_kept_from(recipe, not_theirs) for recipe in hazard.anomalies):
+                for recipe in hazard.anomalies:
+                    not_theirs.difference_update(*_put_there(recipe))
         return lambda category: () if category in not_theirs else models(category)
+
+
+def _put_there(recipe: Recipe) -> list[tuple[str, ...]]:
+    """What a recipe puts into a home: of each of these, one."""
+    if not isinstance(recipe, PlaceRecipe):
+        return []
+    near = recipe.near
+    return [recipe.categories, *([near.to] if near is not None and near.bring else [])]
+
+
+def _kept_from(recipe: Recipe, not_theirs: Collection[str]) -> bool:
+    """Whether a recipe puts something there of which there is nothing in their home."""
+    return any(set(names) <= set(not_theirs) for names in _put_there(recipe))
 
 
 def wide_beds(models: Models, catalog: Catalog) -> Models:

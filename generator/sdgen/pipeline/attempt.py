@@ -119,7 +119,7 @@ def _unproved(rested: Rested, surveyed: Survey, library: Library) -> dict[int, R
                 continue
         check = "accidental" if positive.verdict.sure else "in_doubt"
         wrong[key] = contents.objection(key, "proof", check, other=positive.hazard)
-    for key in swing_blocked(_benign_bodies(rested)):
+    for key in swing_blocked(_unlabelled(rested, surveyed)):
         wrong[key] = contents.objection(key, "proof", "in_door_swing")
     for key, culprit in contents.anomalies.items():
         if any((key, hazard) not in proved for hazard in culprit.drawn):
@@ -127,11 +127,10 @@ def _unproved(rested: Rested, surveyed: Survey, library: Library) -> dict[int, R
     return wrong
 
 
-def _benign_bodies(rested: Rested) -> list[Body]:
-    """All but the anomalies, as they stand."""
-    return [
-        body for key, body in rested.facts.bodies.items() if key not in rested.contents.anomalies
-    ]
+def _unlabelled(rested: Rested, surveyed: Survey) -> list[Body]:
+    """All but the anomalies, as they stand; what was only brought along is none."""
+    labelled = {one.object_id for one in surveyed.positives}
+    return [body for key, body in rested.facts.bodies.items() if key not in labelled]
 
 
 def staying_bodies(bodies: Mapping[int, Body], anomalies: Container[int]) -> list[Body]:

@@ -132,9 +132,11 @@ def pick_home(
     options: BuildOptions,
     index: int,
     fits: Callable[[HomeSpec | HomeMix], bool] = lambda _: True,
+    turn: int = 0,
 ) -> HomeChoice:
-    """The home of a scene, by a lane of its own, of those that fit (of all, where none does)."""
-    rng = lane(options.seed, index, "home")
+    """The home of a scene, by a lane of its own, of those that fit (of all, where none does);
+    ``turn`` counts those that were given up before it."""
+    rng = lane(options.seed, index, f"home:{turn}" if turn else "home")
     bases, mixes = homes_of(catalog, options)
     in_base = rng.random() < BASE_SHARE
     fitting = [home for kind in (bases, mixes) for home in kind if fits(home)]

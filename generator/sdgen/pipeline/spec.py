@@ -39,8 +39,9 @@ class SceneSpec:
         return lane(self.seed, self.index, name)
 
 
-def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
-    """The specification of scene ``index``: each part from a lane of its own.
+def draw_spec(index: int, catalog: Catalog, options: BuildOptions, home_turn: int = 0) -> SceneSpec:
+    """The specification of scene ``index``: each part from a lane of its own. ``home_turn`` counts
+    the homes that were given up since something that is asked for fits nowhere in them.
 
     Hazards come first and know of nothing else, but for what an only home has nothing for; then
     the kind of household, by its weight; then a home that it can live in.
@@ -64,7 +65,7 @@ def draw_spec(index: int, catalog: Catalog, options: BuildOptions) -> SceneSpec:
         catalog, lane(options.seed, index, "template"), lambda one: one in (having or able)
     )
     household = sample_household(catalog, template, lane(options.seed, index, "household"), wished)
-    home = pick_home(catalog, options, index, partial(homes.fits, template))
+    home = pick_home(catalog, options, index, partial(homes.fits, template), home_turn)
     return SceneSpec(
         index=index,
         seed=options.seed,

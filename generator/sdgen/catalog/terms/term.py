@@ -9,6 +9,7 @@ from typing import Any, ClassVar, NamedTuple
 from sdgen.catalog.predicate import Evidence, FactSource, Verdict
 from sdgen.catalog.reader import Reader
 from sdgen.scene import Record
+from sdgen.vocabulary import ZONE_KEEP_SHARE
 from sdgen.yaml_source import Path_, Source
 
 
@@ -26,6 +27,8 @@ class Case(NamedTuple):
     min_height_m: float | None = None
     max_height_m: float | None = None
     not_state: tuple[str, ...] = ()
+    #: How much of it is in the zone that is asked for, at least.
+    zone_share: float = ZONE_KEEP_SHARE
 
     @property
     def on_the_floor(self) -> bool:

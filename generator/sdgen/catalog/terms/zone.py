@@ -10,7 +10,6 @@ from sdgen.catalog.terms.term import ALWAYS, EITHER, NEVER, Can, Case, Scope, Te
 from sdgen.kleene import EPS, all_of, at_least
 from sdgen.vocabulary import (
     ZONE_AVOID_SHARE,
-    ZONE_KEEP_SHARE,
     ZONE_KINDS,
     ZONE_SHARE,
     ZONE_SHARE_MARGIN,
@@ -70,7 +69,7 @@ class ZoneTerm(Term):
         if case.target != "floor":
             return EITHER
         if case.zone:
-            surely = self.overlap + self.margin <= ZONE_KEEP_SHARE + EPS
+            surely = self.overlap + self.margin <= case.zone_share + EPS
             return ALWAYS if surely and set(case.zone) <= set(self.any_of) else EITHER
         surely_not = self.overlap - self.margin >= ZONE_AVOID_SHARE - EPS
         return NEVER if surely_not and set(self.any_of) <= set(case.avoid_zones) else EITHER

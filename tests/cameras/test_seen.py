@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import shapely
 from sdgen.cameras.framing import glance_pixels
 from sdgen.cameras.parts import part_area, part_points
 from sdgen.cameras.seen import Seen
@@ -46,6 +47,16 @@ def seen(library: Library) -> Seen:
 )
 def test_what_stands_where_is_seen(seen: Seen, where, shown: bool) -> None:
     assert seen.thing(small(*where)) is shown
+
+
+def test_a_floor_is_seen_where_things_on_it_are(seen: Seen) -> None:
+    """Below the table's near edge, but neither behind it, nor beside or behind the camera."""
+    floor = seen.floor(shapely.box(-2.0, -2.0, 3.0, 3.0))
+    assert floor.contains(shapely.Point(0.8, 0.3))
+    for hidden in ((0.5, 2.0), (0.5, -1.5), (-1.8, 0.8)):
+        assert not floor.contains(shapely.Point(hidden))
+    assert seen.floor(shapely.box(0.4, -1.8, 0.6, -1.6)).is_empty
+    assert seen.floor(shapely.Polygon()).is_empty
 
 
 def test_what_is_too_small_to_tell_is_not_seen(seen: Seen) -> None:

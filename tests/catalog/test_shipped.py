@@ -315,7 +315,7 @@ def test_the_catalogue_survives_its_own_file() -> None:
 def test_shipped_files_are_plain_and_short() -> None:
     for path in sorted(data_path("hazard_catalog").rglob("*.yaml")):
         text = path.read_text(encoding="utf-8")
-        assert len(text.splitlines()) <= 400, path
+        assert len(text.splitlines()) <= 420, path
         assert not any(line != line.rstrip() for line in text.splitlines()), path
 
 

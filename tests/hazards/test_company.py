@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Before, Near, PlaceRecipe, SetRecipe
 from sdgen.facts import Body
 from sdgen.facts.body import gaps
-from sdgen.hazards.candidates import Candidate, candidates
+from sdgen.hazards.candidates import Candidate, candidates, lacking
 from sdgen.hazards.inject import inject
 from sdgen.hazards.placing import Injected, inject_candidate
 from sdgen.home.layout import Layout
@@ -250,3 +251,60 @@ def test_a_state_is_reached_by_what_is_nothing_further() -> None:
     for state, others in (("FULL", {"OFF"}), ("ON", set()), ("OVERFLOWING", {"FULL", "ON"})):
         made = [in_state(thing, tub, state, lane(1, k, "tub")) for k in range(12)]
         assert {one.states for one in made if one is not None} == {tuple(sorted({state, *others}))}
+
+
+def test_what_lies_across_a_way_has_its_ends_beside_it(home: FurnishedHome) -> None:
+    """A cord, which is wider than ways are; what is all in one lies away from furniture, too."""
+    context = home.context
+    cord = place(categories=("power_cable",), zone=("walkway",), across=True)
+    shares = []
+    for k in range(TRIES):
+        layout = home.layout.copy(node_ids(lane(4, k, "ids"), home.ids))
+        (candidate, *_) = candidates("cord_across_walkway", [cord], layout, context)
+        made = inject_candidate(candidate, layout, context, (), lane(4, k, "across"))
+        if made is not None:
+            item = layout.items[made.object_id]
+            body = Body(item, layout.info(item.id))
+            print_ = shapely.convex_hull(shapely.multipoints(body.points_m[:, :2]))
+            ways = context.zone_shape(("walkway",), item.room_id)
+            shares.append(print_.intersection(ways).area / print_.area)
+    assert len(shares) >= TRIES // 3
+    assert min(shares) >= 0.65
+    assert any(share < 0.97 for share in shares)
+
+
+def test_the_only_bath_of_a_home_is_full_and_runs_over(home: FurnishedHome) -> None:
+    """Whichever is asked for first: it stays full for the one while it comes to be the other."""
+    catalog = load_catalog(extensions=["water"])
+    context = replace(home.context, catalog=catalog)
+    for order in (("full_bath", "overflowing_bath"), ("overflowing_bath", "full_bath")):
+        layout = home.layout.copy(node_ids(lane(5, 1, "ids"), home.ids))
+        assert len(categories(layout, "bathtub")) == 1
+        made = inject(order, layout, context, False, lane(5, 1, "place"))
+        assert not isinstance(made, Rejection)
+        assert len({one.object_id for one in made}) == 1
+        states = layout.items[made[0].object_id].states
+        assert {"FULL", "OVERFLOWING"} <= set(states)
+
+
+def test_what_is_brought_along_lies_in_nobodys_way(home: FurnishedHome) -> None:
+    """Nor where a door swings; only beside what is itself to be in the way may it be."""
+    near = Near(to=("bucket",), max_m=0.4, bring=True)
+    layout, made = put(home, place(avoid_zones=("doorway", "walkway"), near=near))
+    (bucket,) = made.brought
+    body = Body(layout.items[bucket], layout.info(bucket))
+    corners = shapely.convex_hull(shapely.multipoints(body.points_m[:, :2]))
+    for kind in ("doorway", "walkway", "swing"):
+        shape = home.context.zone_shape((kind,))
+        assert shape.intersection(corners).area <= 0.25 * corners.area, kind
+
+
+def test_a_home_that_lacks_what_a_hazard_needs_says_so(home: FurnishedHome) -> None:
+    recipe = place(near=Near(to=("pet_bowl",), max_m=0.4, bring=True))
+    layout, context = home.layout.copy(), home.context
+    assert lacking([recipe], layout, context) is None
+    nobodys = replace(context, models=lambda c: () if c == "pet_bowl" else context.models(c))
+    assert lacking([recipe], layout, nobodys) == "pet_bowl"
+    assert lacking([recipe, place()], layout, nobodys) is None
+    assert lacking([place(targets=("snow_globe",))], layout, context) == "snow_globe"
+    assert lacking([SetRecipe(categories=("snow_globe",), state="ON")], layout, context)

@@ -140,6 +140,11 @@ def test_replacing_is_asked_for(tmp_path: Path) -> None:
         ),
         (
             "target: coffee_table",
+            "target: floor, across: true",
+            "anomalies[0].across: across needs a zone that it lies across",
+        ),
+        (
+            "target: coffee_table",
             "target: floor, over_edge: {min_m: 0.01, max_m: 0.1}",
             "anomalies[0].over_edge: over_edge needs 'relation: ON' and furniture to be on",
         ),

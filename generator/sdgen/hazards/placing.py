@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from itertools import product
 
 from sdgen.actions import in_state
 from sdgen.catalog.cases import cases, unique_anomaly
@@ -18,6 +19,9 @@ from sdgen.library.records import Asset
 from sdgen.library.states import rest_states
 from sdgen.scene import ObjectInstance
 from sdgen.seeding import Rng
+
+#: What is brought along lies at least clear of these, where it cannot be put aside.
+AT_LEAST_CLEAR = ("doorway", "swing")
 
 
 @dataclass(frozen=True)
@@ -194,9 +198,17 @@ def _brought_along(
     rng: Rng,
 ) -> int | None:
     """Put what a thing is to be near beside it, on what the thing itself is on or else on the
-    floor; its id, or None where there is no room. Furniture is never brought."""
+    floor; its id, or None where there is no room. Furniture is never brought.
+
+    What only helps to make it one lies aside or, where it cannot, at least clear of doors, unless
+    the thing itself is to be ``in_the_way``.
+    """
     names = [n for n in near.to if context.catalog.category(n).kind != "furniture"]
-    for target in dict.fromkeys((candidate.unique.target or "floor", "floor")):
+    targets = dict.fromkeys((candidate.unique.target or "floor", "floor"))
+    keep_clear = ((),) if in_the_way else (KEEP_CLEAR, AT_LEAST_CLEAR)
+    for target, clear in product(targets, keep_clear):
+        if target != "floor" and clear == AT_LEAST_CLEAR:
+            continue
         for k in rng.permutation(len(names)).tolist():
             recipe = PlaceRecipe(
                 categories=(names[k],),
@@ -204,8 +216,7 @@ def _brought_along(
                 relation="ON",
                 targets=(target,),
                 rooms=(context.room_type(item.room_id),),
-                # What only helps to make it one is in nobody's way, unless it is to be.
-                avoid_zones=() if in_the_way else KEEP_CLEAR,
+                avoid_zones=clear,
                 near=Near(to=(item.category,), max_m=near.max_m),
             )
             other = Candidate(unique_anomaly(candidate.unique.hazard, cases(recipe)[0]), recipe)

@@ -57,6 +57,22 @@ def test_show(capsys: pytest.CaptureFixture[str]) -> None:
     assert error == "error: no hazard 'stove_of' (did you mean 'stove_on'?)\n"
 
 
+def test_show_says_what_a_recipe_is_to_be_near(tmp_path: Path) -> None:
+    folder = write(
+        tmp_path,
+        hazards__wobbly_vase=HAZARD.replace(
+            "target: coffee_table",
+            "target: floor, zone: walkway, across: true, before: {of: door, max_m: 0.5}, "
+            "near: {to: stove, to_state: 'ON', max_m: 0.3, bring: true}",
+        ),
+    )
+    text = call("show", "wobbly_vase", "--catalog", str(folder)).output
+    assert (
+        "vase ON floor across a walkway within 0.3 m of on stove, which it brings along "
+        "at most 0.5 m before a door"
+    ) in text
+
+
 def test_an_extra_folder_is_listed(tmp_path: Path) -> None:
     folder = write(tmp_path, hazards__wobbly_vase=HAZARD)
     rows = json.loads(call("list", "--json", "--catalog", str(folder)).output)

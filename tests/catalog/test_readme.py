@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import get_args
 
 import pytest
+import trimesh
 from pydantic import BaseModel
 from sdgen.catalog.activity import ActivityYaml
 from sdgen.catalog.hazard_yaml import Action, HazardYaml
@@ -25,6 +26,7 @@ from sdgen.catalog.world_yaml import (
     RoomTypeYaml,
 )
 from sdgen.cli.main import run
+from sdgen.library import load_library
 from sdgen.resources import data_path
 from sdgen.strict import records_in
 from sdgen.vocabulary import RELATIONS, ZONE_KINDS
@@ -37,7 +39,7 @@ COMMANDS = [
     line
     for block in re.findall(r"```sh\n(.*?)```", README, re.DOTALL)
     for line in block.splitlines()
-    if line.startswith("sdgen catalog")
+    if line.startswith(("sdgen catalog", "sdgen assets"))
 ]
 
 
@@ -49,7 +51,7 @@ def _write_examples(folder: Path) -> None:
 
 
 def test_the_examples_load_and_mean_what_they_say(tmp_path: Path) -> None:
-    assert len(BLOCKS) == 2
+    assert len(BLOCKS) == 3
     _write_examples(tmp_path)
     catalog = load_catalog([tmp_path / "my_hazards"])
     assert catalog.category("snow_globe").superclass == "Decor"
@@ -63,12 +65,19 @@ def test_the_examples_load_and_mean_what_they_say(tmp_path: Path) -> None:
 def test_the_catalog_commands_run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert len(COMMANDS) == 3
+    assert len(COMMANDS) == 7
     _write_examples(tmp_path)
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "my_meshes").mkdir()
+    globe = trimesh.creation.icosphere(subdivisions=2, radius=0.05)
+    globe.export(tmp_path / "my_meshes" / "snow_globe.glb")
     for line in COMMANDS:
         assert run(shlex.split(line)[1:]) == 0, line
-    assert "Glass on the floor" in capsys.readouterr().out
+    told = capsys.readouterr()
+    assert "Glass on the floor" in told.out
+    assert "1 imported, 0 there already" in told.out
+    models = load_library([tmp_path / "my_models"]).by_category("snow_globe")
+    assert [model.id for model in models] == ["folder_snow_globe"]
 
 
 FILES = (

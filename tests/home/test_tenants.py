@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from sdgen.catalog.load import load_catalog
+from sdgen.catalog.records import Near, PlaceRecipe
 from sdgen.geometry import Array
 from sdgen.home.clutter import add_clutter
 from sdgen.home.context import Everything
@@ -149,6 +150,30 @@ def test_what_a_drawn_hazard_cannot_do_without_is_there_whoever_lives_there() ->
         assert bool(theirs("toy_brick")) is there
         assert not theirs("doll")
         assert theirs("mug")
+
+
+def test_what_a_drawn_hazard_brings_along_is_there_whoever_lives_there() -> None:
+    """A trap beside a bowl needs the bowl, in homes without pets too."""
+    models = dict.fromkeys(("pet_bowl", "pet_toy", "mug"), ("model",)).get
+    near = Near(to=("pet_bowl",), max_m=0.5, bring=True)
+    recipe = PlaceRecipe(categories=("mug",), relation="ON", targets=("floor",), near=near)
+    trap = CATALOG.hazard("spill").model_copy(update={"anomalies": (recipe,)})
+    either = trap.model_copy(
+        update={"anomalies": (recipe, recipe.model_copy(update={"near": None}))}
+    )
+    for asked, there in (((), False), ((trap,), True), ((either,), False)):
+        theirs = Tenants(frozenset(), 1, asked).models(models, CATALOG)  # type: ignore[arg-type]
+        assert bool(theirs("pet_bowl")) is there
+        assert theirs("mug")
+
+
+def test_another_home_is_drawn_for_the_same_hazards_and_household() -> None:
+    for index in range(12):
+        first, second = (draw_spec(index, CATALOG, OPTIONS, turn) for turn in (0, 1))
+        assert first.hazards == second.hazards
+        assert first.household == second.household
+    ids = [{draw_spec(k, CATALOG, OPTIONS, turn).home.id for turn in range(6)} for k in range(12)]
+    assert any(len(found) > 1 for found in ids)
 
 
 def test_words_are_pets_conditions_and_age_groups() -> None:

@@ -17,9 +17,8 @@ from sdgen.library import Library
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.scene import ObjectInstance, Pose
 
-#: A hazard must leave at least half of the homes. A scene is given up after five homes
-#: (HOME_ATTEMPTS): with half of them lost that is one scene in 32, with three in four one in four,
-#: and each lost home costs its twenty tries.
+#: A hazard must leave at least half of the homes: each lost one costs a scene up to twenty tries,
+#: and the other hazards that it is asked for must find their places in what is left.
 MOST_LOST = 0.5
 
 _POSE = Pose(position_m=(0.0, 0.0, 0.0), quat_xyzw=(0.0, 0.0, 0.0, 1.0))

@@ -34,7 +34,15 @@ def test_what_would_not_be_read_is_told(tmp_path: Path, name: str, told: str) ->
 
 @pytest.mark.parametrize(
     "name",
-    ["README.md", "LICENSE", "hazards/notes.txt", ".git/x.yaml", "_old/x.yaml", "hazards/.x.yaml"],
+    [
+        "README.md",
+        "LICENSE",
+        "hazards/notes.txt",
+        ".git/x.yaml",
+        "_old/x.yaml",
+        "hazards/.x.yaml",
+        "hazards/_draft.yaml",
+    ],
 )
 def test_words_for_people_and_what_is_set_aside_are_left_alone(tmp_path: Path, name: str) -> None:
     folder = write(tmp_path, hazards__wobbly_vase=HAZARD)

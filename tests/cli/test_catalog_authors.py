@@ -49,6 +49,8 @@ def test_new_writes_what_it_says_and_nothing_over(
     assert code == 1
     assert f"{file}: is there already" in err
     assert file.read_text() == "mine now"
+    file.rename(file.with_suffix(".yml"))
+    assert told(capsys, "new", "glass_left", "-o", out)[0] == 1
     # A second one goes beside it.
     assert told(capsys, "new", "dish_left", "--kind", "set", "-o", out)[0] == 0
     assert sorted(path.name for path in out.iterdir()) == ["README.md", "hazards"]

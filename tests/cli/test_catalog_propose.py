@@ -52,6 +52,7 @@ def test_an_answer_becomes_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert run([*command, "--out", str(out)]) == 0
     told = capsys.readouterr().out
     assert told.startswith("4 proposed, 1 fit\n")
+    assert f"review it, then sdgen catalog validate {out}" in told
     assert "target: wardrobe}  # line 3: forgotten there" in told
     assert "line 3: unicorn: unknown category 'unicorn' (did you mean 'corn'?)" in told
     assert "the hazard has it" in told

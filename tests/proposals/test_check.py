@@ -108,6 +108,14 @@ def test_unknown_keys_and_words_leave_the_rest_of_a_line() -> None:
     ]
 
 
+def test_a_line_that_names_nothing_is_told() -> None:
+    """Of one whose words were all unknown, each word is; of one without words, the line."""
+    (refused,) = judged(f"- {{{PLATE}, target: []}}\n").refused
+    assert refused.why == "malformed"
+    (refused,) = judged(f"- {{{PLATE}, target: thron}}\n").refused
+    assert (refused.why, refused.what) == ("unknown", "thron")
+
+
 def test_what_the_list_had_is_a_duplicate() -> None:
     found = judged(f"- {{{PLATE}, target: chair}}\n" * 2)
     assert [r.why for r in found.refused] == ["duplicate"]

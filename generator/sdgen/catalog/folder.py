@@ -83,9 +83,11 @@ def open_folder(root: Path, pack: str, shown: str) -> Folder:
         name = f"{shown}/{path.name}"
         if path.name in FOLDERS and path.is_dir():
             for below in sorted(path.iterdir()):
+                if _is_set_aside(below):
+                    continue
                 if _is_yaml(below):
                     out.add(path.name, below, f"{name}/{below.name}")
-                elif below.is_dir() and not _is_set_aside(below):
+                elif below.is_dir():
                     text = "folders in it are not read; move its files up"
                     out.problems.append(f"{name}/{below.name}: {text}")
                 elif problem := _no_text(below):

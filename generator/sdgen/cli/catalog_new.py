@@ -52,8 +52,9 @@ def new_hazard(kind: Kind, out: Path, name: str) -> None:
     folder = shlex.quote(str(out))
     files = starter_files(name, kind, folder)
     hazard, readme = (out / path for path in files)
-    if hazard.exists() or hazard.is_symlink():
-        raise SdgenError(f"{hazard}: is there already; choose another NAME or --out")
+    for there in (hazard, hazard.with_suffix(".yml")):
+        if there.exists() or there.is_symlink():
+            raise SdgenError(f"{there}: is there already; choose another NAME or --out")
     for path, text in zip((hazard, readme), files.values(), strict=True):
         if not path.exists():
             write_output(path, text.encode("utf-8"))

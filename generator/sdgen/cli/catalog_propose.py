@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import sys
 from collections import Counter
 from collections.abc import Sequence
@@ -140,8 +141,19 @@ def propose(
     written = out if fit else None
     click.echo(_as_json(hazard_id, fit, refused, written) if as_json else _told(fit, refused))
     if not as_json and out is not None:
-        text = f"written: {out}; review it, then sdgen catalog validate {out}"
+        check = _validate_words(out, catalogs, packs, assets)
+        text = f"written: {out}; review it, then {check}"
         click.echo(text if fit else f"nothing to write: {out} is not made")
+
+
+def _validate_words(
+    out: Path, catalogs: Sequence[Path], packs: Sequence[str], assets: Sequence[Path]
+) -> str:
+    """The command that checks what was written, beside what it was written for."""
+    words = ["sdgen", "catalog", "validate"]
+    words += [f"--extensions={','.join(packs)}"] if packs else []
+    words += [f"--assets={folder}" for folder in assets]
+    return shlex.join([*words, *map(str, catalogs), str(out)])
 
 
 def _check_out(out: Path, hazard_id: str) -> None:

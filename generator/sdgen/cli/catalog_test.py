@@ -138,7 +138,7 @@ def test_hazards(
         _say(tried, [why for why in report["anomalies"] if not why["fits"]])
         if page is not None:
             click.echo(f"look at it: {page}")
-    if 100 * report["rate"] < least:
+    if 100 * report["fit"] < least * report["tried"]:
         click.get_current_context().exit(3)
 
 

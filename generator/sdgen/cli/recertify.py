@@ -54,10 +54,11 @@ def _record(found: Recertified) -> dict[str, object]:
 
 
 def _say(dataset: Path, found: Recertified) -> None:
-    for line in [*found.problems, *map(str, found.changed)][:SHOWN]:
+    lines = [*found.problems, *map(str, found.changed)]
+    for line in lines[:SHOWN]:
         click.echo(line)
-    if len(found.changed) > SHOWN:
-        click.echo(f"and {len(found.changed) - SHOWN} more, which --json lists")
+    if len(lines) > SHOWN:
+        click.echo(f"and {len(lines) - SHOWN} more, which --json lists")
     for name, counts in found.by_hazard().items():
         words = f"{counts['kept']} labels hold"
         for change, what in (

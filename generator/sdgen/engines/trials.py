@@ -123,9 +123,9 @@ def try_all(
 
 def home_in_turn(catalog: Catalog, seed: int, index: int) -> HomeChoice:
     """The home of this number: generated ones of each mix in turn, a base home after each, until
-    all of these have come. So every type of room occurs."""
+    all of these have come: every type of room occurs."""
     bases, mixes = homes_of(catalog, BuildOptions(homes="mixed" if catalog.homes else "procedural"))
-    pairs = min(len(bases), len(mixes))
+    pairs = len(bases)
     if index < 2 * pairs and index % 2:
         base = bases[index // 2]
         return HomeChoice(base.id, base)

@@ -110,7 +110,9 @@ def _plain(key: str) -> str:
 def _is_beside(key: str, evidence: Mapping[str, EvidenceValue]) -> bool:
     """Whether it names the target of a relation to something that does not hold the object."""
     number = key.removeprefix("target_id")
-    return _plain(key) == "target_id" and evidence.get(f"relation{number}") in SHOWN_TARGETS
+    # A second term's relation is left out where it is the first one's.
+    relation = evidence.get(f"relation{number}", evidence.get("relation"))
+    return _plain(key) == "target_id" and relation in SHOWN_TARGETS
 
 
 def _words(category: str) -> str:

@@ -63,7 +63,7 @@ def prove(
     """Contents at rest with exactly their anomalies, without the everyday things that were in the
     way of that.
 
-    ``world`` is empty, or holds the same home and nothing loose.
+    ``world`` is empty.
     """
     taken_away: Counter[Cause] = Counter()
     spent = False

@@ -56,7 +56,7 @@ class TrialHome:
     """A furnished home in which anomalies are tried one after another, each from
     the home as it stands.
 
-    ``clients`` are two: the home stays loaded in the first, so that nobody else may use that.
+    ``clients`` are two: one for what moves, one for what is asked of the scene at rest.
     """
 
     def __init__(
@@ -78,10 +78,6 @@ class TrialHome:
         shapely.prepare(free)
         return free
 
-    @cached_property
-    def _world(self) -> World:
-        return World(self._library, self._own)
-
     def attempt(self, unique: UniqueAnomaly, rng: Rng) -> Fits | Rejection | None:
         """Try to make this anomaly here, once; None where the home has nothing for it."""
         home = self.home
@@ -94,8 +90,8 @@ class TrialHome:
         labelled = [Injected(name, key, None) for key, name in home.things.anomalies.items()]
         anomalies = culprits([*labelled, injected])
         contents = Contents(dict(layout.items), dict(layout.intents), anomalies, lookalikes={})
-        # What a home draws itself is loose, too, and would be where the last try left it.
-        world = World(self._library, self._own) if home.things.items else self._world
+        # A world of its own: where things come to rest follows from nothing tried before.
+        world = World(self._library, self._own)
         proved = prove(0, home, contents, self._library, world)
         if isinstance(proved, Rejection):
             return proved

@@ -118,14 +118,16 @@ class _Judge:
             yield Refused(line, one_line(key), "malformed", unknown_key(key[:80], known))
         reason = item.get("reason")
         written = {key: value for key, value in item.items() if key in known and key != "reason"}
-        yield from self._without_unknown(written, line)
+        unknown = list(self._without_unknown(written, line))
+        yield from unknown
         own = Source(source.file, source.value, source.lines)
         names = Names(self.categories, self.rooms)
         kind: type[SetYaml] | type[PlaceYaml] = SetYaml if sets else PlaceYaml
         recipe = read(own, (index,), written, kind, names)
         if recipe is None:
             # Of a line whose words were all unknown enough is said.
-            if all(written.get(key) != [] for key in ("place", "set", "target", "rooms")):
+            emptied = any(written.get(key) == [] for key in ("place", "set", "target", "rooms"))
+            if not (unknown and emptied):
                 text = one_line("; ".join(text for _, text in own.noted))
                 yield Refused(line, "", "malformed", text)
             return

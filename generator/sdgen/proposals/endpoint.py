@@ -17,7 +17,7 @@ _MAX_BYTES = 1_500_000
 @dataclass(frozen=True)
 class Endpoint:
     """Whom to ask: ``base_url`` None is the client's own default (or its environment variable).
-    ``timeout_s`` is for the whole answer."""
+    ``timeout_s`` is for the whole answer; of a refusal, between two packets of it."""
 
     model: str
     key: str
@@ -43,7 +43,7 @@ def ask(endpoint: Endpoint, prompt: str) -> str:
             api_key=endpoint.key,
             base_url=endpoint.base_url,
             timeout=endpoint.timeout_s,
-            max_retries=1,
+            max_retries=0,
         )
         with client.chat.completions.with_streaming_response.create(
             model=endpoint.model, messages=[{"role": "user", "content": prompt}], **more

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from sdgen.catalog.records import Catalog, Hazard
+from sdgen.home.things import NO_THINGS
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
@@ -71,8 +72,10 @@ def _try(
     alone = hazard.model_copy(update={"anomalies": (trial.idea.recipe,)})
     hazards = tuple(alone if h.id == hazard.id else h for h in context.catalog.hazards)
     catalog = context.catalog.model_copy(update={"hazards": hazards})
-    # As it is drawn: nothing else is strewn about, which would take time and could be in the way.
-    home = replace(home, context=replace(context, catalog=catalog), as_drawn=True)
+    # As it is drawn, without the things that it draws: nothing else is strewn about, which would
+    # take time and could be in the way, or be labelled.
+    context = replace(context, catalog=catalog)
+    home = replace(home, context=context, things=NO_THINGS, as_drawn=True)
     for placement in range(TRIES):
         proved = attempt(spec, home, 0, placement, library, client)
         trial.tries += 1

@@ -152,6 +152,12 @@ def told_by_the_models(tmp_path: Path, old: str, new: str) -> tuple[str, ...]:
             "anomalies[0].target: no model of knife has a surface that things stand on",
         ),
         (
+            # The floor of its hollow takes things INSIDE it.
+            "target: coffee_table",
+            "target: [coffee_table, laundry_basket]",
+            "anomalies[0].target: no model of laundry_basket has a surface that things stand on",
+        ),
+        (
             "remedy:",
             "lookalikes:\n  - {place: mug, relation: INSIDE, target: dining_table}\nremedy:",
             "lookalikes[0].target: no model of dining_table has a hollow",

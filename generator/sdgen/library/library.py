@@ -112,7 +112,8 @@ class Library:
         """By ``ON`` and ``INSIDE``, the categories of which some model takes things so."""
         out: dict[str, set[str]] = {"ON": set(), "INSIDE": set()}
         for category, assets in self._by_category.items():
-            if any(asset.supports for asset in assets):
+            supports = [support for asset in assets for support in asset.supports]
+            if any(support.container is None for support in supports):
                 out["ON"].add(category)
             if any(asset.containers for asset in assets):
                 out["INSIDE"].add(category)

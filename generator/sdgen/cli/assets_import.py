@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sdgen.cli.bar import bar
+from sdgen.cli.shared_options import CATALOGS
 from sdgen.importing.member_names import plain, shown_name
 
 if TYPE_CHECKING:
@@ -40,13 +41,7 @@ _SOURCES = ("ycb", "gso", "replicacad", "fantastic-breaks", "folder")
     multiple=True,
     help="YAML of your own that says which category models are; repeatable.",
 )
-@click.option(
-    "--catalog",
-    "catalogs",
-    type=click.Path(exists=True, path_type=Path),
-    multiple=True,
-    help="Catalogue of your own whose categories models may be, too; repeatable.",
-)
+@CATALOGS
 @click.option("--licence", metavar="SPDX", help="Licence of the models, where no file says it.")
 @click.option("--attribution", metavar="TEXT", help="Whom to name for them.")
 @click.option(

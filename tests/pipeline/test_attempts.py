@@ -16,6 +16,7 @@ from sdgen.hazards.certify import Positive, Survey
 from sdgen.hazards.placing import Injected
 from sdgen.home.layout import Intent
 from sdgen.options import BuildOptions
+from sdgen.pipeline import attempt as attempt_module
 from sdgen.pipeline import scene as scene_module
 from sdgen.pipeline.attempt import _unproved, placed, staying_bodies
 from sdgen.pipeline.contents import Contents, Culprit, Reduced, culprits, lost, without
@@ -54,6 +55,17 @@ def test_an_attempt_repeated_alone_is_the_same(catalog, library):
     assert all(one != other for one, other in pairwise(contents))
     for k in (3, 1):
         assert placed(spec, furnish_for(spec, 0, catalog, library), 0, k) == in_turn[k]
+
+
+def test_hazards_find_their_places_in_another_order_after_the_first_try(catalog, monkeypatch):
+    spec = draw_spec(0, catalog, BuildOptions(n=9, seed=5, hazards_min=4, hazards_max=4))
+    home = SimpleNamespace(ids=frozenset(), layout=SimpleNamespace(copy=lambda ids: None))
+    monkeypatch.setattr(attempt_module, "place_contents", lambda hazards, *_: tuple(hazards))
+    orders = [placed(spec, home, 0, k) for k in range(8)]
+    assert orders[0] == spec.hazards
+    assert {tuple(sorted(order)) for order in orders} == {tuple(sorted(spec.hazards))}
+    assert len(set(orders)) > 3
+    assert orders[5] == placed(spec, home, 0, 5)
 
 
 def test_ids_of_a_placement_are_random_and_none_of_the_homes():

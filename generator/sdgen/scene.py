@@ -310,7 +310,8 @@ class Household(Record):
 
 
 class Camera(Record):
-    """``view.json``: an OpenCV camera; ``K`` is for pixel centres at integer coordinates."""
+    """``view.json``: an OpenCV camera; ``K`` is for pixel centres at integer coordinates, and
+    nothing of the scene or its twins is before it at less than ``near_m``."""
 
     index: int
     kind: Literal["room", "near"]

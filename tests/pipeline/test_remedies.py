@@ -4,6 +4,8 @@ from dataclasses import replace
 from itertools import chain
 
 import pytest
+from sdgen.cameras.nearest import cut_by_near_planes, drawn_boxes
+from sdgen.cameras.pinhole import NEAR_M
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import RemedyRule
 from sdgen.catalog.terms import AllTerm, CategoryTerm, HeightTerm, NotTerm, RelationTerm
@@ -13,7 +15,7 @@ from sdgen.hazards.twin import PUT, SET_BACK, TAKE_AWAY
 from sdgen.library.states import undecided_states
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
-from sdgen.pipeline import make_scene
+from sdgen.pipeline import make_scene, twins
 from sdgen.pipeline.remedied import Tools, by_remedy, undone_records
 from sdgen.pipeline.scene import furnish_for
 from sdgen.pipeline.spec import draw_spec
@@ -163,6 +165,23 @@ def test_a_toggle_has_one_undone(index, bundles):
             assert one.model_copy(update=same) == every[one.id]
         staying = [one for one in every.values() if one.id != key]
         check_undone(bundle, toggle.scene, toggle.anomalies.undone, staying)
+
+
+@pytest.mark.parametrize("index", range(OPTIONS.n))
+def test_a_scene_and_its_twins_reach_before_no_near_plane(index, bundles, library):
+    bundle = bundles[index]
+    assert max(camera.near_m for camera in bundle.cameras) > NEAR_M
+    for one in (bundle, bundle.twin, *bundle.toggles):
+        assert not cut_by_near_planes(bundle.cameras, drawn_boxes(library, one.scene))
+
+
+def test_what_would_come_before_a_lens_is_taken_away(bundles, library, client, monkeypatch):
+    """Or what is as it was would be drawn from another depth on."""
+    assert any(one.moved for one in bundles[0].twin.anomalies.undone)
+    monkeypatch.setattr(twins, "cut_by_near_planes", lambda cameras, boxes: True)
+    made = make_scene(0, CATALOG, library, OPTIONS, client)
+    for one in (made.twin, *made.toggles):
+        assert not any(undone.moved for undone in one.anomalies.undone)
 
 
 def test_most_things_are_put_back_and_not_taken_away(bundles):

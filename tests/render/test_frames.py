@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sdgen.render.bullet as bullet_module
+from sdgen.cameras.nearest import drawn_boxes, with_near_planes
 from sdgen.cameras.pinhole import project
 from sdgen.geometry import Vec3, apply
 from sdgen.library import Library
@@ -67,9 +68,11 @@ def test_floor_and_ceiling_have_the_depth_of_their_planes(
 @pytest.mark.skipif(not EGL, reason="EGL does not start here")
 def test_depth_is_a_matter_of_millimetres_at_the_end_of_a_room(library: Library) -> None:
     """The plugin's buffer has 16 bits: from 0.05 m on they are 15 mm apart at 7 m."""
-    view = camera((-3.4, 0, 1.25), (4, 1, 1.25))
+    room = box_room(size_m=(8.0, 4.0))
+    views = [camera((-3.4, 0, 1.25), (4, 1, 1.25))]
+    (view,) = with_near_planes(views, drawn_boxes(library, room))
     with open_renderer("egl") as egl:
-        frame = one(egl, library, box_room(size_m=(8.0, 4.0)), view)
+        frame = one(egl, library, room, view)
     rows, columns = np.nonzero(frame.instance == 4)
     assert len(rows) > 1000
     k, depth = np.asarray(view.K), frame.depth_mm[rows, columns] / 1000.0
@@ -242,8 +245,8 @@ things += [thing(20 + k, "flush_01", (-1.0 + 0.4 * k, -0.9 + 0.3 * k, 0)) for k 
 views = [camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5)), camera((1.6, -1.2, 1.2), (0, 0, 0.5))]
 with open_renderer(sys.argv[2]) as renderer:
     for number in range(int(sys.argv[3])):
-        extra = [thing(40 - k, "flush_01", (0.3 * k, 0.5, 0), variant="pane")
-                 for k in range(1 + number)]
+        extra = [thing(400 - k, "flush_01", (0.3 * k % 1.2, 0.5, 0), variant="pane")
+                 for k in range(1 + 70 * number)]
         cube = thing(5 + number, "cube_02", (0.1 * number, 0, 0))
         other = box_room([cube, *extra], (3.0 + number, 4.0))
         list(render_frames(renderer, library, other, views[:1], supersample=1 + number % 2))

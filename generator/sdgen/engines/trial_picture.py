@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.cameras.closeup import close_up, in_picture
+from sdgen.cameras.nearest import drawn_boxes, with_near_planes
 from sdgen.cameras.parts import part_points
 from sdgen.cameras.sight import rectangle_pixels
 from sdgen.cameras.view import poses_of
@@ -35,5 +36,6 @@ def trial_picture(found: Fits, library: Library, renderer: Renderer) -> npt.NDAr
     # Loading is dear, and nothing else is drawn of this scene.
     seen = in_picture(camera, np.stack([low, high], axis=1)).tolist()
     shown = scene.model_copy(update={"objects": tuple(compress(scene.objects, seen))})
-    (frame,) = render_frames(renderer, library, shown, [camera], ("rgb",))
+    cameras = with_near_planes([camera], drawn_boxes(library, shown))
+    (frame,) = render_frames(renderer, library, shown, cameras, ("rgb",))
     return frame.rgb

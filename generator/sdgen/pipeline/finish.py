@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
+import numpy as np
+
+from sdgen.cameras.nearest import drawn_boxes, with_near_planes
 from sdgen.hazards.certify import certificate
 from sdgen.hazards.labels import anomaly_records, lookalike_records
 from sdgen.library import Library
@@ -63,6 +66,10 @@ def finish(
     broken = check_standing(scene, undone_soundly[0], library, client)
     if broken is not None:
         return broken
+    # Scene and twin are drawn from the same depth on, or what is the same in both would differ by
+    # a rounding of the depth buffer. Again whether or not there is a twin.
+    boxes = [drawn_boxes(library, one) for one in (scene, undone_soundly[0].scene)]
+    bundle = replace(bundle, cameras=with_near_planes(bundle.cameras, np.concatenate(boxes)))
     twins = Twins(bundle, facts, undone_soundly, home, library, client, spec.lane)
     if options.twins:
         bundle = replace(bundle, twin=twins.benign())

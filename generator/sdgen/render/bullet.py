@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator
 from contextlib import ExitStack
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +14,7 @@ from sdgen.geometry import Array, apply, quat_from_matrix
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
 from sdgen.physics.bullet import pb
-from sdgen.render.nearest import drawn_boxes, nearest_depth_m
+from sdgen.render.misread import read_again
 from sdgen.render.opengl import depth_from_buffer, projection_matrix, scaled, view_matrix
 from sdgen.render.part_bodies import WITH_LINKS, Part, PartBodies
 from sdgen.render.protocol import Picture
@@ -49,7 +50,26 @@ _VERTEX_LIMIT = 1_500_000
 # that two parts of a model have in common.
 _APART_M = np.array((0.0007, 0.0011, 0.0013))
 
+#: A speck of one triangle.
+_SPARE_OBJ = """\
+v 0 0 0
+v 0.001 0 0
+v 0 0.001 0
+vt 0 0
+vn 0 0 1
+f 1/1/1 2/1/1 3/1/1
+"""
+
 Rgba = tuple[float, float, float, float]
+
+
+class _Shape(NamedTuple):
+    """Bullet's id, where the origin lies in the file's frame, and the box around all of it in the
+    frame of the origin, (2, 3)."""
+
+    id: int
+    origin_m: Array
+    box_m: Array
 
 
 class BulletGraphics:
@@ -67,14 +87,15 @@ class BulletGraphics:
         self._on_reset = on_reset
         self._face_levels = face_levels
         self._held = ExitStack()
-        self._shell = ShellFolder(self._held.enter_context(scratch_folder()))
+        self._folder = self._held.enter_context(scratch_folder())
+        self._shell = ShellFolder(self._folder)
         self.client: int = pb.connect(pb.DIRECT)
-        #: Visual shape of an OBJ file in a colour, its origin moved, and where that is.
-        self._shapes: dict[tuple[Path, Rgba, tuple[float, ...]], tuple[int, Array]] = {}
-        self._parts = self._no_parts()
+        #: Of an OBJ file in a colour, its origin moved.
+        self._shapes: dict[tuple[Path, Rgba, tuple[float, ...]], _Shape] = {}
+        self._bodies = self._no_bodies()
+        self._parts: list[Part] = []
         self._vertices = 0
         self._shift = np.eye(4)
-        self._boxes = np.empty((0, 2, 3))
 
     def close(self) -> None:
         """Disconnect; a second call does nothing."""
@@ -88,24 +109,29 @@ class BulletGraphics:
         ``overhead``, by id, so that it throws no shadow."""
         self._clear()
         self._shift = drawing_shift(scene)
-        self._boxes = drawn_boxes(library, scene)
         parts: list[Part] = []
         ceiling_m = ceiling_level_m(scene.home.structures)
         for structure in sorted(scene.home.structures, key=lambda s: s.id):
             parts += self._structure_parts(library, structure, ceiling_m)
         for item in sorted(scene.objects, key=lambda o: o.id):
             parts += self._object_parts(library, item, item.id in overhead)
-        self._parts.put(parts)
+        self._parts = parts
+        self._bodies.put(parts)
 
     def draw(self, camera: Camera) -> Picture:
         """Colour, depth and whose every pixel is."""
         size = (camera.width, camera.height)
-        near_m = nearest_depth_m(camera, self._boxes)
-        rgb, buffer, mask = self._image(camera, np.asarray(camera.K), size, near_m, mask=True)
-        instance, part = self._parts.owners(mask)
+        rgb, buffer, mask = self._image(camera, np.asarray(camera.K), size, mask=True)
+        depth_m = depth_from_buffer(buffer, camera.near_m, camera.far_m)
+        index = self._bodies.index_of(mask)
+        if self._device == pb.ER_BULLET_HARDWARE_OPENGL:
+            nodes, _ = self._bodies.owners(index)
+            pose = self._shift @ np.asarray(camera.world_from_camera)
+            index = read_again(index, nodes, depth_m, camera, pose, self._parts)
+        instance, part = self._bodies.owners(index)
         return Picture(
             rgb=rgb,
-            depth_m=depth_from_buffer(buffer, near_m, camera.far_m),
+            depth_m=depth_m,
             instance=instance,
             part=part,
         )
@@ -113,12 +139,16 @@ class BulletGraphics:
     def draw_colours(self, camera: Camera, factor: int) -> npt.NDArray[np.uint8]:
         """The camera's colours with ``factor`` times as many pixels along each side."""
         size = (camera.width * factor, camera.height * factor)
-        near_m = nearest_depth_m(camera, self._boxes)
         k = scaled(np.asarray(camera.K), factor)
-        return self._image(camera, k, size, near_m, mask=False)[0]
+        return self._image(camera, k, size, mask=False)[0]
 
-    def _no_parts(self) -> PartBodies:
-        return PartBodies(self.client, self._device == pb.ER_BULLET_HARDWARE_OPENGL)
+    def _no_bodies(self) -> PartBodies:
+        if self._device != pb.ER_BULLET_HARDWARE_OPENGL:
+            return PartBodies(self.client, None)
+        spare = self._folder / "spare.obj"
+        spare.write_text(_SPARE_OBJ, encoding="utf-8")
+        shape = pb.createVisualShape(pb.GEOM_MESH, fileName=str(spare), physicsClientId=self.client)
+        return PartBodies(self.client, int(shape))
 
     def _clear(self) -> None:
         """Take all bodies away; shapes and textures stay for the next scene.
@@ -126,10 +156,10 @@ class BulletGraphics:
         ``resetSimulation``, after which every texture is uploaded again, is for the day when the
         vertices run out.
         """
-        self._parts.remove()
+        self._bodies.remove()
         if self._vertices > _VERTEX_LIMIT:
             pb.resetSimulation(physicsClientId=self.client)
-            self._parts = self._no_parts()
+            self._bodies = self._no_bodies()
             self._shapes = {}
             self._vertices = 0
             if self._on_reset is not None:
@@ -143,10 +173,10 @@ class BulletGraphics:
             path = self._shell.write(face, library.surface_texture(face.surface))
             level = face.brightness if self._face_levels else 1.0
             rgba = (level, level, level, alpha)
-            shape, middle = self._shape(
+            shape = self._shape(
                 path, rgba, face.vertices_m, 3 * len(face.vertices_m) // 2, face.number * _APART_M
             )
-            yield _placed(structure.id, 0, shape, middle, self._shift)
+            yield _placed(structure.id, 0, shape, self._shift, deep=alpha == 1.0)
 
     def _object_parts(
         self, library: Library, item: ObjectInstance, overhead: bool
@@ -163,13 +193,13 @@ class BulletGraphics:
             mesh = meshes[name]
             placed = pose @ object_from_part(info, name, item.joints)
             for off in _OFF_M if overhead else (apart[name] * _APART_M,):
-                shape, middle = self._shape(objs[name], rgba, mesh.vertices, mesh.faces.size, off)
-                yield _placed(item.id, number, shape, middle, placed)
+                shape = self._shape(objs[name], rgba, mesh.vertices, mesh.faces.size, off)
+                yield _placed(item.id, number, shape, placed, deep=not overhead)
 
     def _shape(
         self, path: Path, rgba: Rgba, vertices_m: Array, corners: int, apart_m: Array
-    ) -> tuple[int, Array]:
-        """Visual shape that shows an OBJ file, and where its origin lies in the file's frame.
+    ) -> _Shape:
+        """Visual shape that shows an OBJ file.
 
         The plugin makes a vertex of each of the ``corners`` of its triangles.
         The origin is the middle of the mesh plus ``apart_m``: the plugin draws parts in the order
@@ -178,8 +208,8 @@ class BulletGraphics:
         """
         key = path, rgba, tuple(apart_m.tolist())
         if key not in self._shapes:
-            middle = np.round((vertices_m.min(axis=0) + vertices_m.max(axis=0)) / 2, 3)
-            middle += apart_m
+            ends = np.array([vertices_m.min(axis=0), vertices_m.max(axis=0)])
+            middle = np.round(ends.mean(axis=0), 3) + apart_m
             self._vertices += corners
             made = pb.createVisualShape(
                 pb.GEOM_MESH,
@@ -188,14 +218,14 @@ class BulletGraphics:
                 visualFramePosition=(-middle).tolist(),
                 physicsClientId=self.client,
             )
-            self._shapes[key] = (int(made), middle)
+            self._shapes[key] = _Shape(int(made), middle, ends - middle)
         return self._shapes[key]
 
     def _image(
-        self, camera: Camera, k: Array, size: tuple[int, int], near_m: float, mask: bool
+        self, camera: Camera, k: Array, size: tuple[int, int], mask: bool
     ) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.float32], npt.NDArray[np.int32]]:
         """Colour, depth buffer and Bullet's mask of a camera's view drawn at ``size`` (width,
-        height), in tiles no larger than the EGL window, of what is ``near_m`` away or more."""
+        height), in tiles no larger than the EGL window."""
         width, height = size
         rgb = np.empty((height, width, 3), dtype=np.uint8)
         depth = np.empty((height, width), dtype=np.float32)
@@ -204,7 +234,7 @@ class BulletGraphics:
         for y0 in range(0, height, _TILE[1]):
             for x0 in range(0, width, _TILE[0]):
                 w, h = min(_TILE[0], width - x0), min(_TILE[1], height - y0)
-                lens = projection_matrix(k, x0, y0, w, h, near_m, camera.far_m)
+                lens = projection_matrix(k, x0, y0, w, h, camera.near_m, camera.far_m)
                 image = pb.getCameraImage(
                     w,
                     h,
@@ -229,10 +259,11 @@ class BulletGraphics:
         return rgb, depth, owner
 
 
-def _placed(node_id: int, number: int, shape: int, middle: Array, pose: Array) -> Part:
-    """A shape whose origin is ``middle`` at ``pose``."""
-    position = apply(pose, middle)[0].tolist()
-    return Part(node_id, number, shape, position, quat_from_matrix(pose[:3, :3]))
+def _placed(node_id: int, number: int, shape: _Shape, pose: Array, deep: bool) -> Part:
+    """A shape whose file's frame is at ``pose``."""
+    position = apply(pose, shape.origin_m)[0].tolist()
+    turn = quat_from_matrix(pose[:3, :3])
+    return Part(node_id, number, shape.id, position, turn, shape.box_m, deep)
 
 
 def drawing_shift(scene: Scene) -> Array:

@@ -1,4 +1,4 @@
-"""How near to the camera drawing must begin.
+"""How near to the camera drawing begins.
 
 The EGL plugin asks for eight bits of depth or more and is given sixteen. What one step of such a
 buffer measures goes with 1 / the nearest depth it can hold: from 0.05 m on, 7.6 mm at a distance
@@ -6,6 +6,8 @@ of 5 m, and a pane 2 mm in front of its door is drawn through it in a moiré; fr
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -38,18 +40,34 @@ def drawn_boxes(library: Library, scene: Scene) -> Array:
     return np.concatenate([shell, moved_boxes(turns, np.array(boxes).reshape(-1, 2, 3))])
 
 
-def nearest_depth_m(camera: Camera, boxes: Array) -> float:
-    """A depth in metres with none of the ``boxes`` (N, 2, 3) between it and the eye; the camera's
-    own ``near_m`` where there is no better."""
+def with_near_planes(cameras: Sequence[Camera], boxes: Array) -> tuple[Camera, ...]:
+    """The cameras, each with the furthest near plane that none of the ``boxes`` (N, 2, 3) reaches
+    before; its own where there is no better."""
+    return tuple(
+        camera.model_copy(update={"near_m": _nearest_depth_m(camera, boxes)}) for camera in cameras
+    )
+
+
+def cut_by_near_planes(cameras: Sequence[Camera], boxes: Array) -> bool:
+    """Whether one of the ``boxes`` (N, 2, 3) may reach before the near plane of a camera."""
+    return any(_reached(camera, camera.near_m, boxes) for camera in cameras)
+
+
+def _nearest_depth_m(camera: Camera, boxes: Array) -> float:
+    for depth in _STEPS_M:
+        if depth <= camera.near_m:
+            break
+        if not _reached(camera, depth, boxes):
+            return depth
+    return camera.near_m
+
+
+def _reached(camera: Camera, depth_m: float, boxes: Array) -> bool:
+    """Whether a box reaches between a camera's eye and its picture ``depth_m`` away."""
     k, pose = np.asarray(camera.K), np.asarray(camera.world_from_camera)
     ends = np.array([(-0.5, -0.5), (camera.width - 0.5, camera.height - 0.5)])
     (left, top), (right, bottom) = (ends - k[:2, 2]) / k[[0, 1], [0, 1]]
     corners = np.array([(x, y, 1.0) for x in (left, right) for y in (top, bottom)])
-    for depth in _STEPS_M:
-        if depth <= camera.near_m:
-            break
-        low, high = lowest_highest(apply(pose, [(0.0, 0.0, 0.0), *(corners * depth)]))
-        meets = (boxes[:, 0] <= high).all(axis=1) & (boxes[:, 1] >= low).all(axis=1)
-        if not meets.any():
-            return depth
-    return camera.near_m
+    low, high = lowest_highest(apply(pose, [(0.0, 0.0, 0.0), *(corners * depth_m)]))
+    meets = (boxes[:, 0] <= high).all(axis=1) & (boxes[:, 1] >= low).all(axis=1)
+    return bool(meets.any())

@@ -15,7 +15,7 @@ from sdgen.hazards.twin import PUT, SET_BACK, TAKE_AWAY
 from sdgen.library.states import undecided_states
 from sdgen.options import BuildOptions
 from sdgen.physics.client import Client
-from sdgen.pipeline import make_scene, twins
+from sdgen.pipeline import make_scene, remedied
 from sdgen.pipeline.remedied import Tools, by_remedy, undone_records
 from sdgen.pipeline.scene import furnish_for
 from sdgen.pipeline.spec import draw_spec
@@ -68,7 +68,8 @@ def tools_of(library, client):
             spec = draw_spec(index, CATALOG, OPTIONS)
             home = furnish_for(spec, bundle.physics.home_attempts - 1, CATALOG, library)
             assert not isinstance(home, Rejection)
-            known[index] = spec, Tools(home.context, home.layout, library, client)
+            tools = Tools(home.context, home.layout, library, client, bundle.cameras)
+            known[index] = spec, tools
         return known[index]
 
     return found
@@ -178,10 +179,13 @@ def test_a_scene_and_its_twins_reach_before_no_near_plane(index, bundles, librar
 def test_what_would_come_before_a_lens_is_taken_away(bundles, library, client, monkeypatch):
     """Or what is as it was would be drawn from another depth on."""
     assert any(one.moved for one in bundles[0].twin.anomalies.undone)
-    monkeypatch.setattr(twins, "cut_by_near_planes", lambda cameras, boxes: True)
+    monkeypatch.setattr(remedied, "cut_by_near_planes", lambda cameras, boxes: True)
     made = make_scene(0, CATALOG, library, OPTIONS, client)
     for one in (made.twin, *made.toggles):
         assert not any(undone.moved for undone in one.anomalies.undone)
+    for toggle, before in zip(made.toggles, bundles[0].toggles, strict=True):
+        ids = [[undone.anomaly_id for undone in one.anomalies.undone] for one in (toggle, before)]
+        assert ids[0] == ids[1]
 
 
 def test_most_things_are_put_back_and_not_taken_away(bundles):

@@ -1,8 +1,8 @@
 """Undoes anomalies one after another by their remedies, and looks whether each way will do.
 
 A way will do when its thing comes to rest where the remedy says, all others fixed, cuts into
-nothing and stays; when the predicate no longer holds and no other has come to hold; and when
-everything else stands as before. What cannot be undone so is taken away.
+nothing, stays and comes before no lens; when the predicate no longer holds and no other has come
+to hold; and when everything else stands as before. What cannot be undone so is taken away.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from sdgen.cameras.nearest import cut_by_near_planes, drawn_boxes
 from sdgen.facts import Facts, bodies_of, entered_structures, unheld
 from sdgen.geometry import round_position, round_quat
 from sdgen.hazards.certify import Survey, facts_of, survey
@@ -25,7 +26,7 @@ from sdgen.physics.settle import MAX_STEPS, moving, settle
 from sdgen.physics.world import World
 from sdgen.pipeline.rest import STAYS_SHARE
 from sdgen.pipeline.undoing import check_standing, near_boxes
-from sdgen.scene import Anomaly, Contact, ObjectInstance, Pose, Scene, Undone
+from sdgen.scene import Anomaly, Camera, Contact, ObjectInstance, Pose, Scene, Undone
 from sdgen.seeding import Rng
 from sdgen.vocabulary import DRIFT_LIMIT_M
 from sdgen.zones import swing_blocked
@@ -39,12 +40,14 @@ Pair = tuple[int, str]
 
 @dataclass(frozen=True)
 class Tools:
-    """What trying remedies needs, all of it of the build."""
+    """What trying remedies needs, all of it of the build; ``cameras`` are the scene's, which show
+    its twins from the same depth on."""
 
     context: HomeContext
     layout: Layout
     library: Library
     client: Client
+    cameras: tuple[Camera, ...]
 
 
 @dataclass(frozen=True)
@@ -171,6 +174,9 @@ def _after(
     if not keep <= pairs or not pairs <= now.pairs - {(key, anomaly.hazard)}:
         return None
     if put and not _stands_there(step, key, facts):
+        return None
+    # What is only set otherwise, or shut, was looked at when the cameras were made.
+    if put and cut_by_near_planes(tools.cameras, drawn_boxes(library, facts.scene)):
         return None
     if any(True for _ in unheld(facts)) or (
         check_standing(now.facts.scene, facts, library, tools.client) is not None

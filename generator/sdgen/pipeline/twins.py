@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from sdgen.cameras.nearest import cut_by_near_planes, drawn_boxes
 from sdgen.catalog.records import Catalog
 from sdgen.facts import Facts
 from sdgen.hazards.certify import Survey, certificate
@@ -56,20 +55,16 @@ class Twins:
         staying = [one for one in every if one.id not in ids]
         scene = self.bundle.scene.model_copy(update={"id": new_id, "twin_of": self.bundle.scene.id})
         context, infos = self.home.context, self.library.infos
-        tools = Tools(context, self.home.layout, self.library, self.client)
+        tools = Tools(context, self.home.layout, self.library, self.client, self.bundle.cameras)
         apart = [one for one in staying if not _same_object(one, anomalies)]
         for keep in (staying, apart, []) if staying else ([],):
             found = by_remedy(scene, self.facts, anomalies, keep, tools, self.lane)
-            if found is not None and not self._before_a_lens(found):
+            if found is not None:
                 records = undone_records(every, found)
                 return twin_with(self.bundle, context.catalog, infos, found, records)
         facts, surveyed = self.plain
         plain = twin_of(self.bundle, context.catalog, infos, facts, surveyed)
         return replace(plain, scene=plain.scene.model_copy(update={"id": new_id}))
-
-    def _before_a_lens(self, found: Remedied) -> bool:
-        """Whether something was put nearer to a camera than it is drawn from."""
-        return cut_by_near_planes(self.bundle.cameras, drawn_boxes(self.library, found.facts.scene))
 
 
 def _same_object(one: Anomaly, others: Sequence[Anomaly]) -> bool:

@@ -34,7 +34,7 @@ def read_again(
     parts: Sequence[Part],
 ) -> npt.NDArray[np.int32]:
     """Which of the ``parts`` every pixel shows, (H, W), NOBODY: none, where ``index`` says
-    what was read and ``nodes`` whose that is.
+    what was read and ``nodes`` whose that is; ``world_from_camera`` is of the world of the parts.
 
     A pixel is read again when its object shows at none of the eight around it and its part is not
     there, at ``depth_m``: then it is of the part that most of these are of and that is.
@@ -44,20 +44,20 @@ def read_again(
     for row, column in _alone(nodes):
         ray = ((column - k[0, 2]) / k[0, 0], (row - k[1, 2]) / k[1, 1], 1.0)
         depth = float(depth_m[row, column])
-
-        def there(number: int, ray: Sequence[float] = ray, depth: float = depth) -> bool:
-            if number == NOBODY:
-                return depth > _FAR_SHARE * camera.far_m
-            return _meets(parts[number], world_from_camera, ray, depth)
-
-        if there(int(index[row, column])):
-            continue
-        # Itself included, since it is not there.
+        # With the pixel itself: if that is not there, others are more.
         around = index[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2]
         near = Counter(around.ravel().tolist())
+        there = {
+            number: depth > _FAR_SHARE * camera.far_m
+            if number == NOBODY
+            else _meets(parts[number], world_from_camera, ray, depth)
+            for number in near
+        }
+        if there[int(index[row, column])]:
+            continue
         if out is index:
             out = index.copy()
-        out[row, column] = max(near, key=lambda number: (there(number), near[number], number))
+        out[row, column] = max(near, key=lambda n: (there[n], near[n], n))
     return out
 
 

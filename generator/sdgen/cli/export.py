@@ -7,38 +7,58 @@ from pathlib import Path
 import click
 
 from sdgen.cli.disk import human_bytes
+from sdgen.cli.shared_options import ASSETS
+from sdgen.export.formats import FORMATS
 
-FORMATS = ("tar",)
+_WHAT = "; ".join(f"{name}: {known.words}" for name, known in FORMATS.items())
 
 
-@click.command(short_help="Pack a data set for other tools.")
+@click.command(short_help="Write a data set for other tools.")
 @click.argument("dataset", type=click.Path(path_type=Path), metavar="DATASET")
 @click.option(
     "--format",
     "name",
-    type=click.Choice(FORMATS),
-    default=FORMATS[0],
+    type=click.Choice(list(FORMATS)),
+    default="tar",
     show_default=True,
-    help="What to write.",
+    help=f"What to write. {_WHAT}.",
 )
 @click.option(
     "-o",
     "--output",
     type=click.Path(path_type=Path),
     required=True,
-    help="File to write; its ending (.tar, .tar.gz) decides the compression.",
+    help="File to write for tar (its ending .tar or .tar.gz decides the compression), for all "
+    "others a new folder.",
 )
-def export(dataset: Path, name: str, output: Path) -> None:
-    """Pack a data set: the same bytes for the same data set, safe to unpack.
+@click.option("--split", help="Only the scenes of train, val or test (not for tar).")
+@ASSETS
+def export(
+    dataset: Path, name: str, output: Path, split: str | None, assets: tuple[Path, ...]
+) -> None:
+    """Write a data set in a format that other tools read; docs/exports.md tells of each.
 
+    \b
     Example: sdgen export output/sdgen-n12-s7 -o homes.tar
+    Example: sdgen export output/sdgen-n12-s7 --format huggingface -o homes-hf
     """
     from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
     from sdgen.dataset.output_file import check_output
+    from sdgen.dataset.output_folder import check_output_folder
+    from sdgen.errors import UsageError
     from sdgen.export import export as write
+    from sdgen.library import load_library
 
-    check_output(output)  # before the work
-    with bar("packing") as on_scene:
-        write(Dataset(dataset), name, output, on_scene)
-    click.echo(f"{output}: {human_bytes(output.stat().st_size)}")
+    known = FORMATS[name]
+    # Before the work.
+    (check_output if known.output == "file" else check_output_folder)(output)
+    if split is not None and name == "tar":
+        raise UsageError("--split: a tar file holds the whole data set")
+    data = Dataset(dataset, split=split)
+    library = load_library(assets) if known.models else None
+    with bar("writing") as on_scene:
+        write(data, name, output, on_scene, library)
+    files = [output] if output.is_file() else [p for p in output.rglob("*") if p.is_file()]
+    size = human_bytes(sum(file.stat().st_size for file in files))
+    click.echo(f"{output}: {size}" + (f" in {len(files)} files" if output.is_dir() else ""))

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.catalog.records import Catalog, canonical_sha256
+from sdgen.dataset.disk import sha256_hex
 from sdgen.dataset.images import read_gray, read_rgb
 from sdgen.dataset.opening import open_info, read_manifest, refuse_incomplete
 from sdgen.dataset.records import VISIBILITY_FILE, Kind, ManifestEntry
@@ -61,6 +62,21 @@ class SceneItem:
     def where(self, name: str) -> str:
         """How errors call a file of this scene."""
         return f"scenes/{self.entry.id}/{name}"
+
+    def file(self, name: str) -> bytes:
+        """A file of the scene as bytes, those that the manifest has the digest of.
+
+        Raises InputError for one that is missing, changed, no plain file or led to by a link.
+        """
+        where = self.where(name)
+        inside = self.root.resolve() / "scenes" / self.entry.id / name
+        # A linked folder on the way would lead out of the data set as well as a linked file.
+        if (self.folder / name).resolve() != inside:
+            raise InputError([f"{where}: a symbolic link leads elsewhere"])
+        content = read_bytes(self.folder / name, where)
+        if sha256_hex(content) != self.entry.files.get(name):
+            raise InputError([f"{where}: changed since it was written (sdgen validate)"])
+        return content
 
     def read(self, model: type[R], name: str) -> R:
         """A file of the scene as a record."""

@@ -1,27 +1,59 @@
-"""The formats a data set can be exported to: name -> what writes it."""
+"""The formats a data set can be exported to: what each writes, and which module does it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from sdgen.dataset import Dataset
 from sdgen.errors import UsageError, did_you_mean
-from sdgen.export.tar import export_tar
 
-#: ``(data set, output, on_scene)`` -> None.
-Exporter = Callable[[Dataset, Path, Callable[[int, int], None] | None], None]
+if TYPE_CHECKING:
+    from sdgen.dataset import Dataset
+    from sdgen.library import Library
 
-FORMATS: Mapping[str, Exporter] = {"tar": export_tar}
+#: Told ``(done, total)`` after each scene.
+OnScene: TypeAlias = "Callable[[int, int], None] | None"
+
+
+@dataclass(frozen=True)
+class Format:
+    """One format. ``function`` of ``module`` writes it: ``(data, output, on_scene)``, with the
+    library between the last two where it needs the ``models``."""
+
+    module: str
+    function: str
+    words: str
+    output: Literal["file", "folder"] = "folder"
+    models: bool = False
+
+
+FORMATS: Mapping[str, Format] = {
+    "tar": Format("tar", "export_tar", "the files as they are, one archive", "file"),
+}
 
 
 def export(
     data: Dataset,
     name: str,
     output: Path,
-    on_scene: Callable[[int, int], None] | None = None,
+    on_scene: OnScene = None,
+    library: Library | None = None,
 ) -> None:
-    """Export a data set. UsageError for a format nobody knows."""
+    """Export a data set to a file, or a folder that is new or empty; whole or not at all.
+
+    ``library`` has the models of formats that need them (default: the shipped ones). UsageError for
+    a format nobody knows, SdgenError for a bad place, InputError for a data set that is not whole.
+    """
     if name not in FORMATS:
         raise UsageError(f"no format {name!r}{did_you_mean(name, list(FORMATS))}")
-    FORMATS[name](data, output, on_scene)
+    known = FORMATS[name]
+    write = getattr(import_module(f"sdgen.export.{known.module}"), known.function)
+    if not known.models:
+        write(data, output, on_scene)
+        return
+    from sdgen.library import load_library
+
+    write(data, output, library or load_library(), on_scene)

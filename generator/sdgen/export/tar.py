@@ -16,11 +16,9 @@ from pathlib import Path
 from typing import IO
 
 from sdgen.dataset import Dataset
-from sdgen.dataset.disk import sha256_hex
 from sdgen.dataset.output_file import output_file
 from sdgen.dataset.records import TOP_FILES
-from sdgen.dataset.text import read_bytes
-from sdgen.errors import InputError, SdgenError
+from sdgen.errors import SdgenError
 from sdgen.files import open_plain
 
 ENDINGS = (".tar", ".tar.gz", ".tgz")
@@ -61,24 +59,15 @@ def _write(data: Dataset, stream: IO[bytes], on_scene: Callable[[int, int], None
     with tarfile.open(fileobj=stream, mode="w|", format=tarfile.USTAR_FORMAT) as archive:
         for name in sorted(TOP_FILES):
             # The manifest of many scenes is larger than any file that is read whole.
-            with open_plain(_within(data, name), name, links=False) as file:
+            with open_plain(data.path / name, name, links=False) as file:
                 _add(archive, root, name, file, os.fstat(file.fileno()).st_size)
         for done, entry in enumerate(data.entries, start=1):
+            item = data.scene(entry.id)
             for name in sorted(entry.files):
-                where = f"scenes/{entry.id}/{name}"
-                content = read_bytes(_within(data, where), where)
-                if sha256_hex(content) != entry.files[name]:
-                    raise InputError([f"{where}: changed since it was written (sdgen validate)"])
-                _add(archive, root, where, io.BytesIO(content), len(content))
+                content = item.file(name)
+                _add(archive, root, item.where(name), io.BytesIO(content), len(content))
             if on_scene is not None:
                 on_scene(done, len(data.entries))
-
-
-def _within(data: Dataset, name: str) -> Path:
-    # A linked folder on the way would lead out of the data set as well as a linked file.
-    if (data.path / name).resolve() != data.path.resolve() / name:
-        raise InputError([f"{name}: a symbolic link leads elsewhere"])
-    return data.path / name
 
 
 def _add(archive: tarfile.TarFile, root: str, name: str, content: IO[bytes], size: int) -> None:

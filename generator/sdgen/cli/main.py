@@ -27,7 +27,7 @@ COMMANDS = {
     "validate": "Check a data set: schemas, hashes, masks, every label again.",
     "stats": "Count what a data set holds.",
     "view": "Make a page that shows a data set.",
-    "export": "Pack a data set for other tools.",
+    "export": "Write a data set for other tools.",
     "detect": "Run a detector over a data set.",
     "evaluate": "Score predictions against a data set.",
     "home": "Draw one home, or write it as YAML or GLB.",
@@ -41,7 +41,16 @@ EXIT_INTERRUPTED = 130
 #: What a shell reports of a tool that a closed pipe has ended (128 + SIGPIPE).
 EXIT_PIPE = 141
 #: Packages only some commands need -> the extra of sdgen that brings them.
-EXTRAS = {"coacd": "assets", "openai": "llm", "ray": "ray", "scipy": "assets"}
+EXTRAS = {
+    "coacd": "assets",
+    "datasets": "huggingface",
+    "openai": "llm",
+    "pandas": "pandas",
+    "pycocotools": "coco",
+    "ray": "ray",
+    "rerun": "rerun",
+    "scipy": "assets",
+}
 EPILOG = "Example: sdgen build --n 12 --seed 7 && sdgen view output/sdgen-n12-s7"
 
 

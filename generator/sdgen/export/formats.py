@@ -32,6 +32,11 @@ class Format:
 
 FORMATS: Mapping[str, Format] = {
     "tar": Format("tar", "export_tar", "the files as they are, one archive", "file"),
+    "webdataset": Format("webdataset", "export_webdataset", "tar shards, a sample a view"),
+    "huggingface": Format("huggingface", "export_huggingface", "Parquet for load_dataset"),
+    "croissant": Format("huggingface", "export_huggingface", "the same folder: its croissant.json"),
+    "rerun": Format("rerun", "export_rerun", "a recording a scene for the Rerun viewer"),
+    "coco": Format("coco", "export_coco", "instances, hazards and panoptic masks"),
 }
 
 

@@ -1,0 +1,144 @@
+"""A data set as a folder of Parquet files that ``datasets.load_dataset`` reads.
+
+Three tables, ``views`` (a row a view, pictures as images), ``scenes`` (a row a scene) and
+``anomalies``, each with the data set's splits; ``twin_views`` and ``twin_scenes`` of twins.
+Pictures are the files' own bytes; depth and masks stay 16-bit. ``croissant.json`` describes the
+same files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from sdgen.dataset import Dataset, SceneItem
+from sdgen.dataset.derived import derived_from
+from sdgen.dataset.output_folder import output_folder
+from sdgen.dataset.text import pretty
+from sdgen.export.croissant import croissant
+from sdgen.export.formats import OnScene
+from sdgen.export.huggingface_card import card
+from sdgen.export.huggingface_features import anomaly_features, scene_features, view_features
+from sdgen.export.rows import picture_files, row_of_scene, rows_of_anomalies, rows_of_views
+from sdgen.export.shards import SHARD_BYTES, groups, scenes_in
+
+if TYPE_CHECKING:
+    import datasets
+
+#: Rows that are compressed and read together: few, since a view has some hundred kilobytes.
+ROWS = 50
+
+#: A GLB of the scene, where the table shall have one.
+Mesh = Callable[[SceneItem], bytes]
+
+
+def export_huggingface(
+    data: Dataset, output: Path, on_scene: OnScene = None, mesh: Mesh | None = None
+) -> None:
+    """Write Parquet files and their card into a new folder; the same bytes for the same data set
+    and versions of pyarrow. ``mesh`` makes the GLB of a scene for a column of meshes.
+
+    Raises SdgenError for a bad place, InputError for a file that is missing or changed,
+    ModuleNotFoundError without datasets (pip install sdgen[huggingface]).
+    """
+    columns = {
+        "views": view_features(data.info.options.sensors),
+        "scenes": scene_features(mesh is not None),
+        "anomalies": anomaly_features(),
+    }
+    total, done = scenes_in(data), 0
+    files: dict[str, dict[str, str]] = {}
+    with output_folder(output) as folder:
+        for kind, split, items in groups(data):
+            prefix = "" if kind == "scene" else f"{kind}_"
+            with ExitStack() as stack:
+                views, scenes, anomalies = (
+                    stack.enter_context(_Parquet(folder, f"{prefix}{name}", split, of))
+                    for name, of in columns.items()
+                )
+                for item in items:
+                    with derived_from(data, item):
+                        for row in rows_of_views(item):
+                            views.add(row | _pictures(item, row["view"]))
+                        made = {} if mesh is None else {"mesh": _file(mesh(item))}
+                        scenes.add(row_of_scene(item) | made)
+                        for row in rows_of_anomalies(item):
+                            anomalies.add(row)
+                    done += 1
+                    if on_scene is not None:
+                        on_scene(done, total)
+            for table in (views, scenes, anomalies):
+                if table.rows:
+                    files.setdefault(table.name, {})[split] = f"{table.name}/{split}-*.parquet"
+        described = croissant(data, {name: columns[name.rsplit("_", 1)[-1]] for name in files})
+        (folder / "croissant.json").write_text(pretty(described) + "\n", encoding="utf-8")
+        (folder / "README.md").write_text(card(data, files), encoding="utf-8")
+
+
+def _pictures(item: SceneItem, view: int) -> dict[str, Any]:
+    names = picture_files(item, view)
+    return {column: _file(item.file(name)) for column, name in names.items()}
+
+
+def _file(content: bytes) -> dict[str, Any]:
+    """A file as columns of images and meshes store it."""
+    return {"bytes": content, "path": None}
+
+
+class _Parquet:
+    """The files of one split of one table: ``NAME/SPLIT-00000-of-00001.parquet`` and on."""
+
+    def __init__(self, folder: Path, name: str, split: str, features: datasets.Features) -> None:
+        self.name = name
+        self.rows = 0
+        self._folder = folder / name
+        self._split = split
+        self._schema = features.arrow_schema
+        self._waiting: list[Mapping[str, Any]] = []
+        self._writer: Any = None
+        self._files: list[Path] = []
+        self._bytes = 0
+
+    def __enter__(self) -> _Parquet:
+        return self
+
+    def __exit__(self, kind: object, *error: object) -> None:
+        if kind is None:
+            self._flush()
+        if self._writer is not None:
+            self._writer.close()
+        for number, path in enumerate(self._files):
+            last = f"{self._split}-{number:05d}-of-{len(self._files):05d}.parquet"
+            path.rename(path.with_name(last))
+
+    def add(self, row: Mapping[str, Any]) -> None:
+        """Add a row."""
+        self.rows += 1
+        self._waiting.append(row)
+        self._bytes += sum(_weight(value) for value in row.values())
+        if len(self._waiting) == ROWS:
+            self._flush()
+
+    def _flush(self) -> None:
+        if not self._waiting:
+            return
+        import pyarrow as pa
+        from pyarrow.parquet import ParquetWriter
+
+        if self._writer is None:
+            self._folder.mkdir(exist_ok=True)
+            path = self._folder / f"{self._split}-{len(self._files):05d}.parquet"
+            self._files.append(path)
+            # Pictures are compressed already.
+            self._writer = ParquetWriter(path, self._schema, compression="zstd")
+        self._writer.write_table(pa.Table.from_pylist(self._waiting, schema=self._schema))
+        self._waiting = []
+        if self._bytes >= SHARD_BYTES:
+            self._writer.close()
+            self._writer, self._bytes = None, 0
+
+
+def _weight(value: Any) -> int:
+    return len(value["bytes"]) if isinstance(value, dict) and "bytes" in value else 0

@@ -1,6 +1,7 @@
 """Data sets on disk: the writer a build uses, and the reader everybody uses."""
 
-from sdgen.dataset.reader import Dataset, SceneItem
+from sdgen.dataset.item import SceneItem
+from sdgen.dataset.reader import Dataset
 from sdgen.dataset.records import DatasetInfo, ManifestEntry
 from sdgen.dataset.writer import DatasetWriter
 

@@ -7,7 +7,8 @@ from contextlib import contextmanager
 
 from shapely.errors import ShapelyError
 
-from sdgen.dataset.reader import Dataset, SceneItem
+from sdgen.dataset.item import SceneItem
+from sdgen.dataset.reader import Dataset
 from sdgen.errors import InputError, did_you_mean
 
 

@@ -77,13 +77,13 @@ def _chunk(kind: bytes, data: bytes) -> bytes:
 
 def read_rgb(path: Path, size: tuple[int, int], where: str) -> npt.NDArray[np.uint8]:
     """(H, W, 3) colours of a picture of ``size`` (width, height). Raises InputError."""
-    return np.asarray(_open(path, size, ("RGB",), where), dtype=np.uint8)
+    return np.array(_open(path, size, ("RGB",), where), dtype=np.uint8)  # one may write to
 
 
 def read_gray(path: Path, size: tuple[int, int], bits: int, where: str) -> npt.NDArray[Any]:
     """(H, W) values of an 8- or 16-bit picture of ``size``. Raises InputError."""
     if bits == 8:
-        return np.asarray(_open(path, size, ("L",), where), dtype=np.uint8)
+        return np.array(_open(path, size, ("L",), where), dtype=np.uint8)
     return np.asarray(_open(path, size, ("I;16", "I;16B", "I"), where)).astype(np.uint16)
 
 

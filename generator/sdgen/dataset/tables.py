@@ -12,7 +12,7 @@ from sdgen.dataset.text import compact, plain
 if TYPE_CHECKING:
     import pandas as pd
 
-    from sdgen.dataset.reader import SceneItem
+    from sdgen.dataset.item import SceneItem
 
 Row: TypeAlias = Mapping[str, Any]
 

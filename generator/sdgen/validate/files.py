@@ -8,8 +8,8 @@ from itertools import islice
 
 from sdgen.dataset import Dataset
 from sdgen.dataset.disk import file_sha256
+from sdgen.dataset.item import SceneItem
 from sdgen.dataset.opening import unlisted
-from sdgen.dataset.reader import SceneItem
 from sdgen.dataset.records import (
     CONTENT_FILES,
     SCENE_ID,

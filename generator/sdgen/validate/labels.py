@@ -10,7 +10,7 @@ from itertools import islice
 from sdgen.actions import at_rest
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
-from sdgen.dataset.reader import SceneItem
+from sdgen.dataset.item import SceneItem
 from sdgen.facts import Facts, bodies_of
 from sdgen.freespace import free_shape, rounded_rings
 from sdgen.geometry import QUATERNION_STEP, round_position

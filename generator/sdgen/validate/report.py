@@ -7,7 +7,7 @@ from itertools import islice
 
 from shapely.geometry import Point, Polygon
 
-from sdgen.dataset.reader import SceneItem
+from sdgen.dataset.item import SceneItem
 from sdgen.scene import Contact
 from sdgen.validate.labels import known_ids
 from sdgen.validate.problems import SHOWN, Problem

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdgen.dataset.reader import SceneItem
+from sdgen.dataset.item import SceneItem
 from sdgen.facts import Facts, entered_structures, in_the_air, unheld
 from sdgen.validate.problems import Problem
 from sdgen.zones import swing_blocked

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.dataset.reader import SceneItem
+from sdgen.dataset.item import SceneItem
 from sdgen.geometry import Array, apply, inverse
 from sdgen.library.drawn import drawn
 from sdgen.library.records import AssetInfo

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sdgen.dataset.reader import SceneItem
+from sdgen.dataset.item import SceneItem
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import InputError
 from sdgen.scene import Scene

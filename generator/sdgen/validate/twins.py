@@ -9,7 +9,7 @@ from typing import Any
 from sdgen.actions import at_rest, settled_states
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
-from sdgen.dataset.reader import SceneItem
+from sdgen.dataset.item import SceneItem
 from sdgen.errors import InputError
 from sdgen.facts import Facts
 from sdgen.hazards.certify import facts_of

@@ -11,7 +11,7 @@ import numpy as np
 from sdgen.cameras.outdoors import outer_openings
 from sdgen.cameras.pinhole import FOV_X_RAD, intrinsics
 from sdgen.dataset import Dataset
-from sdgen.dataset.reader import SceneItem
+from sdgen.dataset.item import SceneItem
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import InputError
 from sdgen.library.records import AssetInfo

@@ -1,0 +1,216 @@
+"""One scene of a data set: records at once, pictures when asked for. Files may be anybody's."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate, islice
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.dataset.disk import sha256_hex
+from sdgen.dataset.images import read_gray, read_rgb
+from sdgen.dataset.notebook import BLUE, RED, figure, page
+from sdgen.dataset.records import VISIBILITY_FILE, ManifestEntry
+from sdgen.dataset.scene_folder import view_folder
+from sdgen.dataset.text import read_bytes, read_record
+from sdgen.errors import InputError
+from sdgen.scene import (
+    Anomalies,
+    Camera,
+    Graph,
+    Household,
+    PhysicsReport,
+    Record,
+    Scene,
+    Visibility,
+)
+
+if TYPE_CHECKING:
+    import networkx as nx
+
+    from sdgen.dataset.graph_views import GraphView
+
+R = TypeVar("R", bound=Record)
+
+
+@dataclass(frozen=True, repr=False)
+class SceneItem:
+    """One scene: records read on first use, arrays on every use. Raises InputError, located."""
+
+    root: Path
+    entry: ManifestEntry
+    graph_view: GraphView = "full"
+    twin_entry: ManifestEntry | None = None
+
+    @property
+    def id(self) -> str:
+        """``000041``, ``000041-twin`` or ``000041-undo-a00``."""
+        return self.entry.id
+
+    @property
+    def twin(self) -> SceneItem | None:
+        """Its benign twin, None when the data set has none (or this is one)."""
+        if self.twin_entry is None:
+            return None
+        return SceneItem(self.root, self.twin_entry, self.graph_view)
+
+    @property
+    def folder(self) -> Path:
+        """The scene's folder."""
+        return self.root / "scenes" / self.entry.id
+
+    def __repr__(self) -> str:
+        entry = self.entry
+        return (
+            f"<sdgen scene {entry.id!r} ({entry.split}): {entry.objects} objects, "
+            f"{entry.anomalies} anomalies, {entry.lookalikes} lookalikes, {entry.views} views>"
+        )
+
+    def _repr_html_(self) -> str:
+        entry = self.entry
+        head = f"{entry.id}: {entry.home}, {entry.split}, {entry.objects} objects"
+        wrong = [f"{a.hazard}: {a.message} ({a.notify})" for a in self.anomalies.anomalies]
+        views = (self.figure(k, f"view {k}") for k in range(entry.views))
+        return page(head, wrong or ["no hazard"], views)
+
+    def figure(self, view: int, words: str) -> str:
+        """A view as HTML with its boxes, red of anomalies and blue of lookalikes, and words."""
+        if view >= self.entry.views or self.rgb_path(view) is None:
+            return figure(None, (), words)
+        colours = {near.object_id: BLUE for near in self.anomalies.lookalikes}
+        colours |= {anomaly.object_id: RED for anomaly in self.anomalies.anomalies}
+        shown = next((v.objects for v in self.visibility.views if v.view == view), ())
+        boxes = [(o.bbox, colours[o.object_id]) for o in shown if o.object_id in colours]
+        try:
+            return figure(self.rgb(view), boxes, words)
+        except InputError as error:
+            return figure(None, (), f"{words}: {error}")
+
+    def best_view(self) -> int:
+        """The view that shows most of an anomaly; of a scene without one, the first of a room."""
+        best = max(
+            (
+                (pixels, -view)
+                for seen in self.visibility.anomalies
+                for view, pixels in enumerate(seen.evidence_pixels)
+            ),
+            default=(0, 0),
+        )
+        if best[0]:
+            return -best[1]
+        return next((c.index for c in self.cameras if c.kind == "room"), 0)
+
+    def where(self, name: str) -> str:
+        """How errors call a file of this scene."""
+        return f"scenes/{self.entry.id}/{name}"
+
+    def file(self, name: str) -> bytes:
+        """A file of the scene as bytes, those that the manifest has the digest of.
+
+        Raises InputError for one that is missing, changed, no plain file or led to by a link.
+        """
+        where = self.where(name)
+        # A linked folder on the way would lead out of the data set as well as a linked file.
+        way = accumulate(where.split("/"), os.path.join, initial=os.fspath(self.root))
+        if any(map(os.path.islink, islice(way, 1, None))):
+            raise InputError([f"{where}: a symbolic link leads elsewhere"])
+        content = read_bytes(self.folder / name, where)
+        if sha256_hex(content) != self.entry.files.get(name):
+            raise InputError([f"{where}: changed since it was written (sdgen validate)"])
+        return content
+
+    def read(self, model: type[R], name: str) -> R:
+        """A file of the scene as a record."""
+        return read_record(model, self.folder / name, self.where(name))
+
+    @cached_property
+    def scene(self) -> Scene:
+        """``scene.json``."""
+        return self.read(Scene, "scene.json")
+
+    @cached_property
+    def scene_graph(self) -> Graph:
+        """``graph.json``."""
+        return self.read(Graph, "graph.json")
+
+    @property
+    def graph(self) -> nx.MultiDiGraph:
+        """The scene graph as ``networkx.MultiDiGraph``, in the data set's ``graph_view``."""
+        from sdgen.dataset.graph_views import to_networkx
+
+        return to_networkx(self.scene_graph, self.visibility, self.graph_view)
+
+    @cached_property
+    def anomalies(self) -> Anomalies:
+        """``anomalies.json``."""
+        return self.read(Anomalies, "anomalies.json")
+
+    @cached_property
+    def household(self) -> Household:
+        """``household.json``."""
+        return self.read(Household, "household.json")
+
+    @cached_property
+    def physics(self) -> PhysicsReport:
+        """``physics.json``."""
+        return self.read(PhysicsReport, "physics.json")
+
+    @cached_property
+    def visibility(self) -> Visibility:
+        """``visibility.json``."""
+        return self.read(Visibility, VISIBILITY_FILE)
+
+    @cached_property
+    def cameras(self) -> tuple[Camera, ...]:
+        """``view.json`` of every view."""
+        return tuple(
+            self.read(Camera, f"{view_folder(k)}/view.json") for k in range(self.entry.views)
+        )
+
+    def rgb_path(self, view: int) -> Path | None:
+        """The colour picture of a view, None when the build wrote none."""
+        for kind in ("png", "jpg"):
+            if self.has(view, f"rgb.{kind}"):
+                return self.folder / view_folder(view) / f"rgb.{kind}"
+        return None
+
+    def has(self, view: int, name: str) -> bool:
+        """True when the manifest lists this file of a view."""
+        return f"{view_folder(view)}/{name}" in self.entry.files
+
+    def rgb(self, view: int) -> npt.NDArray[np.uint8]:
+        """Colours of a view, (H, W, 3) uint8."""
+        path = self.rgb_path(view)
+        name = path.name if path is not None else "rgb.png"
+        where = self.where(f"{view_folder(view)}/{name}")
+        return read_rgb(self.folder / view_folder(view) / name, self._size(view), where)
+
+    def depth_mm(self, view: int) -> npt.NDArray[np.uint16]:
+        """Planar depth of a view as stored, (H, W) uint16 millimetres, 0 = nothing."""
+        return self._gray(view, "depth.png", 16)
+
+    def depth(self, view: int) -> npt.NDArray[np.float32]:
+        """Planar depth of a view, (H, W) float32 metres, 0 = nothing."""
+        return np.asarray(self.depth_mm(view) / np.float32(1000), dtype=np.float32)
+
+    def instance(self, view: int) -> npt.NDArray[np.uint16]:
+        """Node id of every pixel of a view, (H, W) uint16, 0 = nothing."""
+        return self._gray(view, "instance.png", 16)
+
+    def part(self, view: int) -> npt.NDArray[np.uint8]:
+        """1-based index into the object's drawn parts, (H, W) uint8, 0 for structures."""
+        return np.asarray(self._gray(view, "part.png", 8), dtype=np.uint8)
+
+    def _gray(self, view: int, name: str, bits: int) -> npt.NDArray[np.uint16]:
+        path = self.folder / view_folder(view) / name
+        where = self.where(f"{view_folder(view)}/{name}")
+        return read_gray(path, self._size(view), bits, where)
+
+    def _size(self, view: int) -> tuple[int, int]:
+        camera = self.cameras[view]
+        return camera.width, camera.height

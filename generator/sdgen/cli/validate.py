@@ -86,6 +86,7 @@ def validate(
     from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
     from sdgen.validate import validate as check
+    from sdgen.validate.run import older
 
     if catalogs or extensions:
         if rebuild or physics:
@@ -123,7 +124,13 @@ def validate(
         skipped += "; nothing was made again" if rebuild and not made else ""
         click.echo(f"{dataset}: {len(problems)} {noun}{rest}{skipped}", err=True)
         click.get_current_context().exit(1)
-    scenes = len(Dataset(dataset).entries)
+    data = Dataset(dataset)
+    scenes = len(data.entries)
+    if older(data):
+        version = data.info.format_version
+        click.echo(
+            f"format {version}: its labels were not derived again, by rules not ours", err=True
+        )
     deeper = ", let stand" if physics else ""
     deeper += f", {made} made again" if rebuild else ""
     click.echo(f"{dataset}: {scenes} scenes checked{deeper}, no problem found")

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from sdgen.dataset.disk import sha256_hex
 from sdgen.dataset.images import read_gray, read_rgb
 from sdgen.dataset.notebook import BLUE, RED, figure, page
+from sdgen.dataset.older import physics_as_now
 from sdgen.dataset.records import VISIBILITY_FILE, ManifestEntry
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.dataset.text import read_bytes, read_record
@@ -158,7 +159,8 @@ class SceneItem:
     @cached_property
     def physics(self) -> PhysicsReport:
         """``physics.json``."""
-        return self.read(PhysicsReport, "physics.json")
+        name = "physics.json"
+        return read_record(PhysicsReport, self.folder / name, self.where(name), physics_as_now)
 
     @cached_property
     def visibility(self) -> Visibility:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from itertools import islice
 from pathlib import Path
 
+from sdgen.dataset.older import info_as_now
 from sdgen.dataset.records import SCENE_ID, DatasetInfo, ManifestEntry
 from sdgen.dataset.scene_folder import BUILD_FOLDER, is_ours
 from sdgen.dataset.text import read_lines, read_record
@@ -29,7 +30,7 @@ def open_info(path: Path) -> DatasetInfo:
         else:
             problem = "no data set (it has no dataset.json)"
         raise InputError([f"{path}: {problem}"])
-    info = read_record(DatasetInfo, path / "dataset.json", "dataset.json")
+    info = read_record(DatasetInfo, path / "dataset.json", "dataset.json", info_as_now)
     if info.format_version.split(".")[0] != FORMAT_VERSION.split(".")[0]:
         raise InputError(
             [

@@ -7,7 +7,7 @@ import operator
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +17,7 @@ from sdgen.dataset.filters import having_hazard, having_household, having_room, 
 from sdgen.dataset.frames import Frames
 from sdgen.dataset.item import SceneItem
 from sdgen.dataset.notebook import page
+from sdgen.dataset.older import asset_as_now, catalogue_as_now
 from sdgen.dataset.opening import open_info, read_manifest, refuse_incomplete
 from sdgen.dataset.records import Kind, ManifestEntry
 from sdgen.dataset.tables import (
@@ -204,7 +205,8 @@ class Dataset(Sequence[SceneItem]):
     def catalog(self) -> Catalog:
         """The catalogue the build used. Raises InputError for another one: labels would not follow
         from it."""
-        catalog = to_record(Catalog, self._catalogue, "catalogue.json")
+        as_now = partial(catalogue_as_now, version=self.info.format_version)
+        catalog = to_record(Catalog, self._catalogue, "catalogue.json", as_now)
         if not self.partial and self.catalogue_sha256 != self.info.catalogue_sha256:
             raise InputError(["catalogue.json: not the catalogue whose digest dataset.json has"])
         return catalog
@@ -225,5 +227,6 @@ class Dataset(Sequence[SceneItem]):
     @cached_property
     def infos(self) -> Mapping[str, AssetInfo]:
         """Records of the models the scenes use, by id."""
-        assets = read_lines(AssetInfo, self.path / "assets.jsonl", "assets.jsonl")
+        as_now = partial(asset_as_now, version=self.info.format_version)
+        assets = read_lines(AssetInfo, self.path / "assets.jsonl", "assets.jsonl", as_now)
         return {asset.id: asset for asset in assets}

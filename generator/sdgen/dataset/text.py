@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
@@ -196,9 +196,13 @@ def numbered_lines(path: Path, where: str) -> Iterator[tuple[int, bytes]]:
     return ((k, line) for k, line in lines_of(path, where, MAX_BYTES) if line.strip())
 
 
-def to_record(model: type[T], data: bytes, where: str) -> T:
+def to_record(
+    model: type[T], data: bytes, where: str, as_now: Callable[[Any], Any] | None = None
+) -> T:
     """JSON bytes as a record. Raises InputError with all problems, ``where: key path: problem``."""
     value = parse(data, where)  # what pydantic's parser lets pass: duplicate keys, NaN, 1e999
+    if as_now is not None and (now := as_now(value)) is not value:
+        value, data = now, compact(now).encode()
     try:
         # Strict, in JSON mode: a list may become a tuple, but "1" stays no number.
         return model.model_validate_json(data, strict=True)
@@ -211,19 +215,24 @@ def to_record(model: type[T], data: bytes, where: str) -> T:
         raise InputError(lines) from None
 
 
-def read_record(model: type[T], path: Path, where: str) -> T:
-    """A record from its file. Raises InputError, located."""
-    return to_record(model, read_bytes(path, where), where)
+def read_record(
+    model: type[T], path: Path, where: str, as_now: Callable[[Any], Any] | None = None
+) -> T:
+    """A record from its file; ``as_now`` says one of an older version our way. Raises InputError,
+    located."""
+    return to_record(model, read_bytes(path, where), where, as_now)
 
 
-def read_lines(model: type[T], path: Path, where: str) -> tuple[T, ...]:
-    """Records of a ``.jsonl`` file. Raises InputError with the problems, ``where:line: …``; it
-    stops reading where there are too many."""
+def read_lines(
+    model: type[T], path: Path, where: str, as_now: Callable[[Any], Any] | None = None
+) -> tuple[T, ...]:
+    """Records of a ``.jsonl`` file; ``as_now`` says the lines of an older version our way. Raises
+    InputError with the problems, ``where:line: …``; it stops reading where there are too many."""
     out: list[T] = []
     problems: list[str] = []
     for number, line in numbered_lines(path, where):
         try:
-            out.append(to_record(model, line, f"{where}:{number}"))
+            out.append(to_record(model, line, f"{where}:{number}", as_now))
         except InputError as error:
             problems.extend(error.problems)
             if len(problems) >= SHOWN:

@@ -18,7 +18,7 @@ from sdgen.hazards.certify import Survey, facts_of, survey
 from sdgen.hazards.labels import anomaly_records, with_ids_of
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import derive_states
-from sdgen.scene import FORMAT_VERSION, LARGEST_ID, ObjectInstance, Scene
+from sdgen.scene import LARGEST_ID, ObjectInstance, Scene
 from sdgen.truth import build_graph
 from sdgen.validate.problems import SHOWN, Problem, differences
 from sdgen.validate.standing import check_standing
@@ -26,9 +26,10 @@ from sdgen.zones import derive_zones, floor_obstacles
 
 
 def check_scene(
-    item: SceneItem, infos: Mapping[str, AssetInfo], catalog: Catalog
+    item: SceneItem, infos: Mapping[str, AssetInfo], catalog: Catalog, version: str
 ) -> Iterator[Problem]:
-    """``scene.json`` on its own: ids, poses, variants, joints, states; nothing may dangle."""
+    """``scene.json`` on its own: ids, poses, variants, joints, states; nothing may dangle.
+    ``version`` is the format that the data set says it has."""
     scene, entry, where = item.scene, item.entry, item.where("scene.json")
 
     def problem(text: str) -> Problem:
@@ -37,8 +38,8 @@ def check_scene(
     stated = (scene.id, scene.index, scene.twin_of, scene.home.id, len(scene.objects))
     if stated != (entry.id, entry.index, entry.twin_of, entry.home, entry.objects):
         yield problem("id, index, home or number of objects are not the manifest's")
-    if scene.format_version != FORMAT_VERSION:
-        yield problem(f"format_version: {scene.format_version!r}, expected {FORMAT_VERSION!r}")
+    if scene.format_version != version:
+        yield problem(f"format_version: {scene.format_version!r}, expected {version!r}")
     rooms = [room.id for room in scene.home.rooms]
     objects = [thing.id for thing in scene.objects]
     ids = [*rooms, *(s.id for s in scene.home.structures), *objects]

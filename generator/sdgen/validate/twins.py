@@ -73,7 +73,7 @@ def _base(data: Dataset, item: SceneItem) -> SceneItem | None:
     base = SceneItem(data.path, entry)
     hazards = {hazard.id for hazard in data.catalog.hazards}
     try:
-        if any(check_scene(base, data.infos, data.catalog)):
+        if any(check_scene(base, data.infos, data.catalog, data.info.format_version)):
             return None
         sound = all(anomaly.hazard in hazards for anomaly in base.anomalies.anomalies)
         _ = base.physics

@@ -84,6 +84,16 @@ def test_stats_as_table_and_json(sound: Path, capsys: Captured) -> None:
     assert told["anomalies_by_hazard"]["stove_on"] == 3
     assert told["anomalies_by_hazard"]["spill"] == 0
     assert told["scenes_by_split"] == {"test": 1, "train": 2, "val": 1}
+    assert told["distributions"]["names"]["anomalies_by_hazard"]["counts"]["stove_on"] == 3
+
+
+def test_stats_draws_what_it_prints(sound: Path, tmp_path: Path, capsys: Captured) -> None:
+    picture = tmp_path / "s.svg"
+    assert run(["stats", str(sound), "--plot", str(picture)]) == 0
+    assert "height at which an anomaly stands, m" in capsys.readouterr().out
+    assert "anomalies by room" in picture.read_text(encoding="utf-8")
+    assert run(["stats", str(sound), "--plot", str(sound / "dataset.json")]) == 1
+    assert "belongs to the data set" in capsys.readouterr().err
 
 
 def test_detect_then_evaluate(sound: Path, tmp_path: Path, capsys: Captured) -> None:

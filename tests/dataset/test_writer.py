@@ -422,7 +422,7 @@ def test_an_interrupted_finish_keeps_every_scene(
     path = tmp_path / "d"
     with toy.open_writer(path, toy.small(n=1)) as writer:
         toy.add_scene(writer, 0)
-        monkeypatch.setattr("sdgen.dataset.writer.card", lambda info: 1 / 0)
+        monkeypatch.setattr("sdgen.dataset.writer.card", lambda *info: 1 / 0)
         with pytest.raises(ZeroDivisionError):
             writer.finish()
         monkeypatch.undo()

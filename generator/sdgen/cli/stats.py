@@ -3,23 +3,51 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
+#: Characters of the longest bar.
+_WIDTH = 30
+
 
 @click.command(short_help="Count what a data set holds.")
 @click.argument("dataset", type=click.Path(path_type=Path), metavar="DATASET")
+@click.option("--split", help="Only the distributions of train, val or test.")
+@click.option(
+    "--plot",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE.svg",
+    help="Also draw the distributions.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-def stats(dataset: Path, as_json: bool) -> None:
-    """Count scenes, views, objects, anomalies by hazard, homes and splits.
+def stats(dataset: Path, split: str | None, plot: Path | None, as_json: bool) -> None:
+    """Count scenes, views, objects, anomalies by hazard, homes and splits, and show how rooms,
+    sizes, heights, visibility and drift are spread. Reads every scene's files, no picture.
 
+    \b
     Example: sdgen stats output/sdgen-n12-s7
+    Example: sdgen stats output/sdgen-n12-s7 --plot stats.svg
     """
+    from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
+    from sdgen.dataset.distributions import distributions
+    from sdgen.dataset.output_file import check_output
     from sdgen.dataset.records import count
 
-    data = Dataset(dataset)
+    if plot is not None:
+        check_output(plot)  # before the work
+    data = Dataset(dataset, split=split)
+    with bar("reading") as on_scene:
+        spread = distributions(data, on_scene)
+    if plot is not None:
+        from sdgen.gallery.stats_picture import write_stats
+
+        part = f", {split}" if split is not None else ""
+        title = f"{dataset.name}: n {data.info.n}, seed {data.info.seed}{part}"
+        write_stats(plot, title, spread)
+        click.echo(f"{plot}", err=True)
     info, counts = data.info, count(data.entries)
     hazards = {name: counts.anomalies_by_hazard.get(name, 0) for name in info.hazards_enabled}
     if as_json:
@@ -31,12 +59,14 @@ def stats(dataset: Path, as_json: bool) -> None:
             "anomalies_by_hazard": hazards,
             "failed": sorted(info.failed),
             "renderers": list(info.renderers),
+            "distributions": spread.model_dump(mode="json"),
         }
         click.echo(json.dumps(record, indent=1))
         return
     from rich.table import Table
 
     from sdgen.cli.table import echo_table
+    from sdgen.gallery.stats_picture import bars, in_words
 
     scenes = max(counts.scenes, 1)
     numbers = {"twins": counts.twins, "toggles": counts.toggles}
@@ -60,6 +90,24 @@ def stats(dataset: Path, as_json: bool) -> None:
     for split, number in counts.scenes_by_split.items():
         homes = len(info.splits.get(split, ()))
         table.add_row(f"scenes, {split}", _of(number, f"{homes} homes"))
+    echo_table(table)
+    for tally in spread.names.values():
+        if tally.title != "anomalies by hazard":  # above
+            _echo_bars(tally.title, "", list(tally.counts.items()))
+    for found in spread.numbers.values():
+        _echo_bars(found.title, in_words(found), bars(found))
+
+
+def _echo_bars(title: str, note: str, rows: Sequence[tuple[str, int]]) -> None:
+    """A small table with a bar a row."""
+    from rich.table import Table
+
+    from sdgen.cli.table import echo_table
+
+    most = max([number for _, number in rows] + [1])
+    table = Table(title=f"{title}\n{note}".strip(), show_header=False, box=None, min_width=60)
+    for name, number in rows:
+        table.add_row(name.replace("_", " "), str(number), "█" * round(_WIDTH * number / most))
     echo_table(table)
 
 

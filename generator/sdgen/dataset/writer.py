@@ -184,7 +184,7 @@ class DatasetWriter(Closing):
         files = {
             "catalogue.json": record_bytes(self.catalog),
             "assets.jsonl": b"".join(line_bytes(asset) for asset in used),
-            "README.md": card(info).encode("utf-8"),
+            "README.md": card(info, entries, used, self.catalog).encode("utf-8"),
             "manifest.jsonl": b"".join(line_bytes(entry) for entry in entries),
             "dataset.json": record_bytes(info),
         }

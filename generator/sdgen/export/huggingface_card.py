@@ -30,7 +30,8 @@ homes with all anomalies, or one of them, undone.
 def card(data: Dataset, files: Mapping[str, Mapping[str, str]]) -> str:
     """Markdown with the front matter that ``datasets`` reads. ``files`` has the pattern of each
     split of each table."""
-    head, body = _split(own_card(data.info))
+    assets = data.infos.values()
+    head, body = _split(own_card(data.info, data.entries, assets, data.catalog))
     head["configs"] = [
         {
             "config_name": name,

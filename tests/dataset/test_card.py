@@ -1,0 +1,78 @@
+"""The card: numbers of the files, code that runs, whom to credit."""
+
+import re
+from pathlib import Path
+
+import pytest
+import yaml
+from sdgen.dataset import Dataset
+from sdgen.dataset.card import card, histogram
+
+from tests import toy
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return toy.build_with_twins(tmp_path_factory.mktemp("set") / "d", n=8)
+
+
+def text(path: Path) -> str:
+    return (path / "README.md").read_text(encoding="utf-8")
+
+
+def test_its_numbers_are_those_of_the_files(path: Path) -> None:
+    said, counts = text(path), Dataset(path).info.counts
+    assert f"| scenes | {counts.scenes} (and {counts.twins} benign twins) |" in said
+    for name in ("views", "objects", "anomalies", "lookalikes"):
+        assert f"| {name} | {getattr(counts, name)} |" in said
+    head = re.search(r"\| hazard \| what \| anomalies \| (.*) \|", said)
+    assert head is not None
+    splits = head[1].split(" | ")
+    assert set(splits) == set(Dataset(path).info.splits)
+    for hazard in Dataset(path).info.hazards_enabled:
+        row = re.search(rf"\| `{hazard}` \| .* \|", said)
+        assert row is not None
+        numbers = [int(cell) for cell in row[0].split("|")[3:-1]]
+        by_split = [
+            sum(a.hazard == hazard for i in Dataset(path, split=s) for a in i.anomalies.anomalies)
+            for s in splits
+        ]
+        assert numbers == [sum(by_split), *by_split]
+
+
+def test_its_front_matter_is_what_hubs_read(path: Path) -> None:
+    front = yaml.safe_load(text(path).split("---")[1])
+    assert front["license"] == "cc-by-4.0"
+    assert "household-safety" in front["tags"]
+
+
+def test_its_code_runs(path: Path, tmp_path: Path) -> None:
+    blind = toy.build(tmp_path / "blind", toy.small(n=2, sensors=()))
+    for made in (path, blind):
+        blocks = re.findall(r"```python\n(.*?)```", text(made), re.DOTALL)
+        assert len(blocks) == 1
+        exec(blocks[0].replace("path/to/this/folder", str(made)), {})
+
+
+def test_histograms_count_everything() -> None:
+    rows = histogram([0, 1, 1, 3], 1)
+    assert [(name, number) for name, number, _ in rows] == [("0", 1), ("1", 2), ("2", 0), ("3", 1)]
+    assert max(len(bar) for _, _, bar in rows) == 30
+    assert [row[:2] for row in histogram([40, 60, 149], 50)] == [
+        ("0-49", 1),
+        ("50-99", 1),
+        ("100-149", 1),
+    ]
+    assert histogram([], 5) == []
+
+
+def test_models_of_others_are_credited(path: Path) -> None:
+    data = Dataset(path)
+    assets = [
+        asset.model_copy(update={"source": "gso:1", "attribution": "By\nsomebody", "licence": "X"})
+        for asset in data.infos.values()
+    ]
+    info = data.info.model_copy(update={"licence": "X"})
+    said = card(info, data.entries, assets, data.catalog)
+    assert f"- X: {len(assets)} models, by or from By somebody" in said
+    assert "Licence of the scenes: X" in said

@@ -12,6 +12,7 @@ from sdgen.cli.main import cli
 from sdgen.errors import SdgenError
 from sdgen.export.beside import check_beside, written_beside
 from sdgen.export.home_mjcf import write_home_mjcf
+from sdgen.export.model_files import ModelFiles
 from sdgen.facts import bodies_of
 from sdgen.home.notes import KEY
 from sdgen.scene import Scene
@@ -32,7 +33,11 @@ def model(scene: Scene, tmp_path_factory: pytest.TempPathFactory) -> Any:
     folder = tmp_path_factory.mktemp("mjcf")
     (folder / "my home_assets").mkdir()
     text = write_home_mjcf(
-        scene, LIBRARY, folder / "my home_assets", "my home_assets", made(WHICH).spec
+        scene,
+        LIBRARY,
+        ModelFiles(LIBRARY, folder / "my home_assets"),
+        "my home_assets",
+        made(WHICH).spec,
     )
     (folder / "my home.xml").write_bytes(text)
     return mujoco.MjModel.from_xml_path(str(folder / "my home.xml"))

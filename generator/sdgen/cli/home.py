@@ -162,6 +162,7 @@ def export_home(
     from sdgen.export.home_glb import home_glb
     from sdgen.export.home_mjcf import write_home_mjcf
     from sdgen.export.home_yaml import home_yaml
+    from sdgen.export.model_files import ModelFiles
 
     if out.suffix not in (*_YAML, ".glb", ".xml"):
         raise UsageError(f"{out}: expected a name that ends in .yaml, .glb or .xml")
@@ -177,7 +178,7 @@ def export_home(
     elif out.suffix == ".xml":
         beside = folder_beside(out)
         with written_beside(out) as folder:
-            data = write_home_mjcf(scene, library, folder, beside.name, spec)
+            data = write_home_mjcf(scene, library, ModelFiles(library, folder), beside.name, spec)
         write_output(out, data)
         click.echo(str(beside))
     else:

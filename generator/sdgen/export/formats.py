@@ -36,6 +36,10 @@ FORMATS: Mapping[str, Format] = {
     "huggingface": Format("huggingface", "export_huggingface", "Parquet for load_dataset"),
     "croissant": Format("huggingface", "export_huggingface", "the same folder: its croissant.json"),
     "rerun": Format("rerun", "export_rerun", "a recording a scene for the Rerun viewer"),
+    "glb": Format("glb", "export_glb", "a GLB a scene", models=True),
+    "mjcf": Format("mjcf", "export_mjcf", "an XML a scene for MuJoCo, shared meshes", models=True),
+    "mjz": Format("mjcf", "export_mjz", "one file a scene for MuJoCo", models=True),
+    "urdf": Format("urdf", "export_urdf", "a URDF a scene, shared meshes", models=True),
     "coco": Format("coco", "export_coco", "instances, hazards and panoptic masks"),
 }
 

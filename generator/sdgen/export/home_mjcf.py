@@ -9,24 +9,21 @@ from __future__ import annotations
 
 import json
 import xml.etree.ElementTree as Tree
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
 
 from sdgen.catalog.records import HomeSpec
+from sdgen.export.links import Link, links_of
+from sdgen.export.model_files import ModelFiles, numbers
 from sdgen.geometry import Array, quat_from_matrix
 from sdgen.home.notes import KEY, home_note, thing_notes
-from sdgen.library import Library, MeshData
+from sdgen.library import Library
 from sdgen.library.records import Asset, Joint
 from sdgen.library.states import object_from_part
 from sdgen.scene import Box, ObjectInstance, Scene, Structure
 
-#: A thing without thickness still has inertia: of its box no side counts less, metres.
-_LEAST_SIDE_M = 0.01
-#: MuJoCo refuses to move what weighs nothing.
-_LEAST_MASS_KG = 1e-3
 #: What holds a leaf where it stands against its own weight, and how much slower it gets.
 _HOLDS, _DAMPING = 1.5, 0.5
 #: Of MuJoCo's torsional and rolling friction: bottles and balls lie still as in our physics.
@@ -36,11 +33,11 @@ _TYPES = {"revolute": "hinge", "prismatic": "slide"}
 
 
 def write_home_mjcf(
-    scene: Scene, library: Library, folder: Path, assets: str, spec: HomeSpec | None = None
+    scene: Scene, library: Library, files: ModelFiles, assets: str, spec: HomeSpec | None = None
 ) -> bytes:
-    """The XML of a scene; meshes and textures are written into ``folder``, which the XML knows as
-    ``assets`` beside it. ``spec`` is what the home was made from, where it is at hand."""
-    made = _Made(library, folder, assets, scene.home.id)
+    """The XML of a scene; ``files`` takes its meshes and textures, into a folder that the XML knows
+    as ``assets`` beside it. ``spec`` is what the home was made from, where it is at hand."""
+    made = _Made(library, files, assets, scene.home.id)
     note = home_note(scene, spec)
     made.text(KEY, note.model_dump(mode="json"))
     names = {room.id: room.name for room in scene.home.rooms}
@@ -59,15 +56,17 @@ def _name(item: ObjectInstance) -> str:
 class _Made:
     """A MuJoCo model in the making."""
 
-    def __init__(self, library: Library, folder: Path, assets: str, name: str) -> None:
+    def __init__(self, library: Library, files: ModelFiles, assets: str, name: str) -> None:
         self._library = library
-        self._folder = folder
+        self._files = files
         self._known: dict[object, str] = {}
-        self._hulls: dict[str, Sequence[tuple[str, str]]] = {}
+        self._hulls: dict[str, Sequence[str]] = {}
         self._root = Tree.Element("mujoco", model=name)
         add = Tree.SubElement
         add(self._root, "compiler", angle="radian", meshdir=assets, texturedir=assets)
-        add(self._root, "option", timestep="0.002", integrator="implicitfast")
+        # Elliptic cones and a high ratio: what leans or lies on a slope does not creep away.
+        option = {"cone": "elliptic", "impratio": "10"}
+        add(self._root, "option", option, timestep="0.002", integrator="implicitfast")
         add(self._root, "size", memory="256M")
         add(self._root, "statistic", extent="8")
         self._defaults()
@@ -125,8 +124,8 @@ class _Made:
             "geom",
             {"class": kind},
             name=name,
-            pos=_numbers(piece.center_m),
-            size=_numbers(side / 2 for side in piece.size_m),
+            pos=numbers(piece.center_m),
+            size=numbers(side / 2 for side in piece.size_m),
             material=material,
         )
 
@@ -134,7 +133,7 @@ class _Made:
         key = ("surface", surface)
         if key not in self._known:
             texture = self._texture(self._library.surface_texture(surface), f"surface.{surface}")
-            times = _numbers([1 / self._library.tile_m(surface)] * 2)
+            times = numbers([1 / self._library.tile_m(surface)] * 2)
             self._known[key] = name = f"surface.{surface}"
             Tree.SubElement(
                 self._asset,
@@ -151,37 +150,20 @@ class _Made:
     def thing(self, item: ObjectInstance) -> None:
         """Add an object as it stands, its leaves, lids and drawers as bodies of their own."""
         asset = self._library.assets[item.asset]
-        meshes = self._library.mesh(item.asset)
         name = _name(item)
         body = _body(self._world, name, item.pose.matrix())
         if not item.fixed:
             Tree.SubElement(body, "freejoint", name=f"{name}/free")
-        drawn = asset.variants[item.variant]
-        sizes = {part: float(np.prod(_sides(meshes[part]))) for part in drawn}
-        whole = sum(sizes.values())
-        moved = {
-            joint.name: [p for p in drawn if asset.part(p).joint == joint.name]
-            for joint in asset.joints
-        }
-        still = [part for part in drawn if asset.part(part).joint is None]
-        mass = {
-            key: asset.mass_kg * sum(sizes[p] for p in parts) / whole
-            for key, parts in moved.items()
-        }
-        rest = max(asset.mass_kg - sum(mass.values()), _LEAST_MASS_KG)
-        self._filled(body, item, asset, still or drawn, rest)
         leaves = []
-        for joint in asset.joints:
-            parts = moved[joint.name]
-            if not parts:
+        for link in links_of(self._library, item):
+            if link.joint is None:
+                self._filled(body, item, asset, link)
                 continue
-            leaf = f"{name}/{joint.name}"
-            where = object_from_part(asset, parts[0], item.joints)
-            below = _body(body, leaf, where)
-            value = item.joints.get(joint.name, 0.0)
-            weight = max(mass[joint.name], _LEAST_MASS_KG)
-            _joint(below, leaf, joint, value, weight, _box_of(meshes, parts))
-            self._filled(below, item, asset, parts, weight)
+            leaf = f"{name}/{link.joint}"
+            below = _body(body, leaf, object_from_part(asset, link.parts[0], item.joints))
+            value = item.joints.get(link.joint, 0.0)
+            _joint(below, leaf, asset.joint(link.joint), value, link)
+            self._filled(below, item, asset, link)
             leaves.append(leaf)
         if not item.fixed:
             self._apart([name, *leaves])
@@ -192,34 +174,24 @@ class _Made:
             for second in bodies[:k]:
                 Tree.SubElement(self._contact, "exclude", body1=second, body2=first)
 
-    def _filled(
-        self,
-        body: Tree.Element,
-        item: ObjectInstance,
-        asset: Asset,
-        parts: Sequence[str],
-        mass_kg: float,
-    ) -> None:
+    def _filled(self, body: Tree.Element, item: ObjectInstance, asset: Asset, link: Link) -> None:
         """Give a body its parts: what is drawn, what collides, what they weigh."""
-        low, high = _box_of(self._library.mesh(item.asset), parts)
-        sides = np.maximum(high - low, _LEAST_SIDE_M)
-        squares = sides**2
-        inertia = mass_kg / 12 * (squares.sum() - squares)
         Tree.SubElement(
             body,
             "inertial",
-            pos=_numbers((low + high) / 2),
-            mass=f"{mass_kg:.6g}",
-            diaginertia=" ".join(f"{value:.6g}" for value in inertia),
+            pos=numbers(link.centre_m),
+            mass=f"{link.mass_kg:.6g}",
+            diaginertia=" ".join(f"{value:.6g}" for value in link.inertia),
         )
-        for part in parts:
+        for part in link.parts:
             mesh, material = self._drawn(item.asset, part)
             Tree.SubElement(body, "geom", {"class": "visual"}, mesh=mesh, material=material)
-        friction = _numbers((asset.friction, _TURNS, _ROLLS))
+        friction = numbers((asset.friction, _TURNS, _ROLLS))
         kind = "collision" if item.fixed else "loose"
-        for part, mesh in self._pieces(item.asset):
-            if part in parts:
-                Tree.SubElement(body, "geom", {"class": kind}, mesh=mesh, friction=friction)
+        pieces = self._pieces(item.asset)
+        for number in link.hulls:
+            geom = {"class": kind}
+            Tree.SubElement(body, "geom", geom, mesh=pieces[number], friction=friction)
 
     def _drawn(self, asset_id: str, part: str) -> tuple[str, str]:
         """Mesh and material of a part; models of one shape in several colours share the mesh."""
@@ -227,9 +199,7 @@ class _Made:
         key = (self._library.folder_of(asset_id), asset.mesh, part)
         if key not in self._known:
             self._known[key] = name = f"{asset_id}.{part}"
-            text = _obj(self._library.mesh(asset_id)[part])
-            (self._folder / f"{name}.obj").write_bytes(text)
-            Tree.SubElement(self._asset, "mesh", name=name, file=f"{name}.obj")
+            Tree.SubElement(self._asset, "mesh", name=name, file=self._files.mesh(asset_id, part))
         texture = self._library.file(asset_id, asset.part(part).texture or asset.texture)
         rgba = tuple(min(1.0, value) for value in asset.part(part).rgba)
         worn = (texture, rgba)
@@ -237,94 +207,61 @@ class _Made:
             self._known[worn] = material = f"{asset_id}.{part}"
             image = self._texture(texture, asset_id)
             Tree.SubElement(
-                self._asset, "material", name=material, texture=image, rgba=_numbers(rgba)
+                self._asset, "material", name=material, texture=image, rgba=numbers(rgba)
             )
         return self._known[key], self._known[worn]
 
-    def _pieces(self, asset_id: str) -> Sequence[tuple[str, str]]:
-        """Names of a model's convex pieces, with their parts."""
+    def _pieces(self, asset_id: str) -> Sequence[str]:
+        """Names of a model's convex pieces, in their order."""
         key = (self._library.folder_of(asset_id), self._library.assets[asset_id].hulls)
         if key not in self._known:
             self._known[key] = asset_id
             self._hulls[asset_id] = list(self._hulled(asset_id))
         return self._hulls[self._known[key]]
 
-    def _hulled(self, asset_id: str) -> Iterator[tuple[str, str]]:
+    def _hulled(self, asset_id: str) -> Iterator[str]:
         # Of points alone MuJoCo makes the hull itself.
         for number, hull in enumerate(self._library.hulls(asset_id)):
             name = f"{asset_id}.hull{number}"
-            points = _numbers(hull.vertices_m.ravel())
+            points = numbers(hull.vertices_m.ravel())
             Tree.SubElement(self._asset, "mesh", name=name, vertex=points)
-            yield hull.part, name
+            yield name
 
     def _texture(self, path: Path, name: str) -> str:
         """Name of a texture; it is a PNG, as MuJoCo reads no JPEG."""
         if path not in self._known:
-            self._known[path] = name
-            file = f"{name}.png"
-            with Image.open(path) as image:
-                image.convert("RGB").save(self._folder / file, compress_level=1)
+            file = self._files.texture(path, name)
+            self._known[path] = name = file.removesuffix(".png")
             Tree.SubElement(self._asset, "texture", name=name, type="2d", file=file)
         return self._known[path]
 
 
 def _body(parent: Tree.Element, name: str, parent_from_body: Array) -> Tree.Element:
     x, y, z, w = quat_from_matrix(parent_from_body[:3, :3])
-    place = {"pos": _numbers(parent_from_body[:3, 3]), "quat": _numbers((w, x, y, z))}
+    place = {"pos": numbers(parent_from_body[:3, 3]), "quat": numbers((w, x, y, z))}
     return Tree.SubElement(parent, "body", place, name=name)
 
 
-def _joint(
-    body: Tree.Element,
-    name: str,
-    joint: Joint,
-    value: float,
-    mass_kg: float,
-    box: tuple[Array, Array],
-) -> None:
+def _joint(body: Tree.Element, name: str, joint: Joint, value: float, link: Link) -> None:
     """Add a joint to a body that stands where ``value`` puts it. A point of the hinge, and its
     axis, are where they were: the leaf turns about them."""
     arm = 1.0
     if joint.type == "revolute":
-        arm = float(np.linalg.norm((box[0] + box[1]) / 2 - joint.origin_m))
-    holds = mass_kg * _GRAVITY * arm * _HOLDS
+        arm = float(np.linalg.norm(link.centre_m - joint.origin_m))
+    holds = link.mass_kg * _GRAVITY * arm * _HOLDS
     Tree.SubElement(
         body,
         "joint",
         name=name,
         type=_TYPES[joint.type],
-        pos=_numbers(joint.origin_m),
-        axis=_numbers(joint.axis),
+        pos=numbers(joint.origin_m),
+        axis=numbers(joint.axis),
         limited="true",
-        range=_numbers((joint.lower, joint.upper)),
-        ref=_numbers([value]),
+        range=numbers((joint.lower, joint.upper)),
+        ref=numbers([value]),
         frictionloss=f"{holds:.4g}",
+        # Nearly hard: a lid that stands half open would sink through softer friction.
+        solimpfriction="0.99 0.9999 0.001",
+        solreffriction="0.004 1",
         damping=f"{holds * _DAMPING:.4g}",
     )
-
-
-def _box_of(meshes: Mapping[str, MeshData], parts: Sequence[str]) -> tuple[Array, Array]:
-    """Lowest and highest corner of the box round some parts."""
-    boxes = np.array([meshes[part].bounds_m for part in parts])
-    return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
-
-
-def _sides(mesh: MeshData) -> Array:
-    low, high = mesh.bounds_m
-    sides: Array = np.maximum(high - low, _LEAST_SIDE_M)
-    return sides
-
-
-def _obj(mesh: MeshData) -> bytes:
-    """A mesh as OBJ; corners that share a place share their texture's and normal's, too."""
-    count = len(mesh.vertices)
-    text = ("v %.5f %.5f %.5f\n" * count) % tuple(mesh.vertices.ravel().tolist())
-    text += ("vt %.5f %.5f\n" * count) % tuple(mesh.uvs.ravel().tolist())
-    text += ("vn %.4f %.4f %.4f\n" * count) % tuple(mesh.normals.ravel().tolist())
-    numbers = np.repeat(mesh.faces.ravel() + 1, 3).tolist()
-    text += ("f %d/%d/%d %d/%d/%d %d/%d/%d\n" * len(mesh.faces)) % tuple(numbers)
-    return text.encode("ascii")
-
-
-def _numbers(values: Iterable[float]) -> str:
-    return " ".join(f"{float(value):.6f}".rstrip("0").rstrip(".") for value in values)

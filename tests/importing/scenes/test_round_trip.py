@@ -13,6 +13,7 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.export.home_glb import home_glb
 from sdgen.export.home_mjcf import write_home_mjcf
+from sdgen.export.model_files import ModelFiles
 from sdgen.importing.scenes.read import text_of
 from sdgen.library.gltf import chunks_of, glb_of
 from sdgen.pipeline.one_home import OneHome, one_home
@@ -34,7 +35,9 @@ def written(home: OneHome, format_: str, folder: Path) -> Path:
     (folder / "home_assets").mkdir()
     path = folder / "home.xml"
     path.write_bytes(
-        write_home_mjcf(scene, LIBRARY, folder / "home_assets", "home_assets", home.spec)
+        write_home_mjcf(
+            scene, LIBRARY, ModelFiles(LIBRARY, folder / "home_assets"), "home_assets", home.spec
+        )
     )
     return path
 

@@ -1,0 +1,298 @@
+// A home in 3-D: turn it, come closer, click a thing to be told what it is and why it is a hazard.
+"use strict";
+{
+  const LOW_WALLS_M = 1.3;
+  const STEP = Math.PI / 24;
+
+  const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer;
+
+  // Geometry and material of each part of a model, from its script.
+  const read = new Map();
+  async function parts(name, loader) {
+    if (!read.has(name)) {
+      read.set(name, (async () => {
+        if (!(await sdgen.load(`../models/${encodeURIComponent(name)}.js`))) return null;
+        const model = sdgen.models.get(name);
+        const { scene } = await loader.parseAsync(bytes(model.glb), "");
+        const found = new Map();
+        model.glb = null;
+        scene.children[0].children.forEach((mesh, k) => {
+          const [part, [r, g, b, opacity]] = model.parts[k];
+          const material = new THREE.MeshLambertMaterial({ map: mesh.material.map, color: new THREE.Color(r, g, b) });
+          // 0.999 marks what is seen through its texture.
+          if (opacity < 0.99) Object.assign(material, { transparent: true, opacity, depthWrite: false });
+          found.set(part, { geometry: mesh.geometry, material });
+        });
+        return { found, variants: model.variants };
+      })().catch(() => null));
+    }
+    return read.get(name);
+  }
+
+  const boxMaterial = () => new THREE.MeshLambertMaterial({ color: 0xb0a590 });
+
+  function placed(thing, model, size) {
+    const holder = new THREE.Group();
+    holder.position.set(...thing.at);
+    holder.quaternion.set(...thing.turn);
+    holder.userData.id = thing.id;
+    if (!model) {
+      const mesh = new THREE.Mesh(new THREE.BoxGeometry(...size), boxMaterial());
+      mesh.position.z = size[2] / 2;
+      return holder.add(mesh);
+    }
+    for (const part of model.variants[thing.variant || "default"] || []) {
+      const { geometry, material } = model.found.get(part) || {};
+      if (!geometry) continue;
+      const mesh = new THREE.Mesh(geometry, material);
+      const moved = thing.parts?.[part];
+      if (moved) {
+        mesh.matrixAutoUpdate = false;
+        mesh.matrix.set(...moved);
+      }
+      holder.add(mesh);
+    }
+    return holder;
+  }
+
+  sdgen.space = async (data, stage, panel) => {
+    const began = performance.now();
+    const canvas = document.createElement("canvas");
+    canvas.tabIndex = 0;
+    canvas.setAttribute("aria-label", "the home in 3-D: arrow keys turn it, plus and minus come closer and go away, Escape lets go of a thing");
+    const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    renderer.localClippingEnabled = true;
+    renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    const scene = new THREE.Scene();
+    scene.add(new THREE.HemisphereLight(0xffffff, 0xcfc6b8, 2.3));
+    const sun = new THREE.DirectionalLight(0xffffff, 1.3);
+    sun.position.set(3, -4, 10);
+    scene.add(sun);
+    const camera = new THREE.PerspectiveCamera(42, 1, 0.03, 200);
+    camera.up.set(0, 0, 1);
+    const controls = new THREE.OrbitControls(camera, canvas);
+    controls.maxPolarAngle = Math.PI * 0.495;
+    controls.minDistance = 0.25;
+    controls.zoomToCursor = true;
+
+    // Models come side by side; what is not there is a box.
+    const loader = new THREE.GLTFLoader();
+    const progress = stage.querySelector(".progress");
+    let done = 0;
+    const names = [...data.models];
+    const models = new Map();
+    await Promise.all([
+      ...data.surfaces.map((name) => sdgen.load(`../surfaces/${encodeURIComponent(name)}.js`)),
+      ...names.map(async (name) => {
+        models.set(name, await parts(name, loader));
+        done += 1;
+        if (progress && done % 16 === 0) progress.textContent = `loading ${done} of ${names.length} models …`;
+      }),
+    ]);
+    const shell = sdgen.shell(data);
+    scene.add(shell.group);
+    const things = new Map();
+    const boxes = new Map(data.things.map((thing) => [thing.id, thing.box]));
+    const everything = new THREE.Group();
+    for (const thing of data.things) {
+      const size = data.boxes[thing.model]?.size || thing.box.slice(3);
+      const holder = placed(thing, models.get(thing.model), size);
+      things.set(thing.id, holder);
+      everything.add(holder);
+    }
+    scene.add(everything);
+    scene.updateMatrixWorld(true);
+    for (const holder of things.values()) holder.traverse((one) => { one.matrixAutoUpdate = false; one.matrixWorldAutoUpdate = true; });
+
+    const overlay = sdgen.make("div", "overlay");
+    const tools = sdgen.make("div", "tools");
+    stage.replaceChildren(canvas, overlay, tools);
+    const marks = sdgen.marks(scene, overlay);
+    const called = sdgen.names(data);
+    const relations = sdgen.relations(data);
+
+    // By thing, its labels; anomalies before lookalikes.
+    const labelled = new Map();
+    for (const label of data.labels) labelled.set(label.id, [...(labelled.get(label.id) || []), label]);
+    let number = 0;
+    for (const [id, labels] of labelled) {
+      const holder = things.get(id);
+      if (!holder) continue;
+      const kind = labels.some((label) => label.kind === "anomaly") ? "anomaly" : "lookalike";
+      marks.outline(holder, kind);
+      const of = labels.filter((label) => label.kind === kind);
+      const title = kind === "anomaly" ? `${of.map(() => ++number).join(", ")} ${of.map((label) => label.title).join(", ")}` : `${called.get(id)} is no ${sdgen.plain(of[0].hazard)}`;
+      const pin = sdgen.make("button", `pin ${kind}${kind === "lookalike" ? " small" : ""}`, title);
+      pin.type = "button";
+      pin.title = title;
+      pin.addEventListener("click", () => choose(id, true));
+      const box = boxes.get(id);
+      const one = marks.write(pin, [box[0], box[1], box[2] + box[5] / 2]);
+      one.first = kind === "anomaly";
+      one.above = kind === "anomaly" ? 20 : 0;
+    }
+
+    let asked = false;
+    const redraw = () => { if (!asked) { asked = true; requestAnimationFrame(render); } };
+    sdgen.redraw = redraw;
+    let walls = "low";
+    function render() {
+      asked = false;
+      const width = stage.clientWidth, height = stage.clientHeight;
+      for (const wall of shell.walls) {
+        // A wall is cut away where one looks at its back.
+        const before = (camera.position.getComponent(wall.axis) - wall.at) * wall.way > 0;
+        wall.holder.visible = walls === "all" || (walls !== "none" && before);
+      }
+      renderer.render(scene, camera);
+      marks.place(camera, width, height);
+    }
+    const lowered = [new THREE.Plane(new THREE.Vector3(0, 0, -1), LOW_WALLS_M)];
+    function setWalls(wish) {
+      walls = wish;
+      for (const material of shell.wallMaterials) material.clippingPlanes = wish === "low" ? lowered : null;
+      redraw();
+    }
+    setWalls("low");
+    function resize() {
+      const width = stage.clientWidth, height = stage.clientHeight;
+      renderer.setSize(width, height, false);
+      canvas.style.width = `${width}px`;
+      canvas.style.height = `${height}px`;
+      sdgen.size.set(width, height);
+      camera.aspect = width / height;
+      camera.updateProjectionMatrix();
+      redraw();
+    }
+    new ResizeObserver(resize).observe(stage);
+    controls.addEventListener("change", redraw);
+
+    function look(at, from) {
+      controls.target.set(...at);
+      camera.position.set(...from);
+      controls.update();
+      redraw();
+    }
+    function overall() {
+      const box = new THREE.Box3();
+      for (const room of data.rooms) for (const [x, y] of room.polygon) box.expandByPoint(new THREE.Vector3(x, y, 0.6));
+      const middle = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3());
+      const far = Math.max(size.y, size.x / Math.max(camera.aspect, 0.4)) * 1.25 + 1.5;
+      look(middle.toArray(), [middle.x + far * 0.16, middle.y - far * 0.62, far * 0.86]);
+    }
+    function near(id) {
+      const [x, y, z, dx, dy, dz] = boxes.get(id);
+      const thing = data.things.find((one) => one.id === id);
+      const polygon = data.rooms.find((room) => room.id === thing.room)?.polygon || [[x, y - 1]];
+      const middle = polygon.reduce(([a, b], [px, py]) => [a + px / polygon.length, b + py / polygon.length], [0, 0]);
+      let way = [middle[0] - x, middle[1] - y];
+      const long = Math.hypot(...way);
+      way = long > 0.3 ? way.map((one) => one / long) : [0.2, -0.98];
+      const far = Math.max(1.5, 3.2 * Math.max(dx, dy, dz));
+      look([x, y, z], [x + way[0] * far * 0.72, y + way[1] * far * 0.72, z + far * 0.62]);
+    }
+
+    let chosen = null, undo = [];
+    function letGo() {
+      undo.forEach((one) => one());
+      undo = [];
+      chosen = null;
+      const list = sdgen.make("div", "choose");
+      for (const [id, labels] of labelled) {
+        const button = sdgen.make("button", labels[0].kind, labels[0].kind === "anomaly" ? `${labels.map((label) => label.title).join(", ")}: ${called.get(id)}` : `${called.get(id)}: no ${sdgen.plain(labels[0].hazard)}`);
+        button.type = "button";
+        button.addEventListener("click", () => choose(id, true));
+        list.append(button);
+      }
+      const missing = Object.keys(data.boxes).length;
+      panel.replaceChildren(sdgen.make("p", "soft", "Turn it, come closer, click a thing."), list);
+      if (missing) panel.append(sdgen.make("p", "soft", `${missing} of ${missing + data.models.length} models are drawn as boxes: ${[...new Set(Object.values(data.boxes).map((box) => box.why))].join("; ")}.`));
+      stage.dataset.chosen = "";
+      redraw();
+    }
+    function choose(id, fly) {
+      if (!things.has(id)) return;
+      letGo();
+      chosen = id;
+      const labels = labelled.get(id) || [];
+      if (!labels.length) undo.push(marks.outline(things.get(id), "thing"));
+      for (const label of labels) undo.push(marks.measures(label.marks, boxes, called));
+      const back = sdgen.make("button", "", "back to all");
+      back.type = "button";
+      back.addEventListener("click", () => { letGo(); canvas.focus({ preventScroll: true }); });
+      const graph = sdgen.make("a", "", "in the graph");
+      graph.href = "#graph";
+      graph.addEventListener("click", () => sdgen.chooseNode?.(id));
+      panel.replaceChildren(back, " ", graph, ...sdgen.about(data, id, called, relations, (to) => choose(to, true)));
+      panel.scrollTop = 0;
+      stage.dataset.chosen = id;
+      if (fly) near(id);
+      redraw();
+    }
+
+    const ray = new THREE.Raycaster();
+    let down = null;
+    canvas.addEventListener("pointerdown", (event) => { down = [event.clientX, event.clientY]; });
+    canvas.addEventListener("pointerup", (event) => {
+      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 5) return;
+      const frame = canvas.getBoundingClientRect();
+      ray.setFromCamera(new THREE.Vector2(2 * (event.clientX - frame.left) / frame.width - 1, 1 - 2 * (event.clientY - frame.top) / frame.height), camera);
+      const [hit] = ray.intersectObject(everything, true);
+      let node = hit?.object;
+      while (node && node.userData.id === undefined) node = node.parent;
+      if (node) choose(node.userData.id, false);
+      else letGo();
+    });
+    canvas.addEventListener("keydown", (event) => {
+      const turn = { ArrowLeft: [-STEP, 0], ArrowRight: [STEP, 0], ArrowUp: [0, -STEP], ArrowDown: [0, STEP] }[event.key];
+      const from = camera.position.clone().sub(controls.target);
+      if (turn) {
+        const far = from.length(), flat = Math.atan2(from.y, from.x) + turn[0];
+        const high = Math.min(Math.max(Math.acos(from.z / far) + turn[1], 0.05), 1.5);
+        from.set(far * Math.sin(high) * Math.cos(flat), far * Math.sin(high) * Math.sin(flat), far * Math.cos(high));
+      } else if (event.key === "+" || event.key === "=") from.multiplyScalar(0.85);
+      else if (event.key === "-") from.multiplyScalar(1.18);
+      else if (event.key === "Escape") letGo();
+      else return;
+      camera.position.copy(controls.target).add(from);
+      controls.update();
+      redraw();
+      event.preventDefault();
+    });
+
+    const select = document.createElement("select");
+    select.setAttribute("aria-label", "walls");
+    for (const [value, text] of [["low", "low walls"], ["cut", "walls cut away"], ["all", "all walls"], ["none", "no walls"]]) select.add(new Option(text, value));
+    select.addEventListener("change", () => setWalls(select.value));
+    const ceilings = sdgen.make("button", "", "ceilings");
+    ceilings.type = "button";
+    ceilings.setAttribute("aria-pressed", "false");
+    ceilings.addEventListener("click", () => {
+      for (const one of shell.ceilings) one.visible = !one.visible;
+      ceilings.setAttribute("aria-pressed", shell.ceilings[0]?.visible ?? false);
+      redraw();
+    });
+    const whole = sdgen.make("button", "", "whole home");
+    whole.type = "button";
+    whole.addEventListener("click", () => { letGo(); overall(); });
+    const full = sdgen.make("button", "", "full screen");
+    full.type = "button";
+    full.addEventListener("click", () => document.fullscreenElement ? document.exitFullscreen() : stage.requestFullscreen());
+    tools.append(select, ceilings, whole, full);
+
+    resize();
+    overall();
+    letGo();
+    render();
+    stage.dataset.ready = Math.round(performance.now() - began);
+    return {
+      choose,
+      // Where a thing is on the page, for tests.
+      where: (id) => {
+        const [x, y, z] = boxes.get(id), frame = canvas.getBoundingClientRect();
+        const at = new THREE.Vector3(x, y, z).project(camera);
+        return [frame.left + (at.x + 1) / 2 * frame.width, frame.top + (1 - at.y) / 2 * frame.height];
+      },
+    };
+  };
+}

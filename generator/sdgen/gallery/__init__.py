@@ -1,4 +1,4 @@
-"""Static pages that show a data set: scenes, their views and labels, plans, graphs, models in 3-D."""
+"""Static pages that show a data set: scenes, views, labels, plans, graphs, models in 3-D."""
 
 from sdgen.gallery.page import Shown, write_gallery
 from sdgen.gallery.serve import serve

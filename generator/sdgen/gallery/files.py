@@ -18,7 +18,15 @@ from sdgen.gallery.words import plain
 INDEX = "index.html"
 STYLE = "style.css"
 #: Ours, and three.js with its licence (scripts/vendor_three.py).
-SCRIPTS = ("index.js", "scene.js", "graph.js", "space_shell.js", "space_marks.js", "space.js")
+SCRIPTS = (
+    "index.js",
+    "scene.js",
+    "graph.js",
+    "space_models.js",
+    "space_shell.js",
+    "space_marks.js",
+    "space.js",
+)
 VENDOR = ("three.min.js", "three.LICENSE.txt")
 
 

@@ -69,12 +69,13 @@ def _heights(
             continue
         limits = [t for t in leaves if isinstance(t, HeightTerm) and t.evidence == key]
         start = low[2] - float(group[key])
+        words = "height" if key == "height_m" or "climbed_id" not in group else "for a child"
         yield {
             "kind": "height",
             "at": _rounded(boxes[object_id].center[:2]),
             "from": round(start, 3),
             "to": round(low[2], 3),
-            "text": f"{group[key]:.2f} m",
+            "text": f"{words} {group[key]:.2f} m",
             "limits": [
                 {"z": round(start + limit, 3), "text": f"{word} {limit:g} m"}
                 for term in limits

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import base64
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from sdgen.errors import AssetError
+from sdgen.gallery.files import put
 from sdgen.gallery.script import call
 from sdgen.library import Library
 from sdgen.library.model_glb import model_glb
@@ -22,19 +23,21 @@ MODELS, SURFACES = "models", "surfaces"
 
 
 class Models:
-    """The models of a gallery, each written when the first scene asks for it."""
+    """The models of a gallery, each written when the first scene asks for it. ``others``: the
+    library is not the one the data set was built with (by its digest); what is the same in it, by
+    the records and outlines that the data set carries, is drawn all the same."""
 
     def __init__(
         self,
         infos: Mapping[str, AssetInfo],
+        assets_sha256: str,
         library: Library | None,
         out: Path,
-        put: Callable[[Path, bytes], None],
     ) -> None:
+        self.others = library is not None and library.sha256 != assets_sha256
         self._infos = infos
         self._library = library
         self._out = out
-        self._put = put
         self._why: dict[str, str] = {}
         self._surfaces: dict[str, bool] = {}
 
@@ -68,7 +71,7 @@ class Models:
             }
         except AssetError:
             return "cannot be read"
-        self._put(self._out / MODELS / f"{asset_id}.js", call("model", asset_id, content))
+        put(self._out / MODELS / f"{asset_id}.js", call("model", asset_id, content))
         return ""
 
     def _has_surface(self, name: str) -> bool:
@@ -87,5 +90,5 @@ class Models:
         kind = "png" if data.startswith(b"\x89PNG") else "jpeg"
         picture = f"data:image/{kind};base64,{base64.b64encode(data).decode('ascii')}"
         content = {"size": library.tile_m(name), "picture": picture}
-        self._put(self._out / SURFACES / f"{name}.js", call("surface", name, content))
+        put(self._out / SURFACES / f"{name}.js", call("surface", name, content))
         return True

@@ -1,4 +1,4 @@
-"""Writes the gallery of a data set: an index of scenes, and a page each. Plain files, no network."""
+"""Writes the gallery of a data set: an index of scenes, and a page each. Plain files, offline."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def _write(
     begin_page(out, MARK, (*SCRIPTS, *VENDOR))
     for name in (MODELS, SURFACES):
         folder_of(out, name)
-    models = Models(data.infos, library, out, put)
+    models = Models(data.infos, data.info.assets_sha256, library, out)
     pages = ScenePages(data, models, out, environment)
     families = list(_families(data))[:limit]
     total = sum(map(len, families))
@@ -116,12 +116,12 @@ def _families(data: Dataset) -> Iterator[tuple[ManifestEntry, ...]]:
         yield (item.entry, *twins.get(item.id, ()))
 
 
-def _others(
-    entry: ManifestEntry, items: dict[str, SceneItem]
-) -> tuple[tuple[str, SceneItem], ...]:
+def _others(entry: ManifestEntry, items: dict[str, SceneItem]) -> tuple[tuple[str, SceneItem], ...]:
     """With what a scene is compared, in words: a scene with its twins, a twin with its scene."""
     if entry.twin_of is not None:
-        return tuple(("the scene itself", one) for key, one in items.items() if key == entry.twin_of)
+        return tuple(
+            ("the scene itself", one) for key, one in items.items() if key == entry.twin_of
+        )
     out = []
     for key, one in items.items():
         undone = key.rsplit("-", 1)[-1]
@@ -145,7 +145,7 @@ def _index(rows: list[dict[str, Any]]) -> dict[str, Any]:
             [n for key, times in row["hazards"].items() for n in (place["hazards"][key], times)],
             row["crop"],
             row["overview"],
-            row["lookalikes"],
+            row["inset"],
             int(row["hidden"]),
             row["twins"],
         ]

@@ -84,12 +84,13 @@ def _png(image: Image.Image) -> bytes:
 def thumbnail(rgb: Rgb) -> bytes:
     """A small JPEG of a colour picture."""
     image = Image.fromarray(rgb)
-    return _small_jpeg(image, max(1, round(image.height * THUMB_WIDTH / image.width)))
+    high = max(1, round(image.height * THUMB_WIDTH / image.width))
+    return _jpeg(image.resize((THUMB_WIDTH, high)))
 
 
-def crop(rgb: Rgb, box: Box) -> bytes:
+def crop(rgb: Rgb, box: Box) -> tuple[bytes, bool]:
     """A small JPEG of a thing in a picture, 4 to 3, with what is about it; ``box`` (x, y, w, h) is
-    drawn around it."""
+    drawn around it. True when the thing is in its right half: it lay near the picture's edge."""
     height, width = rgb.shape[:2]
     x, y, w, h = box
     wide = max(_AROUND * w, _AROUND * h * 4 / 3, _LEAST_SHARE * width)
@@ -105,12 +106,10 @@ def crop(rgb: Rgb, box: Box) -> bytes:
     low = ((x - left) * scale - 4, (y - top) * scale - 4)
     far = ((x + w - left) * scale + 3, (y + h - top) * scale + 3)
     ImageDraw.Draw(image).rectangle((*low, *far), outline=_MARK, width=2)
-    buffer = io.BytesIO()
-    image.save(buffer, "JPEG", quality=82)
-    return buffer.getvalue()
+    return _jpeg(image), x + w / 2 > left + wide * 0.55
 
 
-def _small_jpeg(image: Image.Image, height: int) -> bytes:
+def _jpeg(image: Image.Image) -> bytes:
     buffer = io.BytesIO()
-    image.resize((THUMB_WIDTH, height)).save(buffer, "JPEG", quality=80)
+    image.save(buffer, "JPEG", quality=80)
     return buffer.getvalue()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from sdgen.catalog.terms import AllTerm, AnyTerm, CategoryTerm, NotTerm, Term
@@ -12,7 +12,7 @@ from sdgen.gallery.words import measured, plain
 
 #: Names of a list that are said; of more, how many there are.
 _SAID = 4
-_LIST = re.compile(r"\w+(?: or \w+){%d,}" % _SAID)
+_LIST = re.compile(rf"\w+(?: or \w+){{{_SAID},}}")
 
 
 @dataclass(frozen=True)
@@ -36,17 +36,32 @@ def rules_of(
 def _rule(term: Term, object_id: int, facts: Facts, name: Callable[[int], str]) -> Rule:
     holds = term.evaluate(object_id, facts).value
     if isinstance(term, AllTerm | AnyTerm | NotTerm):
-        text = {"all": "all of this", "any": "one of this", "not": "not so"}[term.kind]
-        below = [_rule(one, object_id, facts, name) for one in term.within()]
-        return Rule(text, holds, parts=tuple(below))
+        inner = term.term if isinstance(term, NotTerm) else term
+        text = "all of this" if isinstance(inner, AllTerm) else "one of this"
+        if inner is not term:
+            text = "not all of this" if isinstance(inner, AllTerm) else "none of this"
+        terms = inner.within() if isinstance(inner, AllTerm | AnyTerm) else (inner,)
+        # Of several cases those that speak of things of other kinds say nothing of this one.
+        meant = [one for one in terms if not _of_other_kinds(one, object_id, facts)]
+        parts = [_rule(one, object_id, facts, name) for one in meant]
+        if len(meant) < len(terms):
+            parts.append(Rule(f"cases of other kinds ({len(terms) - len(meant)})", False))
+        return Rule(text, holds, parts=tuple(parts))
     if isinstance(term, CategoryTerm):
-        text = f"it is a kind of: {_few(list(term.any_of))}"
-        return Rule(text, holds, (("it is", plain(facts.category(object_id))),))
+        here = (("here", plain(facts.category(object_id))),)
+        return Rule(f"kind: {_few(term.any_of)}", holds, here)
     text = _LIST.sub(lambda found: _few(found[0].split(" or ")), term.in_words())
     return Rule(plain(text), holds, measured(term.measure(object_id, facts), name))
 
 
-def _few(names: list[str]) -> str:
+def _of_other_kinds(term: Term, object_id: int, facts: Facts) -> bool:
+    kinds = [one for one in term.within() if isinstance(one, CategoryTerm)]
+    return isinstance(term, AllTerm) and not all(
+        kind.evaluate(object_id, facts).value for kind in kinds
+    )
+
+
+def _few(names: Sequence[str]) -> str:
     words = [plain(name) for name in names]
     if len(words) <= _SAID:
         return " or ".join(words)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -17,16 +17,15 @@ from sdgen.facts import Facts
 from sdgen.gallery.boxes import BoxOnView, boxes_of
 from sdgen.gallery.drawing import draw_home
 from sdgen.gallery.files import INDEX, folder_of, put
+from sdgen.gallery.labels import LabelOnPage, labels_of, names_of
 from sdgen.gallery.marks import marks_of
 from sdgen.gallery.models import Models
-from sdgen.gallery.pictures import crop, depth_png, mask_png, thumbnail
-from sdgen.gallery.reasons import Rule, rules_of
+from sdgen.gallery.pictures import depth_png, mask_png, thumbnail
 from sdgen.gallery.script import call
-from sdgen.gallery.seen import Best, best_views, cover, seen_in
+from sdgen.gallery.seen import best_views, cover, seen_in
 from sdgen.gallery.space import scene_space
-from sdgen.gallery.words import measured, plain, who
+from sdgen.gallery.words import who
 from sdgen.hazards.certify import facts_of
-from sdgen.scene import Anomaly, Lookalike
 
 DATA, OVERVIEW, PLAN = "data.js", "overview.jpg", "plan.svg"
 
@@ -46,23 +45,6 @@ class ViewOnPage:
     depth: str | None
     others: tuple[str | None, ...]
     boxes: tuple[BoxOnView, ...]
-
-
-@dataclass(frozen=True)
-class LabelOnPage:
-    """An anomaly or a lookalike: its record, what was measured, the clauses of its hazard, the view
-    that shows it best and its crop there. ``key`` names its card on the page."""
-
-    key: str
-    kind: str
-    record: Anomaly | Lookalike
-    hazard: str
-    title: str
-    what: str
-    measured: tuple[tuple[str, str], ...]
-    rules: tuple[Rule, ...]
-    best: Best | None = None
-    crop: str | None = None
 
 
 @dataclass(frozen=True)
@@ -92,7 +74,11 @@ class ScenePages:
         shown = seen_in(item)
         best = best_views(item, shown)
         facts = facts_of(item.scene, self._data.infos, self._data.catalog)
-        labels = self._labels(item, facts, folder, best)
+        name = names_of(item)
+        labels = labels_of(item, facts, self._hazards, best, name)
+        for label in labels:
+            if label.crop is not None:
+                put(folder / label.crop.name, label.crop.data)
         self._write_data(item, facts, folder, labels)
         view = cover(shown, item.entry.views)
         picture = bool(item.entry.views) and item.rgb_path(view) is not None
@@ -117,14 +103,15 @@ class ScenePages:
             drawing=drawing,
             wrong=[label for label in labels if label.kind == "anomaly"],
             near=[label for label in labels if label.kind == "lookalike"],
-            name=_names(item),
+            name=name,
             who=who(item.household),
             rooms=rooms,
             titles={key: hazard.title for key, hazard in self._hazards.items()},
         )
         put(folder / INDEX, text.encode("utf-8"))
-        crops = [label for label in labels if label.crop and label.best]
-        crops.sort(key=lambda one: -one.best.pixels if one.best else 0)
+        # The index shows the anomaly that is seen best.
+        ranked = sorted(labels, key=lambda one: -one.best.pixels if one.best is not None else 0)
+        crops = [label.crop for label in ranked if label.crop is not None]
         return {
             "id": item.id,
             "kind": item.entry.kind,
@@ -133,48 +120,12 @@ class ScenePages:
             "household": item.household.template,
             "rooms": sorted({room.type for room in item.scene.home.rooms}),
             "hazards": item.entry.hazards,
-            "lookalikes": item.entry.lookalikes,
-            "crop": crops[0].crop if crops else "",
+            "crop": crops[0].name if crops else "",
+            "inset": "left" if crops and crops[0].right else "right",
             "overview": OVERVIEW if picture else PLAN,
             "hidden": not item.entry.all_visible,
             "twins": len(around.family) if item.entry.twin_of is None else 0,
         }
-
-    def _labels(
-        self, item: SceneItem, facts: Facts, folder: Path, best: Mapping[str, Best]
-    ) -> list[LabelOnPage]:
-        name = _names(item)
-        out = []
-        for anomaly in item.anomalies.anomalies:
-            seen, picture = best.get(anomaly.id), None
-            if seen is not None and item.rgb_path(seen.view) is not None:
-                picture = f"{anomaly.id}.jpg"
-                put(folder / picture, crop(item.rgb(seen.view), seen.box))
-            made = self._label(f"w{len(out)}", anomaly, anomaly.hazard, facts, name)
-            out.append(LabelOnPage(**{**vars(made), "best": seen, "crop": picture}))
-        for near in item.anomalies.lookalikes:
-            out.append(self._label(f"n{len(out)}", near, near.near_miss_of, facts, name))
-        return out
-
-    def _label(
-        self,
-        key: str,
-        record: Anomaly | Lookalike,
-        hazard_id: str,
-        facts: Facts,
-        name: Callable[[int], str],
-    ) -> LabelOnPage:
-        hazard = self._hazards.get(hazard_id)
-        return LabelOnPage(
-            key=key,
-            kind="anomaly" if isinstance(record, Anomaly) else "lookalike",
-            record=record,
-            hazard=hazard_id,
-            title=hazard.title if hazard is not None else plain(hazard_id),
-            what=name(record.object_id),
-            measured=measured(record.evidence, name),
-            rules=rules_of(hazard.predicate, record.object_id, facts, name) if hazard else (),
-        )
 
     def _write_data(
         self, item: SceneItem, facts: Facts, folder: Path, labels: Sequence[LabelOnPage]
@@ -189,6 +140,7 @@ class ScenePages:
             for asset, text in why.items()
             if text
         }
+        data["others"] = self._models.others
         data["surfaces"] = self._models.surfaces(item.scene.home.structures)
         data["labels"] = []
         for label in labels:
@@ -238,11 +190,3 @@ def _picture(folder: Path, item: SceneItem, view: int) -> str | None:
     target = item.folder / view_folder(view) / path.name
     relative = os.path.relpath(target.resolve(), folder.resolve())
     return quote(PurePosixPath(Path(relative).as_posix()).as_posix())
-
-
-def _names(item: SceneItem) -> Callable[[int], str]:
-    """What a node is called: ``kitchen table 77``."""
-    names = {thing.id: f"{plain(thing.category)} {thing.id}" for thing in item.scene.objects}
-    names |= {one.id: one.category for one in item.scene.home.structures}
-    names |= {room.id: plain(room.name) for room in item.scene.home.rooms}
-    return lambda key: names.get(key, f"node {key}")

@@ -60,7 +60,13 @@ def scene_space(item: SceneItem, infos: Mapping[str, AssetInfo]) -> dict[str, An
     return {
         "id": item.id,
         "rooms": [
-            {"id": room.id, "name": room.name, "type": room.type, "polygon": room.polygon_m}
+            {
+                "id": room.id,
+                "name": room.name,
+                "type": room.type,
+                "polygon": room.polygon_m,
+                "height": room.height_m,
+            }
             for room in scene.home.rooms
         ],
         "things": things,

@@ -16,7 +16,7 @@ _NAMES = {
     "nearest_id": "nearest",
     "gap_m": "gap",
     "overlap": "resting on it",
-    "target_id": "target",
+    "target_id": "to",
     "zone_overlap": "in the zone",
     "edge_m": "from the edge",
     "overhang_m": "over the edge",
@@ -28,8 +28,8 @@ _NAMES = {
     "away_deg": "turned away by",
     "away_from_id": "away from",
 }
-#: Said by others: the target's category by its name, a zone's kind by its name.
-_LEFT_OUT = {"target_category", "zone"}
+#: Said by others: a relation by its clause, a category and a kind by a name.
+_LEFT_OUT = {"relation", "target_category", "zone"}
 
 
 def plain(text: object) -> str:
@@ -57,7 +57,7 @@ def measured(
 
 
 def _value(key: str, value: EvidenceValue, name: Callable[[int], str]) -> str:
-    if isinstance(value, bool) or isinstance(value, str):
+    if isinstance(value, bool | str):
         return plain(value)
     if key.endswith("_id"):
         return name(int(value))

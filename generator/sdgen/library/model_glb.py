@@ -103,8 +103,8 @@ class _Made:
         for k, picture in enumerate(self._pictures):
             kind = "png" if picture.startswith(b"\x89PNG") else "jpeg"
             images.append({"bufferView": self._view(picture, {}), "mimeType": f"image/{kind}"})
-            texture = {"baseColorTexture": {"index": k}, "metallicFactor": 0, "roughnessFactor": 0.8}
-            self._lists["materials"].append({"pbrMetallicRoughness": texture})
+            dull = {"baseColorTexture": {"index": k}, "metallicFactor": 0, "roughnessFactor": 0.8}
+            self._lists["materials"].append({"pbrMetallicRoughness": dull})
         count = len(self._lists["nodes"])
         root = {"children": list(range(count)), "matrix": Z_UP_FROM_Y_UP.ravel().tolist()}
         document = {

@@ -164,7 +164,7 @@
       const card = document.getElementById(label.key).cloneNode(true);
       card.removeAttribute("id");
       card.querySelector(".links")?.remove();
-      card.querySelector("details")?.setAttribute("open", "");
+      for (const one of card.querySelectorAll("details")) one.open = true;
       out.push(card);
     }
     if (thing && !labels.length) out.push(make("p", "", "Nothing is wrong with it: no hazard's rule holds of it."));

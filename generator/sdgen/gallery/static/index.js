@@ -22,8 +22,8 @@ const sdgen = {};
 
   // Called by scenes.js.
   sdgen.index = ({ words, rows: packed }) => {
-    rows = packed.map(([id, home, kind, split, household, rooms, hazards, crop, overview, lookalikes, hidden, twins]) => ({
-      id, home, crop, overview, lookalikes, hidden, twins,
+    rows = packed.map(([id, home, kind, split, household, rooms, hazards, crop, overview, inset, hidden, twins]) => ({
+      id, home, crop, overview, inset, hidden, twins,
       kind: words.kind[kind], split: words.split[split], household: words.household[household],
       rooms: rooms.map((k) => words.rooms[k]),
       hazards: new Map(hazards.flatMap((k, n) => n % 2 ? [] : [[words.hazards[k], hazards[n + 1]]])),
@@ -112,9 +112,10 @@ const sdgen = {};
     const wrong = [...row.hazards].map(([name, times]) => plain(name) + (times > 1 ? ` ×${times}` : ""));
     link.setAttribute("aria-label", `scene ${row.id}, ${wrong.join(", ") || "no hazard"}`);
     const shots = add(make("span", "shots"), picture(row, row.crop || row.overview));
-    if (row.crop) add(shots, picture(row, row.overview, "inset"));
+    if (row.crop) add(shots, picture(row, row.overview, `inset ${row.inset}`));
     const text = make("span", "text");
-    add(text, make("strong", "", row.id), " ", make("span", "soft", `${plain(row.home)} · ${row.split}${row.twins ? " · twin" : ""}`), make("br"));
+    const about = [row.split, plain(row.household), plain(row.home)].join(" · ");
+    add(text, add(make("span", "name"), make("strong", "", row.id), " ", make("span", "soft", about)));
     for (const name of wrong) add(text, make("span", "tag bad", name));
     if (!wrong.length) add(text, make("span", "soft", "no hazard"));
     if (row.hidden) add(text, make("span", "tag", "not all visible"));

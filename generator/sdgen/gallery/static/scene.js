@@ -92,10 +92,12 @@ const sdgen = { models: new Map(), surfaces: new Map() };
   sdgen.openSpace = (objectId) => {
     opening ??= (async () => {
       stage.replaceChildren(sdgen.make("span", "progress", "loading …"));
-      const scripts = ["three.min.js", "space_shell.js", "space_marks.js", "space.js"];
-      for (const name of scripts) {
-        if (!(await sdgen.load(`../${name}`))) throw new Error(`${name} is not there`);
-      }
+      // All at once: the models arrive while the view gets ready to draw.
+      const scripts = ["three.min.js", "space_models.js", "space_shell.js", "space_marks.js", "space.js"];
+      const there = scripts.map((name) => sdgen.load(`../${name}`));
+      for (const name of sdgen.data.models) sdgen.load(`../models/${encodeURIComponent(name)}.js`);
+      for (const name of sdgen.data.surfaces) sdgen.load(`../surfaces/${encodeURIComponent(name)}.js`);
+      if (!(await Promise.all(there)).every(Boolean)) throw new Error("its scripts are not there");
       return sdgen.space(sdgen.data, stage, document.getElementById("panel"));
     })().catch((error) => {
       stage.replaceChildren(sdgen.make("p", "progress", `No 3-D here: ${error.message}.`));

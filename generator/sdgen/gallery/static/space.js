@@ -4,57 +4,6 @@
   const LOW_WALLS_M = 1.3;
   const STEP = Math.PI / 24;
 
-  const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer;
-
-  // Geometry and material of each part of a model, from its script.
-  const read = new Map();
-  async function parts(name, loader) {
-    if (!read.has(name)) {
-      read.set(name, (async () => {
-        if (!(await sdgen.load(`../models/${encodeURIComponent(name)}.js`))) return null;
-        const model = sdgen.models.get(name);
-        const { scene } = await loader.parseAsync(bytes(model.glb), "");
-        const found = new Map();
-        model.glb = null;
-        scene.children[0].children.forEach((mesh, k) => {
-          const [part, [r, g, b, opacity]] = model.parts[k];
-          const material = new THREE.MeshLambertMaterial({ map: mesh.material.map, color: new THREE.Color(r, g, b) });
-          // 0.999 marks what is seen through its texture.
-          if (opacity < 0.99) Object.assign(material, { transparent: true, opacity, depthWrite: false });
-          found.set(part, { geometry: mesh.geometry, material });
-        });
-        return { found, variants: model.variants };
-      })().catch(() => null));
-    }
-    return read.get(name);
-  }
-
-  const boxMaterial = () => new THREE.MeshLambertMaterial({ color: 0xb0a590 });
-
-  function placed(thing, model, size) {
-    const holder = new THREE.Group();
-    holder.position.set(...thing.at);
-    holder.quaternion.set(...thing.turn);
-    holder.userData.id = thing.id;
-    if (!model) {
-      const mesh = new THREE.Mesh(new THREE.BoxGeometry(...size), boxMaterial());
-      mesh.position.z = size[2] / 2;
-      return holder.add(mesh);
-    }
-    for (const part of model.variants[thing.variant || "default"] || []) {
-      const { geometry, material } = model.found.get(part) || {};
-      if (!geometry) continue;
-      const mesh = new THREE.Mesh(geometry, material);
-      const moved = thing.parts?.[part];
-      if (moved) {
-        mesh.matrixAutoUpdate = false;
-        mesh.matrix.set(...moved);
-      }
-      holder.add(mesh);
-    }
-    return holder;
-  }
-
   sdgen.space = async (data, stage, panel) => {
     const began = performance.now();
     const canvas = document.createElement("canvas");
@@ -84,25 +33,29 @@
     await Promise.all([
       ...data.surfaces.map((name) => sdgen.load(`../surfaces/${encodeURIComponent(name)}.js`)),
       ...names.map(async (name) => {
-        models.set(name, await parts(name, loader));
+        models.set(name, await sdgen.readModel(name, loader));
         done += 1;
         if (progress && done % 16 === 0) progress.textContent = `loading ${done} of ${names.length} models …`;
       }),
     ]);
-    const shell = sdgen.shell(data);
+    const shell = sdgen.shell(data); 
     scene.add(shell.group);
     const things = new Map();
     const boxes = new Map(data.things.map((thing) => [thing.id, thing.box]));
     const everything = new THREE.Group();
     for (const thing of data.things) {
       const size = data.boxes[thing.model]?.size || thing.box.slice(3);
-      const holder = placed(thing, models.get(thing.model), size);
+      const holder = sdgen.placed(thing, models.get(thing.model), size);
       things.set(thing.id, holder);
       everything.add(holder);
     }
     scene.add(everything);
+    // What hangs from a ceiling comes and goes with it, unless it is what people came for.
+    const tall = new Map(data.rooms.map((room) => [room.id, room.height]));
+    const told = new Set(data.labels.map((label) => label.id));
+    const hung = data.things.filter(({ id, room, box: [, , z, , , dz] }) => !told.has(id) && z + dz / 2 > tall.get(room) - 0.06 && z - dz / 2 > 1.4).map(({ id }) => things.get(id));
+    for (const holder of hung) holder.visible = false;
     scene.updateMatrixWorld(true);
-    for (const holder of things.values()) holder.traverse((one) => { one.matrixAutoUpdate = false; one.matrixWorldAutoUpdate = true; });
 
     const overlay = sdgen.make("div", "overlay");
     const tools = sdgen.make("div", "tools");
@@ -121,7 +74,7 @@
       const kind = labels.some((label) => label.kind === "anomaly") ? "anomaly" : "lookalike";
       marks.outline(holder, kind);
       const of = labels.filter((label) => label.kind === kind);
-      const title = kind === "anomaly" ? `${of.map(() => ++number).join(", ")} ${of.map((label) => label.title).join(", ")}` : `${called.get(id)} is no ${sdgen.plain(of[0].hazard)}`;
+      const title = kind === "anomaly" ? of.map((label) => `${++number} ${sdgen.plain(label.hazard)}`).join(", ") : `${called.get(id)} is no ${sdgen.plain(of[0].hazard)}`;
       const pin = sdgen.make("button", `pin ${kind}${kind === "lookalike" ? " small" : ""}`, title);
       pin.type = "button";
       pin.title = title;
@@ -188,7 +141,10 @@
       let way = [middle[0] - x, middle[1] - y];
       const long = Math.hypot(...way);
       way = long > 0.3 ? way.map((one) => one / long) : [0.2, -0.98];
-      const far = Math.max(1.5, 3.2 * Math.max(dx, dy, dz));
+      // So far off that what was measured of it is in the picture, too.
+      const heights = (labelled.get(id) || []).flatMap((label) => label.marks).flatMap((mark) => mark.kind === "height" ? [mark.from, ...mark.limits.map((limit) => limit.z)] : mark.kind === "line" ? [mark.to[2]] : []);
+      const reach = Math.max(0, ...heights.map((one) => Math.abs(one - z)));
+      const far = Math.max(1.4, 3 * Math.max(dx, dy, dz), 1.9 * reach);
       look([x, y, z], [x + way[0] * far * 0.72, y + way[1] * far * 0.72, z + far * 0.62]);
     }
 
@@ -207,6 +163,7 @@
       const missing = Object.keys(data.boxes).length;
       panel.replaceChildren(sdgen.make("p", "soft", "Turn it, come closer, click a thing."), list);
       if (missing) panel.append(sdgen.make("p", "soft", `${missing} of ${missing + data.models.length} models are drawn as boxes: ${[...new Set(Object.values(data.boxes).map((box) => box.why))].join("; ")}.`));
+      if (data.others) panel.append(sdgen.make("p", "soft", "The library at hand is not the one this data set was built with: textures may differ."));
       stage.dataset.chosen = "";
       redraw();
     }
@@ -268,7 +225,7 @@
     ceilings.type = "button";
     ceilings.setAttribute("aria-pressed", "false");
     ceilings.addEventListener("click", () => {
-      for (const one of shell.ceilings) one.visible = !one.visible;
+      for (const one of [...shell.ceilings, ...hung]) one.visible = !one.visible;
       ceilings.setAttribute("aria-pressed", shell.ceilings[0]?.visible ?? false);
       redraw();
     });
@@ -283,7 +240,7 @@
     resize();
     overall();
     letGo();
-    render();
+    render();renderer.getContext().finish(); 
     stage.dataset.ready = Math.round(performance.now() - began);
     return {
       choose,

@@ -2,13 +2,14 @@
 "use strict";
 {
   const COLOURS = { anomaly: 0xff2a3a, lookalike: 0x3f94ff, thing: 0xffc247 };
+  const TICK_M = 0.07;
   const LINE = 0xffc247, LIMIT = 0x7fe0a0, ZONE = 0x35c9b0;
 
   // The hull of a mesh pushed outwards by some pixels and drawn from behind: its silhouette.
   function hull(colour, seen) {
     return new THREE.ShaderMaterial({
       side: THREE.BackSide, transparent: !seen, depthTest: seen, depthWrite: seen,
-      uniforms: { colour: { value: new THREE.Color(colour) }, pixels: { value: 3 }, size: { value: sdgen.size }, share: { value: seen ? 1 : 0.28 } },
+      uniforms: { colour: { value: new THREE.Color(colour) }, pixels: { value: 3 }, size: { value: sdgen.size }, share: { value: seen ? 1 : 0.16 } },
       vertexShader: `uniform float pixels; uniform vec2 size;
         void main() {
           vec4 place = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
@@ -16,8 +17,11 @@
           place.xy += normalize(way + 1e-5) * pixels * 2.0 / size * place.w;
           gl_Position = place;
         }`,
-      fragmentShader: `uniform vec3 colour; uniform float share; void main() { gl_FragColor = vec4(colour, share); #include <colorspace_fragment>
- }`,
+      fragmentShader: `uniform vec3 colour; uniform float share;
+        void main() {
+          gl_FragColor = vec4(colour, share);
+          #include <colorspace_fragment>
+        }`,
     });
   }
 
@@ -61,7 +65,7 @@
       const group = new THREE.Group();
       const said = [];
       const say = (text, at) => { if (text) said.push(write(sdgen.make("span", "said", text), at)); };
-      const tick = (x, y, z, colour) => group.add(line([[x - 0.15, y, z], [x + 0.15, y, z]], colour), line([[x, y - 0.15, z], [x, y + 0.15, z]], colour));
+      const tick = (x, y, z, colour) => group.add(line([[x - TICK_M, y, z], [x + TICK_M, y, z]], colour), line([[x, y - TICK_M, z], [x, y + TICK_M, z]], colour));
       const draw = {
         line: (mark) => {
           group.add(line([mark.from, mark.to], LINE));
@@ -99,7 +103,12 @@
           say([sdgen.plain(names.get(mark.id) || ""), mark.text].filter(Boolean).join(": "), [box[0], box[1], box[2] + box[5] / 2]);
         },
       };
-      for (const mark of marks) draw[mark.kind]?.(mark);
+      // Two heights of one thing stand side by side.
+      let heights = 0;
+      for (const mark of marks) {
+        const aside = mark.kind === "height" && { at: [mark.at[0] + 0.08 * heights++, mark.at[1]] };
+        draw[mark.kind]?.({ ...mark, ...aside });
+      }
       scene.add(group);
       return () => { group.removeFromParent(); said.forEach(remove); };
     };

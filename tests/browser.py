@@ -8,6 +8,7 @@ import os
 import select
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
@@ -29,7 +30,7 @@ FLAGS = (
     "--remote-debugging-pipe",
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
 )
-PATIENCE_S = 60.0
+PATIENCE_S = 30.0
 
 
 def chromium() -> str | None:
@@ -82,8 +83,10 @@ class Page:
         return answer
 
     def open(self, address: str | Path) -> None:
-        """Go there, and wait until it is loaded."""
+        """Go there, loading it anew, and wait until it is loaded."""
         url = address if isinstance(address, str) else address.resolve().as_uri()
+        self.call("Page.navigate", url="about:blank")
+        self.until("location.href === 'about:blank'")
         self.events.clear()
         self.call("Page.navigate", url=url)
         self.until("document.readyState === 'complete' && location.href !== 'about:blank'")
@@ -163,8 +166,6 @@ def browser() -> Iterator[Page]:
             "for k in sys.argv[1:3]); os.dup2(r, 3); os.dup2(w, 4); "
             "os.execv(sys.argv[3], sys.argv[3:])"
         )
-        import sys
-
         process = subprocess.Popen(
             [sys.executable, "-c", bridge, *map(str, low), *command],
             pass_fds=low,

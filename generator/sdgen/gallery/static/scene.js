@@ -103,7 +103,7 @@ const sdgen = { models: new Map(), surfaces: new Map() };
       stage.replaceChildren(sdgen.make("p", "progress", `No 3-D here: ${error.message}.`));
       return null;
     });
-    return opening.then((space) => { if (space && objectId) space.choose(objectId, true); });
+    return opening.then((space) => { if (space && objectId) space.choose(objectId, true); return space; });
   };
   document.getElementById("open-space").addEventListener("click", () => sdgen.openSpace());
 

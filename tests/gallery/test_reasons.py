@@ -82,6 +82,8 @@ def test_distances_zones_and_others_are_drawn(facts: Facts) -> None:
         for end in ends
     )
     assert marks[3]["polygon"] == [[round(x, 3), round(y, 3)] for x, y in zone.polygon_m]
+    assert marks[3]["text"] == zone.kind.replace("_", " ")
+    assert marks[3]["at"][2] == 0.74  # at its foot
     # What is not there, as files of strangers may have it, is not drawn.
     assert marks_of(600, {"nearest_id": 9, "zone_name": "none"}, None, facts, boxes) == []
 

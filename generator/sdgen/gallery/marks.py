@@ -34,19 +34,32 @@ def marks_of(
     """Heights, distances, angles, zones and other things that an anomaly or a near miss hangs on.
 
     ``line``: from, to (metres) and a text; ``height``: a line up to the thing, and the limits of
-    the rule; ``zone``: a polygon between two heights; ``thing``: another node.
+    the rule; ``zone``: a polygon between two heights, and what share of the thing lies in it;
+    ``thing``: another one, by its id.
     """
     leaves = list(_leaves(predicate)) if predicate is not None else []
     groups: dict[str, dict[str, EvidenceValue]] = {}
     for key, value in evidence.items():
         base, number = split_key(key)
         groups.setdefault(number, {})[base] = value
+    # Floors and walls are there anyway.
+    things = {key: box for key, box in boxes.items() if key in facts.bodies}
     out: list[Mark] = []
     for group in groups.values():
         out += _heights(object_id, group, leaves, boxes)
-        out += _others(object_id, group, leaves, boxes)
+        out += _others(object_id, group, leaves, things)
     named = {str(group["zone_name"]) for group in groups.values() if "zone_name" in group}
-    return out + [_zone(z) for z in _zones(object_id, named, leaves, facts)]
+    share = next(
+        (group["zone_overlap"] for group in groups.values() if "zone_overlap" in group), None
+    )
+    low, _ = _corners(boxes[object_id])
+    at = _rounded((*boxes[object_id].center[:2], low[2]))
+    for zone in _zones(object_id, named, leaves, facts):
+        text = plain(zone.kind)
+        out.append(
+            _zone(zone) | {"at": at, "text": text if share is None else f"{text} {share:.0%}"}
+        )
+    return out
 
 
 def _leaves(term: Term) -> Iterator[Term]:
@@ -128,7 +141,6 @@ def _zone(zone: Zone) -> Mark:
         "polygon": [_rounded(point) for point in zone.polygon_m],
         "low": round(zone.z_min_m, 3),
         "high": round(zone.z_max_m, 3),
-        "text": plain(zone.kind),
     }
 
 

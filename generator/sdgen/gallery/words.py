@@ -28,8 +28,8 @@ _NAMES = {
     "away_deg": "turned away by",
     "away_from_id": "away from",
 }
-#: Said by others: a relation by its clause, a category and a kind by a name.
-_LEFT_OUT = {"relation", "target_category", "zone"}
+#: Said by others: a relation by its clause, a category by a name, a zone's name by its kind.
+_LEFT_OUT = {"relation", "target_category", "zone_name"}
 
 
 def plain(text: object) -> str:

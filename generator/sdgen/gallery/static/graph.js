@@ -88,7 +88,7 @@
       const more = node.below.length ? `${opened.has(node.id) ? "▾" : "▸"} ` : "";
       const text = more + node.text + (shut(node) ? ` (${node.below.length})` : "");
       group.append(element("rect", { x: node.x, y: node.y, width: WIDE, height: 22 }));
-      group.append(element("text", { x: node.x + 8, y: node.y + 12 }, text.length > 25 ? `${text.slice(0, 24)}…` : text));
+      group.append(element("text", { x: node.x + 8, y: node.y + 12 }, text.length > 23 ? `${text.slice(0, 22)}…` : text));
       group.append(element("title", {}, names.get(node.id)));
       group.addEventListener("click", () => { if (chosen === node || node.kind === "room") toggle(node); choose(node); });
       return group;

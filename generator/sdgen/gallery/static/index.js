@@ -85,7 +85,7 @@ const sdgen = {};
     made = 0;
     cards.replaceChildren();
     more();
-    count.textContent = `${shown.length} of ${rows.length}`;
+    count.textContent = `${shown.length} of ${rows.filter((row) => kind === "all" || row.kind === kind).length}`;
   }
 
   function more() {

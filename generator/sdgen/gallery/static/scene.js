@@ -68,6 +68,7 @@ const sdgen = { models: new Map(), surfaces: new Map() };
     for (const old of stack.querySelectorAll(".wipe, .edge, .side")) old.remove();
     const source = other?.value && image.getAttribute(`data-other-${other.value}`);
     over(stack, "wiped", source);
+    stack.classList.toggle("comparing", Boolean(source));
     if (!source) return;
     const slider = sdgen.make("input", "wipe");
     slider.type = "range";

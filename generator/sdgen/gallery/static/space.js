@@ -130,8 +130,14 @@
       const box = new THREE.Box3();
       for (const room of data.rooms) for (const [x, y] of room.polygon) box.expandByPoint(new THREE.Vector3(x, y, 0.6));
       const middle = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3());
-      const far = Math.max(size.y, size.x / Math.max(camera.aspect, 0.4)) * 1.25 + 1.5;
-      look(middle.toArray(), [middle.x + far * 0.16, middle.y - far * 0.62, far * 0.86]);
+      const corners = [-1, 1].flatMap((x) => [-1, 1].map((y) => new THREE.Vector3(middle.x + x * size.x / 2, middle.y + y * size.y / 2, 0.6)));
+      const outside = () => corners.some((corner) => { const { x, y } = corner.clone().project(camera); return Math.abs(x) > 0.94 || Math.abs(y) > 0.86; });
+      // Further away until all of it is seen.
+      for (let far = 4; far < 200; far *= 1.06) {
+        look(middle.toArray(), [middle.x + far * 0.14, middle.y - far * 0.56, middle.z + far * 0.8]);
+        camera.updateMatrixWorld();
+        if (!outside()) break;
+      }
     }
     function near(id) {
       const [x, y, z, dx, dy, dz] = boxes.get(id);
@@ -143,8 +149,9 @@
       way = long > 0.3 ? way.map((one) => one / long) : [0.2, -0.98];
       // So far off that what was measured of it is in the picture, too.
       const heights = (labelled.get(id) || []).flatMap((label) => label.marks).flatMap((mark) => mark.kind === "height" ? [mark.from, ...mark.limits.map((limit) => limit.z)] : mark.kind === "line" ? [mark.to[2]] : []);
+      const zoned = (labelled.get(id) || []).some((label) => label.marks.some((mark) => mark.kind === "zone"));
       const reach = Math.max(0, ...heights.map((one) => Math.abs(one - z)));
-      const far = Math.max(1.4, 3 * Math.max(dx, dy, dz), 1.9 * reach);
+      const far = Math.max(1.4, 3 * Math.max(dx, dy, dz), 1.9 * reach, zoned ? 2.6 : 0);
       look([x, y, z], [x + way[0] * far * 0.72, y + way[1] * far * 0.72, z + far * 0.62]);
     }
 

@@ -90,8 +90,7 @@
           fill.raycast = () => {};
           const edge = [...mark.polygon, mark.polygon[0]].map(([x, y]) => [x, y, mark.low + 0.014]);
           group.add(fill, line(edge, ZONE));
-          const middle = mark.polygon.reduce(([a, b], [x, y]) => [a + x / mark.polygon.length, b + y / mark.polygon.length], [0, 0]);
-          say(mark.text, [...middle, mark.low]);
+          say(mark.text, mark.at);
         },
         thing: (mark) => {
           const box = boxes.get(mark.id);

@@ -305,6 +305,17 @@ def test_depth_colours_go_from_light_to_dark() -> None:
     assert shades[1] > shades[2] > shades[3] > shades[4] > 0
 
 
+def test_a_rooms_name_lies_in_the_room() -> None:
+    made = toy.bundle(3).scene
+    corner = ((1.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.0, 3.0), (2.0, 1.0), (1.0, 1.0))
+    room = made.home.rooms[0].model_copy(update={"polygon_m": corner})
+    home = made.home.model_copy(update={"rooms": (room, *made.home.rooms[1:])})
+    drawing = draw_home(made.model_copy(update={"home": home}), toy.infos(), (), (), ())
+    left, _, name = drawing.names[0]
+    assert name == "kitchen"
+    assert left >= 2.0 * 60  # right of the corner that is missing
+
+
 def test_the_drawing_keeps_everything_inside_its_frame() -> None:
     made = toy.bundle(3)
     found = draw_home(made.scene, toy.infos(), (), {600}, {512})

@@ -112,8 +112,9 @@ def _name(
     name: str,
     at: Callable[[float, float], tuple[float, float]],
 ) -> tuple[float, float, str]:
-    x = min(p[0] for p in outline)
+    # Of a room that is no rectangle the corner of its box may lie in another room.
     y = max(p[1] for p in outline)
+    x = min(p[0] for p in outline if p[1] == y)
     left, top = at(x, y)
     return left + 6, top + 16, name.replace("_", " ")
 

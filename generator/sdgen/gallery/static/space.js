@@ -129,9 +129,9 @@
     function overall() {
       const box = new THREE.Box3();
       for (const room of data.rooms) for (const [x, y] of room.polygon) box.expandByPoint(new THREE.Vector3(x, y, 0.6));
-      const middle = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3());
-      const corners = [-1, 1].flatMap((x) => [-1, 1].map((y) => new THREE.Vector3(middle.x + x * size.x / 2, middle.y + y * size.y / 2, 0.6)));
-      const outside = () => corners.some((corner) => { const { x, y } = corner.clone().project(camera); return Math.abs(x) > 0.94 || Math.abs(y) > 0.86; });
+      const middle = box.getCenter(new THREE.Vector3());
+      const corners = data.rooms.flatMap((room) => room.polygon.flatMap(([x, y]) => [0, 1.5].map((z) => new THREE.Vector3(x, y, z))));
+      const outside = () => corners.some((corner) => { const { x, y } = corner.clone().project(camera); return Math.abs(x) > 0.95 || Math.abs(y) > 0.9; });
       // Further away until all of it is seen.
       for (let far = 4; far < 200; far *= 1.06) {
         look(middle.toArray(), [middle.x + far * 0.14, middle.y - far * 0.56, middle.z + far * 0.8]);

@@ -224,9 +224,11 @@ def test_strangers_text_is_escaped(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("sensors", [(), ("depth",), ("rgb",)])
 def test_missing_sensors_leave_no_dead_link(tmp_path: Path, sensors: tuple[str, ...]) -> None:
-    path = toy.build(tmp_path / "d", toy.small(n=1, sensors=sensors))
+    path = toy.build(tmp_path / "d", toy.small(n=2, sensors=sensors))
     page = write_gallery(Dataset(path), tmp_path / "elsewhere" / "page").index
-    for file in (page, page.parent / "000000/index.html"):
+    overview = "overview.jpg" if "rgb" in sensors else "plan.svg"
+    assert {row["overview"] for row in index_of(page).values()} == {overview}
+    for file in (page, *page.parent.glob("*/index.html")):
         for link in Page(file).links:
             assert link.startswith("#") or (file.parent / unquote(link)).is_file(), link
 

@@ -25,6 +25,7 @@ SCRIPTS = (
     "space_models.js",
     "space_shell.js",
     "space_marks.js",
+    "space_controls.js",
     "space.js",
 )
 VENDOR = ("three.min.js", "three.LICENSE.txt")

@@ -94,7 +94,7 @@ const sdgen = { models: new Map(), surfaces: new Map() };
     opening ??= (async () => {
       stage.replaceChildren(sdgen.make("span", "progress", "loading …"));
       // All at once: the models arrive while the view gets ready to draw.
-      const scripts = ["three.min.js", "space_models.js", "space_shell.js", "space_marks.js", "space.js"];
+      const scripts = ["three.min.js", "space_models.js", "space_shell.js", "space_marks.js", "space_controls.js", "space.js"];
       const there = scripts.map((name) => sdgen.load(`../${name}`));
       for (const name of sdgen.data.models) sdgen.load(`../models/${encodeURIComponent(name)}.js`);
       for (const name of sdgen.data.surfaces) sdgen.load(`../surfaces/${encodeURIComponent(name)}.js`);

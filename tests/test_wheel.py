@@ -62,6 +62,10 @@ def test_wheel_holds_the_data_and_no_litter(wheel: Path) -> None:
     for wanted in (
         "sdgen/py.typed",
         "sdgen/importing/addresses.yaml",
+        "sdgen/gallery/static/space.js",
+        "sdgen/gallery/templates/scene.html.j2",
+        "sdgen/gallery/vendor/three.min.js",
+        "sdgen/gallery/vendor/three.LICENSE.txt",
         "sdgen/_data/assets/manifest.yaml",
         "sdgen/_data/assets/LICENSES/CC-BY-4.0.txt",
     ):

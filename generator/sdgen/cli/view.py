@@ -6,6 +6,8 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.shared_options import ASSETS
+
 #: Each scene shown is a page of its own with all its pictures drawn anew.
 LIMIT = 200
 
@@ -27,6 +29,7 @@ LIMIT = 200
     help="Show only the first N scenes; 0 shows all.",
 )
 @click.option("--split", help="Show only the scenes of train, val or test.")
+@ASSETS
 @click.option("--serve", "serving", is_flag=True, help="Serve it on 127.0.0.1 until interrupted.")
 @click.option(
     "--port",
@@ -36,9 +39,18 @@ LIMIT = 200
     help="Port of --serve; 0 takes a free one.",
 )
 def view(
-    dataset: Path, output: Path | None, limit: int, split: str | None, serving: bool, port: int
+    dataset: Path,
+    output: Path | None,
+    limit: int,
+    split: str | None,
+    assets: tuple[Path, ...],
+    serving: bool,
+    port: int,
 ) -> None:
-    """Make a static page: every scene with its views, boxes, labels, household and floor plan.
+    """Make a gallery: a page of all scenes, and for each its views, labels, plan, graph and 3-D.
+
+    Its pages open from disk. Models come from the shipped library and the folders of --assets;
+    boxes stand for those that are not there, or not as the data set has them.
 
     \b
     Example: sdgen view output/sdgen-n12-s7
@@ -48,12 +60,14 @@ def view(
     from sdgen.dataset import Dataset
     from sdgen.errors import UsageError
     from sdgen.gallery import serve, write_gallery
+    from sdgen.library import load_library
 
     if serving and output is not None:
         raise UsageError("--serve shows the data set's own page: leave -o out")
     data = Dataset(dataset, split=split)
+    library = load_library(assets)
     with bar("drawing") as on_scene:
-        shown = write_gallery(data, output or dataset / "view", limit or None, on_scene)
+        shown = write_gallery(data, output or dataset / "view", limit or None, on_scene, library)
     if shown.scenes < shown.total:
         click.echo(f"shows the first {shown.scenes} of {shown.total} scenes (--limit)", err=True)
     if serving:

@@ -1,4 +1,4 @@
-"""A static page that shows a data set: views, boxes, labels, floor plans."""
+"""Static pages that show a data set: scenes, views, labels, plans, graphs, models in 3-D."""
 
 from sdgen.gallery.page import Shown, write_gallery
 from sdgen.gallery.serve import serve

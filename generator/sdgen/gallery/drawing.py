@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sdgen.geometry import Vec2, apply, box_corners
 from sdgen.library.records import AssetInfo
@@ -19,16 +19,24 @@ MARGIN_M = 0.3
 
 @dataclass(frozen=True)
 class Shape:
-    """A polygon of the drawing: what it is, its corners in SVG units, and a tooltip."""
+    """A polygon of the drawing: what it is, its corners in SVG units, a tooltip, and of which
+    object it is (None: of none)."""
 
     kind: str
     corners: tuple[Vec2, ...]
     title: str
+    object_id: int | None = None
 
     @property
     def points(self) -> str:
         """The corners as SVG text."""
         return " ".join(f"{x},{y}" for x, y in self.corners)
+
+    @property
+    def middle(self) -> Vec2:
+        """The middle of its box, in SVG units."""
+        xs, ys = zip(*self.corners, strict=True)
+        return round((min(xs) + max(xs)) / 2, 1), round((min(ys) + max(ys)) / 2, 1)
 
 
 @dataclass(frozen=True)
@@ -84,10 +92,10 @@ def draw_home(
         world = item.pose.matrix()
         outline = [(float(p[0]), float(p[1])) for p in apply(world, box)]
         kind = "opening" if item.category in OPENINGS else "fixed" if item.fixed else "loose"
-        shape = Shape(kind, drawn(outline), f"{item.category} {item.id}")
+        shape = Shape(kind, drawn(outline), f"{item.category} {item.id}", item.id)
         if item.id in anomalies or item.id in lookalikes:
             marked = "anomaly" if item.id in anomalies else "lookalike"
-            late.append(Shape(marked, shape.corners, shape.title))
+            late.append(replace(shape, kind=marked))
         else:
             shapes.append(shape)
     return Drawing(
@@ -104,8 +112,9 @@ def _name(
     name: str,
     at: Callable[[float, float], tuple[float, float]],
 ) -> tuple[float, float, str]:
-    x = min(p[0] for p in outline)
+    # Of a room that is no rectangle the corner of its box may lie in another room.
     y = max(p[1] for p in outline)
+    x = min(p[0] for p in outline if p[1] == y)
     left, top = at(x, y)
     return left + 6, top + 16, name.replace("_", " ")
 

@@ -10,7 +10,7 @@ from typing import Any
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.output_file import write_output
 from sdgen.engines.trials import Tried, in_words, why_not
-from sdgen.gallery.page import INDEX, begin_page, refuse_foreign, templates
+from sdgen.gallery.files import INDEX, begin_page, refuse_foreign, templates
 from sdgen.library import Library
 from sdgen.rejection import most_frequent
 
@@ -25,7 +25,7 @@ def begin_trials(out: Path) -> Path:
     Raises SdgenError when ``out`` holds something else.
     """
     refuse_foreign(out, MARK)
-    begin_page(out, templates(), MARK)
+    begin_page(out, MARK)
     pictures = out / PICTURES
     pictures.mkdir(exist_ok=True)
     for old in pictures.glob("[0-9]*.jpg"):

@@ -32,9 +32,15 @@ _WHAT = "; ".join(f"{name}: {known.words}" for name, known in FORMATS.items())
     "others a new folder.",
 )
 @click.option("--split", help="Only the scenes of train, val or test (not for tar).")
+@click.option("--meshes", is_flag=True, help="huggingface: also each scene's GLB, as a column.")
 @ASSETS
 def export(
-    dataset: Path, name: str, output: Path, split: str | None, assets: tuple[Path, ...]
+    dataset: Path,
+    name: str,
+    output: Path,
+    split: str | None,
+    meshes: bool,
+    assets: tuple[Path, ...],
 ) -> None:
     """Write a data set in a format that other tools read; docs/exports.md tells of each.
 
@@ -55,8 +61,10 @@ def export(
     (check_output if known.output == "file" else check_output_folder)(output)
     if split is not None and name == "tar":
         raise UsageError("--split: a tar file holds the whole data set")
+    if meshes and not known.meshes:
+        raise UsageError(f"--meshes: {name} has no column for them")
     data = Dataset(dataset, split=split)
-    library = load_library(assets) if known.models else None
+    library = load_library(assets) if known.models or meshes else None
     with bar("writing") as on_scene:
         write(data, name, output, on_scene, library)
     files = [output] if output.is_file() else [p for p in output.rglob("*") if p.is_file()]

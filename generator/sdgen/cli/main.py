@@ -46,6 +46,7 @@ EXTRAS = {
     "datasets": "huggingface",
     "openai": "llm",
     "pandas": "pandas",
+    "pxr": "usd",
     "pycocotools": "coco",
     "ray": "ray",
     "rerun": "rerun",

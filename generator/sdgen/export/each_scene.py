@@ -12,15 +12,20 @@ from sdgen.export.shards import groups, scenes_in
 from sdgen.library import Library
 
 
+def check_models(data: Dataset, library: Library) -> None:
+    """Raises InputError for a library that is not the data set's."""
+    if library.sha256 != data.info.assets_sha256:
+        raise InputError(
+            ["dataset.json: assets_sha256: other models than the ones at hand (--assets)"]
+        )
+
+
 def each_scene(
     data: Dataset, library: Library, on_scene: OnScene, write: Callable[[SceneItem], None]
 ) -> None:
     """Call ``write`` for every scene, twins too. Raises InputError for scenes whose files disagree,
     and for a library that is not the data set's."""
-    if library.sha256 != data.info.assets_sha256:
-        raise InputError(
-            ["dataset.json: assets_sha256: other models than the ones at hand (--assets)"]
-        )
+    check_models(data, library)
     total, done = scenes_in(data), 0
     for _, _, items in groups(data):
         for item in items:

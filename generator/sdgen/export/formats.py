@@ -21,25 +21,30 @@ OnScene: TypeAlias = "Callable[[int, int], None] | None"
 @dataclass(frozen=True)
 class Format:
     """One format. ``function`` of ``module`` writes it: ``(data, output, on_scene)``, with the
-    library between the last two where it needs the ``models``."""
+    library between the last two where it needs the ``models``, after them where it can do without
+    and writes ``meshes`` with it."""
 
     module: str
     function: str
     words: str
     output: Literal["file", "folder"] = "folder"
     models: bool = False
+    meshes: bool = False
 
 
 FORMATS: Mapping[str, Format] = {
     "tar": Format("tar", "export_tar", "the files as they are, one archive", "file"),
     "webdataset": Format("webdataset", "export_webdataset", "tar shards, a sample a view"),
-    "huggingface": Format("huggingface", "export_huggingface", "Parquet for load_dataset"),
+    "huggingface": Format(
+        "huggingface", "export_huggingface", "Parquet for load_dataset", meshes=True
+    ),
     "croissant": Format("huggingface", "export_huggingface", "the same folder: its croissant.json"),
     "rerun": Format("rerun", "export_rerun", "a recording a scene for the Rerun viewer"),
     "glb": Format("glb", "export_glb", "a GLB a scene", models=True),
     "mjcf": Format("mjcf", "export_mjcf", "an XML a scene for MuJoCo, shared meshes", models=True),
     "mjz": Format("mjcf", "export_mjz", "one file a scene for MuJoCo", models=True),
     "urdf": Format("urdf", "export_urdf", "a URDF a scene, shared meshes", models=True),
+    "usd": Format("usd", "export_usd", "a USD a scene with physics, shared models", models=True),
     "coco": Format("coco", "export_coco", "instances, hazards and panoptic masks"),
 }
 
@@ -53,15 +58,17 @@ def export(
 ) -> None:
     """Export a data set to a file, or a folder that is new or empty; whole or not at all.
 
-    ``library`` has the models of formats that need them (default: the shipped ones). UsageError for
-    a format nobody knows, SdgenError for a bad place, InputError for a data set that is not whole.
+    ``library`` has the models of formats that need them (default: the shipped ones); given for one
+    that can do without, that writes each scene's mesh, too. UsageError for a format nobody knows,
+    SdgenError for a bad place, InputError for a data set that is not whole.
     """
     if name not in FORMATS:
         raise UsageError(f"no format {name!r}{did_you_mean(name, list(FORMATS))}")
     known = FORMATS[name]
     write = getattr(import_module(f"sdgen.export.{known.module}"), known.function)
     if not known.models:
-        write(data, output, on_scene)
+        more = (library,) if known.meshes and library is not None else ()
+        write(data, output, on_scene, *more)
         return
     from sdgen.library import load_library
 

@@ -8,7 +8,7 @@ same files.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,11 +18,14 @@ from sdgen.dataset.derived import derived_from
 from sdgen.dataset.output_folder import output_folder
 from sdgen.dataset.text import pretty
 from sdgen.export.croissant import croissant
+from sdgen.export.each_scene import check_models
 from sdgen.export.formats import OnScene
+from sdgen.export.home_glb import home_glb
 from sdgen.export.huggingface_card import card
 from sdgen.export.huggingface_features import anomaly_features, scene_features, view_features
 from sdgen.export.rows import picture_files, row_of_scene, rows_of_anomalies, rows_of_views
 from sdgen.export.shards import SHARD_BYTES, groups, scenes_in
+from sdgen.library import Library
 
 if TYPE_CHECKING:
     import datasets
@@ -30,22 +33,22 @@ if TYPE_CHECKING:
 #: Rows that are compressed and read together: few, since a view has some hundred kilobytes.
 ROWS = 50
 
-#: A GLB of the scene, where the table shall have one.
-Mesh = Callable[[SceneItem], bytes]
-
 
 def export_huggingface(
-    data: Dataset, output: Path, on_scene: OnScene = None, mesh: Mesh | None = None
+    data: Dataset, output: Path, on_scene: OnScene = None, library: Library | None = None
 ) -> None:
     """Write Parquet files and their card into a new folder; the same bytes for the same data set
-    and versions of pyarrow. ``mesh`` makes the GLB of a scene for a column of meshes.
+    and versions of pyarrow. With a ``library``, a scene's row has its GLB in a column ``mesh``.
 
-    Raises SdgenError for a bad place, InputError for a file that is missing or changed,
-    ModuleNotFoundError without datasets (pip install sdgen[huggingface]).
+    Raises SdgenError for a bad place, InputError for a file that is missing or changed, or scenes
+    that other models were built of, ModuleNotFoundError without datasets
+    (pip install sdgen[huggingface]).
     """
+    if library is not None:
+        check_models(data, library)
     columns = {
         "views": view_features(data.info.options.sensors),
-        "scenes": scene_features(mesh is not None),
+        "scenes": scene_features(library is not None),
         "anomalies": anomaly_features(),
     }
     total, done = scenes_in(data), 0
@@ -62,8 +65,7 @@ def export_huggingface(
                     with derived_from(data, item):
                         for row in rows_of_views(item):
                             views.add(row | _pictures(item, row["view"]))
-                        made = {} if mesh is None else {"mesh": _file(mesh(item))}
-                        scenes.add(row_of_scene(item) | made)
+                        scenes.add(row_of_scene(item) | _mesh(item, library))
                         for row in rows_of_anomalies(item):
                             anomalies.add(row)
                     done += 1
@@ -80,6 +82,10 @@ def export_huggingface(
 def _pictures(item: SceneItem, view: int) -> dict[str, Any]:
     names = picture_files(item, view)
     return {column: _file(item.file(name)) for column, name in names.items()}
+
+
+def _mesh(item: SceneItem, library: Library | None) -> dict[str, Any]:
+    return {} if library is None else {"mesh": _file(home_glb(item.scene, library))}
 
 
 def _file(content: bytes) -> dict[str, Any]:

@@ -6,8 +6,10 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
+import numpy.typing as npt
 from PIL import Image
 
+from sdgen.geometry import Array
 from sdgen.library import Library, MeshData
 
 
@@ -82,14 +84,21 @@ def obj(mesh: MeshData, material: str | None = None) -> bytes:
     return text.encode("ascii")
 
 
-def hull_obj(points: np.ndarray) -> bytes:
+def hull_obj(points: Array) -> bytes:
     """The convex hull of points (N, 3) as OBJ."""
+    vertices, faces = hull_mesh(points)
+    text = ("v %.5f %.5f %.5f\n" * len(vertices)) % tuple(vertices.ravel().tolist())
+    text += ("f %d %d %d\n" * len(faces)) % tuple((faces.ravel() + 1).tolist())
+    return text.encode("ascii")
+
+
+def hull_mesh(points: Array) -> tuple[Array, npt.NDArray[np.int64]]:
+    """Vertices (N, 3) and triangles (M, 3) of the convex hull of points. ModuleNotFoundError
+    without scipy (pip install sdgen[assets])."""
     import trimesh
 
     hull = trimesh.convex.convex_hull(points)
-    text = ("v %.5f %.5f %.5f\n" * len(hull.vertices)) % tuple(hull.vertices.ravel().tolist())
-    text += ("f %d %d %d\n" * len(hull.faces)) % tuple((hull.faces.ravel() + 1).tolist())
-    return text.encode("ascii")
+    return np.asarray(hull.vertices), np.asarray(hull.faces)
 
 
 def numbers(values: Iterable[float]) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdgen.dataset import Dataset, SceneItem
+from sdgen.dataset import Dataset, ManifestEntry, SceneItem
 
 #: Bytes of pictures after which a new file is begun.
 SHARD_BYTES = 500_000_000
@@ -13,17 +13,22 @@ SHARD_BYTES = 500_000_000
 def groups(data: Dataset) -> Iterator[tuple[str, str, Iterator[SceneItem]]]:
     """``(kind, split, scenes)`` with ``kind`` ``scene``, ``twin`` or ``toggle``; none empty.
 
-    Scenes are opened one at a time, so that one alone is in memory. Of a data set that was opened
-    for one split, that split alone.
+    The scenes that ``data`` shows, and their twins; opened one at a time, so that one alone is in
+    memory.
     """
-    splits = [data.split] if data.split is not None else list(data.info.splits)
+    wanted = _wanted(data)
     for kind in ("scene", "twin", "toggle"):
-        for split in splits:
-            entries = [e for e in data.entries if e.kind == kind and e.split == split]
+        for split in data.info.splits:
+            entries = [entry for entry in wanted if entry.kind == kind and entry.split == split]
             if entries:
                 yield kind, split, (data.scene(entry.id) for entry in entries)
 
 
 def scenes_in(data: Dataset) -> int:
     """How many scenes ``groups`` gives, twins too."""
-    return sum(data.split in (None, entry.split) for entry in data.entries)
+    return len(_wanted(data))
+
+
+def _wanted(data: Dataset) -> list[ManifestEntry]:
+    ids = {entry.twin_of or entry.id for entry in data.shown}
+    return [entry for entry in data.entries if (entry.twin_of or entry.id) in ids]

@@ -27,7 +27,7 @@ class BuildOptions(Record):
 
     n: int = Field(default=10, ge=0, le=MAX_SCENES)
     seed: int = Field(default=0, ge=0, le=MAX_SEED)
-    homes: Literal["base", "procedural", "mixed"] = "mixed"
+    homes: Literal["base", "procedural", "mixed", "imported"] = "mixed"
     hazards_min: int = Field(default=0, ge=0)
     hazards_max: int = Field(default=5, ge=0)
     draw: Literal["balanced", "iid"] = "balanced"

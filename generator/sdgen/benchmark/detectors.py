@@ -29,7 +29,8 @@ def rules(data: Dataset, item: SceneItem) -> tuple[Report, ...]:
     rooms = {room.id: room.type for room in item.scene.home.rooms}
     room_of = {thing.id: thing.room_id for thing in item.scene.objects}
     for positive in certify(item.scene, data.infos, catalog):
-        if not positive.verdict.value:
+        # In doubt are only things of others' scenes: nobody's label says what these are.
+        if not (positive.verdict.value and positive.verdict.sure):
             continue
         hazard = catalog.hazard(positive.hazard)
         room = rooms[room_of[positive.object_id]]

@@ -28,6 +28,7 @@ COMMANDS = {
     "stats": "Count what a data set holds.",
     "view": "Make a page that shows a data set.",
     "export": "Write a data set for other tools.",
+    "import": "Make a data set of others' scene graphs.",
     "detect": "Run a detector over a data set.",
     "evaluate": "Score predictions against a data set.",
     "home": "Draw one home, or write it as YAML or GLB.",
@@ -35,6 +36,9 @@ COMMANDS = {
     "assets": "List and show the models.",
     "doctor": "Say what this machine can do, and what is missing.",
 }
+
+#: Command -> its module and function, where Python has the word for itself.
+MODULES = {"import": "import_graphs"}
 
 #: 128 and the signal: SIGINT is 2.
 EXIT_INTERRUPTED = 130
@@ -64,7 +68,8 @@ class LazyGroup(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in COMMANDS:
             return None
-        command: click.Command = getattr(import_module(f"sdgen.cli.{cmd_name}"), cmd_name)
+        name = MODULES.get(cmd_name, cmd_name)
+        command: click.Command = getattr(import_module(f"sdgen.cli.{name}"), name)
         return command
 
     def resolve_command(

@@ -17,7 +17,7 @@ from sdgen.engines.registry import ENGINES, EngineOptions, check_engine
 from sdgen.engines.report import BuildReport, Note, OnEvent, ignore_event
 from sdgen.engines.tally import Tally
 from sdgen.engines.worker import SceneResult, WorkerSetup
-from sdgen.errors import AssetError, InputError, SdgenError, WorkerFault
+from sdgen.errors import AssetError, InputError, SdgenError, UsageError, WorkerFault
 from sdgen.hazards.draw import check_range
 from sdgen.hazards.hosting import check_named, hosted
 from sdgen.library import Library
@@ -53,6 +53,8 @@ def build(
     ``non_commercial``: models may be used whose licence allows no trade; else they are refused.
     """
     start = time.monotonic()
+    if options.homes == "imported":
+        raise UsageError("homes: 'imported' ones come from 'sdgen import', no build makes them")
     engine = engine or EngineOptions()
     check_engine(engine)
     first, end = index_range if index_range is not None else (0, options.n)

@@ -45,6 +45,7 @@ FORMATS: Mapping[str, Format] = {
     "mjz": Format("mjcf", "export_mjz", "one file a scene for MuJoCo", models=True),
     "urdf": Format("urdf", "export_urdf", "a URDF a scene, shared meshes", models=True),
     "usd": Format("usd", "export_usd", "a USD a scene with physics, shared models", models=True),
+    "virtualhome": Format("virtualhome", "export_virtualhome", "scene graphs in Unity's axes"),
     "coco": Format("coco", "export_coco", "instances, hazards and panoptic masks"),
 }
 

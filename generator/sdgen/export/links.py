@@ -10,6 +10,7 @@ import numpy as np
 from sdgen.geometry import Array
 from sdgen.library import Library, MeshData
 from sdgen.library.records import Asset
+from sdgen.library.shape import centre_of_mass
 from sdgen.scene import ObjectInstance
 
 #: A thing without thickness still has inertia: of its box no side counts less, metres.
@@ -23,8 +24,8 @@ class Link:
     """One rigid body, in the object's frame with all joints at 0.
 
     ``joint`` moves it (None: the body the others hang on), ``parts`` are drawn, ``hulls`` are the
-    places of its convex pieces among the model's. ``inertia`` (3,) is that of the box of its parts,
-    about ``centre_m``, kg m².
+    places of its convex pieces among the model's. ``centre_m`` is its centre of mass, that of its
+    pieces; ``inertia`` (3,) about it is that of the box of its parts, kg m².
     """
 
     joint: str | None
@@ -50,7 +51,17 @@ def links_of(library: Library, item: ObjectInstance) -> Iterator[Link]:
     for name, parts in ((None, still or drawn), *moved.items()):
         if parts:
             here = tuple(k for k, hull in enumerate(hulls) if hull.part in parts)
-            yield _link(name, parts, here, mass[name], box_of(meshes, parts))
+            box = box_of(meshes, parts)
+            pieces = [hulls[k].vertices_m for k in here]
+            yield Link(
+                joint=name,
+                parts=parts,
+                hulls=here,
+                mass_kg=mass[name],
+                # As the scene was settled: what leans over an edge would tip about another one.
+                centre_m=centre_of_mass(pieces) if pieces else (box[0] + box[1]) / 2,
+                inertia=box_inertia(box, mass[name]),
+            )
 
 
 def masses(
@@ -81,17 +92,6 @@ def box_inertia(box: tuple[Array, Array], mass_kg: float) -> Array:
     squares = _sides(*box) ** 2
     inertia: Array = mass_kg / 12 * (squares.sum() - squares)
     return inertia
-
-
-def _link(
-    name: str | None,
-    parts: tuple[str, ...],
-    hulls: tuple[int, ...],
-    mass_kg: float,
-    box: tuple[Array, Array],
-) -> Link:
-    centre = (box[0] + box[1]) / 2
-    return Link(name, parts, hulls, mass_kg, centre, box_inertia(box, mass_kg))
 
 
 def _sides(low: Array, high: Array) -> Array:

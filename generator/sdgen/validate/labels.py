@@ -136,9 +136,14 @@ def check_labels(
 ) -> Iterator[Problem]:
     """Graph, anomalies, lookalikes, certificate and the household's choices, all derived again."""
     facts = facts_of(item.scene, infos, catalog)
-    yield from check_standing(item, facts)
-    yield from _graph(item, infos, catalog, facts)
     result = survey(facts, catalog)
+    if data.info.options.homes == "imported":
+        # Things of others stand as they stand; what is in doubt is not labelled.
+        sure = tuple(positive for positive in result.positives if positive.verdict.sure)
+        result = Survey(sure, result.pairs)
+    else:
+        yield from check_standing(item, facts)
+    yield from _graph(item, infos, catalog, facts)
     yield from _anomalies(item, catalog, facts, result)
     yield from _lookalikes(item, catalog, facts, result)
     certificate = item.anomalies.certificate

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from sdgen.dataset.virtualhome_names import CATEGORIES, ROOMS
 from sdgen.importing.scenes.virtualhome import read_virtualhome
-from sdgen.importing.scenes.virtualhome_names import CATEGORIES, ROOMS
 
 from tests.importing.scenes.homes import CATALOG, NAMER, imported, shared, write_graph
 

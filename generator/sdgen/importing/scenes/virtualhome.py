@@ -17,12 +17,12 @@ from shapely.geometry import box
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.catalog.records import Catalog
+from sdgen.dataset.virtualhome_names import CATEGORIES, ROOMS
 from sdgen.geometry import Array
 from sdgen.importing.scenes.found import FoundFloor, FoundPiece, FoundScene, box_piece
 from sdgen.importing.scenes.json_text import Loose, Three, read_json
 from sdgen.importing.scenes.naming import Namer, OpeningWord
 from sdgen.importing.scenes.openings import opening_from
-from sdgen.importing.scenes.virtualhome_names import CATEGORIES, ROOMS
 
 #: A door leaf belongs to the frame that is so near, metres.
 _SAME_DOOR_M = 0.7

@@ -88,3 +88,21 @@ ROOMS: Mapping[str, str] = {
     "kids_bedroom": "child_room",
     "entrance_hall": "hall",
 }
+#: States that VirtualHome has; of ours it knows no others.
+STATES = ("CLEAN", "CLOSED", "DIRTY", "OFF", "ON", "OPEN", "PLUGGED_IN", "PLUGGED_OUT")
+#: Properties that VirtualHome has.
+PROPERTIES = (
+    *("BODY_PART", "CAN_OPEN", "CLOTHES", "CONTAINERS", "COVER_OBJECT", "CREAM", "CUTTABLE"),
+    *("DRINKABLE", "EATABLE", "GRABBABLE", "HANGABLE", "HAS_PAPER", "HAS_PLUG", "HAS_SWITCH"),
+    *("LIEABLE", "LOOKABLE", "MOVABLE", "PERSON", "POURABLE", "READABLE", "RECIPIENT"),
+    *("SITTABLE", "SURFACES"),
+)
+
+
+def virtualhome_class(category: str) -> str:
+    """VirtualHome's class for a category or room type of ours: its word, else ours without
+    underscores, as it spells its own."""
+    return _CLASSES.get(category, category.replace("_", ""))
+
+
+_CLASSES = {ours: theirs for theirs, ours in reversed([*CATEGORIES.items(), *ROOMS.items()])}

@@ -2,8 +2,8 @@
 
     python examples/torch_loader.py homes
 
-``sdgen.Dataset`` is a map-style data set of scenes and imports no torch; this makes one of views.
-It needs torch (``pip install torch``) and a data set with all three sensors.
+``sdgen.Dataset(...).frames()`` is a map-style data set of views and imports no torch. This needs
+torch (``pip install torch``) and a data set with all three sensors.
 """
 
 from __future__ import annotations
@@ -21,38 +21,33 @@ except ImportError:
     sys.exit("this example needs PyTorch: pip install torch")
 
 
-class Views:
-    """All views of a split, one after another. Picklable: workers open the files themselves."""
+class Target:
+    """What a network learns from one view. Picklable: workers get a copy."""
 
-    def __init__(self, path: str, split: str | None = None) -> None:
-        self.homes = sdgen.Dataset(path, split=split)
-        self.hazards = self.homes.info.hazards_enabled
-        self.where = [(k, v) for k, item in enumerate(self.homes) for v in range(item.entry.views)]
+    def __init__(self, hazards: tuple[str, ...]) -> None:
+        self.hazards = hazards
 
-    def __len__(self) -> int:
-        return len(self.where)
-
-    def __getitem__(self, index: int) -> dict[str, Any]:
-        scene, view = self.where[index]
-        item = self.homes[scene]
-        ids = item.instance(view)
+    def __call__(self, frame: dict[str, Any]) -> dict[str, Any]:
         # 0: nothing wrong; k: shows an anomaly of the k-th hazard. Small enough for every batch.
-        target = np.zeros(ids.shape, dtype=np.int64)
-        for anomaly in item.anomalies.anomalies:
-            target[ids == anomaly.object_id] = 1 + self.hazards.index(anomaly.hazard)
+        target = np.zeros(frame["instance"].shape, dtype=np.int64)
+        for number, hazards in zip(frame["object_ids"], frame["hazards"], strict=True):
+            for hazard in hazards:
+                target[frame["instance"] == number] = 1 + self.hazards.index(hazard)
         return {
-            "rgb": torch.from_numpy(item.rgb(view).copy()).permute(2, 0, 1).float() / 255,
-            "depth_m": torch.from_numpy(item.depth(view)),
+            "rgb": torch.from_numpy(frame["rgb"]).permute(2, 0, 1).float() / 255,
+            "depth_m": torch.from_numpy(frame["depth"]),
             "target": torch.from_numpy(target),
-            "scene": item.id,
-            "view": view,
+            "scene": frame["scene"],
+            "view": frame["view"],
         }
 
 
 def main(path: str, workers: int = 2) -> None:
     """Print what the first batches hold."""
-    views = Views(path)
-    print(f"{len(views)} views of {views.homes!r}")
+    homes = sdgen.Dataset(path)
+    target = Target(homes.info.hazards_enabled)
+    views = homes.frames(pixels=("rgb", "depth", "instance"), transform=target)
+    print(f"{len(views)} views of {homes!r}")
     loader = DataLoader(views, batch_size=4, shuffle=True, num_workers=workers)
     for batch in loader:
         wrong = (batch["target"] > 0).float().mean()

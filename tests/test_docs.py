@@ -27,6 +27,7 @@ STORIES = [
     ROOT / "README.md",
     ROOT / "docs" / "python.md",
     ROOT / "docs" / "extending.md",
+    ROOT / "docs" / "exports.md",
     ROOT / "docs" / "quickstart.md",
 ]
 TINY = ["--n", "2", "--views", "2", "--size", "96x72", "--workers", "1"]

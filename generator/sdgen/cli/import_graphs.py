@@ -22,7 +22,14 @@ SHOWN = 5
     required=True,
     help="Folder of the data set.",
 )
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="S")
+@click.option(
+    "--seed",
+    type=click.IntRange(min=0),
+    default=0,
+    show_default=True,
+    metavar="S",
+    help="Draws the households, and where an agent starts.",
+)
 @click.option("--household", metavar="KIND", help="Who lives in all of them [default: drawn].")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def import_graphs(

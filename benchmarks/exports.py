@@ -2,8 +2,8 @@
 
     python benchmarks/exports.py DATASET [--formats tar,webdataset,...] [--rounds 3]
 
-Each format writes the whole data set in a process of its own, in turns with ``cp -r`` and ``sync`` of
-the same folder: the disk's copy speed in the same run. Prints medians. Memory is the peak of the
+Each format writes the whole data set in a process of its own, in turns with ``cp -r`` and ``sync``
+of the same folder: the disk's copy speed in the same run. Prints medians. Memory is the peak of the
 process, for all scenes and for a quarter of them.
 """
 

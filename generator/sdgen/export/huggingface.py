@@ -30,8 +30,8 @@ from sdgen.library import Library
 if TYPE_CHECKING:
     import datasets
 
-#: Rows that are compressed and read together: few, since a view has some hundred kilobytes.
-ROWS = 50
+#: Rows, and bytes of pictures, that are compressed and read together: what is held in memory.
+ROWS, ROWS_BYTES = 100, 16_000_000
 
 
 def export_huggingface(
@@ -106,6 +106,7 @@ class _Parquet:
         self._writer: Any = None
         self._files: list[Path] = []
         self._bytes = 0
+        self._held = 0
 
     def __enter__(self) -> _Parquet:
         return self
@@ -123,8 +124,10 @@ class _Parquet:
         """Add a row."""
         self.rows += 1
         self._waiting.append(row)
-        self._bytes += sum(_weight(value) for value in row.values())
-        if len(self._waiting) == ROWS:
+        weight = sum(_weight(value) for value in row.values())
+        self._bytes += weight
+        self._held += weight
+        if len(self._waiting) >= ROWS or self._held >= ROWS_BYTES:
             self._flush()
 
     def _flush(self) -> None:
@@ -140,7 +143,7 @@ class _Parquet:
             # Pictures are compressed already.
             self._writer = ParquetWriter(path, self._schema, compression="zstd")
         self._writer.write_table(pa.Table.from_pylist(self._waiting, schema=self._schema))
-        self._waiting = []
+        self._waiting, self._held = [], 0
         if self._bytes >= SHARD_BYTES:
             self._writer.close()
             self._writer, self._bytes = None, 0

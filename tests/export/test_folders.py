@@ -43,9 +43,11 @@ def test_the_same_bytes_for_the_same_data_set(path: Path, tmp_path: Path, name: 
 def test_a_changed_file_leaves_nothing_behind(tmp_path: Path, name: str) -> None:
     pytest.importorskip(CLIENTS.get(name, "sdgen"))
     path = toy.build(tmp_path / "d", toy.small(n=2))
-    last = Dataset(path)[1].folder / "views/00/rgb.png"
-    last.write_bytes(last.read_bytes()[:-9] + b"x" + last.read_bytes()[-8:])
-    with pytest.raises(InputError, match=r"views/00/rgb.png: changed since it was written"):
+    folder = Dataset(path)[1].folder
+    for name_of_file in ("graph.json", "views/00/rgb.png"):  # a picture, and what has none
+        file = folder / name_of_file
+        file.write_bytes(file.read_bytes() + b" ")
+    with pytest.raises(InputError, match=r"(graph.json|rgb.png): changed since it was written"):
         export(Dataset(path), name, tmp_path / "out" / "x")
     assert list((tmp_path / "out").iterdir()) == []
 

@@ -41,7 +41,7 @@ def export_rerun(data: Dataset, output: Path, on_scene: OnScene = None) -> None:
                 with derived_from(data, item):
                     _write(rerun, data, item, folder / f"{item.id}.rrd")
                 # What a recording holds is kept until this is asked for (0.41): 3 MB a scene.
-                rerun.bindings.flush_and_cleanup_orphaned_recordings()
+                rerun.bindings.flush_and_cleanup_orphaned_recordings()  # type: ignore[attr-defined]
                 done += 1
                 if on_scene is not None:
                     on_scene(done, total)

@@ -2,7 +2,8 @@
 
 The plugin interpolates an instance's handle over each triangle like a colour and cuts off what is
 behind the point. Where a triangle is seen edge-on that is off by one or more: of 2,000 views some
-ten pixels were another thing's, each alone among others.
+ten pixels were another thing's, each alone among others. And where two things meet, colours and
+depth may be the one's and the mask the other's: one pixel of 3,200 views.
 """
 
 from __future__ import annotations
@@ -20,6 +21,8 @@ from sdgen.scene import Camera
 
 #: What a pixel is wide of a thing, what depth is rounded by, and some more.
 _SLACK_M, _SLACK_SHARE = 0.02, 0.003
+#: Of its depth, by how much a surface seen at a slant is deeper from one pixel to the next.
+_EDGE_SHARE = 0.01
 #: Of the way to the far plane; a pixel as deep as that shows nothing.
 _FAR_SHARE = 0.99
 _AROUND = tuple(at for at in product((0, 1, 2), repeat=2) if at != (1, 1))
@@ -36,12 +39,13 @@ def read_again(
     """Which of the ``parts`` every pixel shows, (H, W), NOBODY: none, where ``index`` says
     what was read and ``nodes`` whose that is; ``world_from_camera`` is of the world of the parts.
 
-    A pixel is read again when its object shows at none of the eight around it and its part is not
-    there, at ``depth_m``: then it is of the part that most of these are of and that is.
+    A pixel is read again when its object shows at none of the eight around it, or nowhere there as
+    deep, and its part is not there, at ``depth_m``: then it is of the part that most of these are
+    of and that is.
     """
     out = index
     k = np.asarray(camera.K)
-    for row, column in _alone(nodes):
+    for row, column in sorted({*_alone(nodes), *_odd(nodes, depth_m)}):
         ray = ((column - k[0, 2]) / k[0, 0], (row - k[1, 2]) / k[1, 1], 1.0)
         depth = float(depth_m[row, column])
         # With the pixel itself: if that is not there, others are more.
@@ -71,6 +75,30 @@ def _alone(nodes: npt.NDArray[np.uint16]) -> list[tuple[int, int]]:
         unlike = around[row + y, column + x] != own
         row, column, own = row[unlike], column[unlike], own[unlike]
     return list(zip(row.tolist(), column.tolist(), strict=True))
+
+
+def _odd(nodes: npt.NDArray[np.uint16], depth_m: Array) -> list[tuple[int, int]]:
+    """Row and column of the pixels that are as deep as two or more of other things around them, and
+    as none of their own."""
+    own = nodes.astype(np.int32)
+    edge = np.zeros(nodes.shape, dtype=bool)
+    across, down = own[:, 1:] != own[:, :-1], own[1:] != own[:-1]
+    edge[:, 1:] |= across
+    edge[:, :-1] |= across
+    edge[1:] |= down
+    edge[:-1] |= down
+    row, column = np.nonzero(edge)
+    around, deep = np.pad(own, 1, constant_values=-1), np.pad(depth_m, 1, constant_values=np.inf)
+    here, depth = own[row, column], depth_m[row, column]
+    alike = np.zeros(len(row), dtype=bool)
+    others = np.zeros(len(row), dtype=np.int8)
+    for y, x in _AROUND:
+        close = np.abs(deep[row + y, column + x] - depth) <= _SLACK_M + _EDGE_SHARE * depth
+        same = around[row + y, column + x] == here
+        alike |= same & close
+        others += ~same & close
+    found = ~alike & (others >= 2)
+    return list(zip(row[found].tolist(), column[found].tolist(), strict=True))
 
 
 def _meets(part: Part, world_from_camera: Array, ray: Sequence[float], depth_m: float) -> bool:

@@ -42,6 +42,21 @@ def build_graph(
     ``facts`` are those of the same scene and infos, with the catalogue's category properties
     (FACING needs them). Raises KeyError for a category or asset nobody defined.
     """
+    # Thousands of edges: read by pydantic in one call rather than one each.
+    return Graph.model_validate(
+        {
+            "nodes": graph_nodes(scene, infos, catalog, facts),
+            "edges": tuple(
+                {"from_id": a, "to_id": b, "relation_type": name} for a, b, name in facts.edges()
+            ),
+        }
+    )
+
+
+def graph_nodes(
+    scene: Scene, infos: Mapping[str, AssetInfo], catalog: Catalog, facts: Facts
+) -> tuple[GraphNode, ...]:
+    """The nodes alone, sorted by id."""
     nodes = [_room_node(room, _box(facts, room.id)) for room in scene.home.rooms]
     nodes += [_structure_node(s, _box(facts, s.id)) for s in scene.home.structures]
     for item in scene.objects:
@@ -61,15 +76,7 @@ def build_graph(
                 tags=facts.tags(item.id),
             )
         )
-    # Thousands of edges: read by pydantic in one call rather than one each.
-    return Graph.model_validate(
-        {
-            "nodes": tuple(sorted(nodes, key=lambda node: node.id)),
-            "edges": tuple(
-                {"from_id": a, "to_id": b, "relation_type": name} for a, b, name in facts.edges()
-            ),
-        }
-    )
+    return tuple(sorted(nodes, key=lambda node: node.id))
 
 
 def _box(facts: Facts, node_id: int) -> BoundingBox:

@@ -116,5 +116,7 @@ def test_bad_places_are_refused(path: Path, tmp_path: Path, name: str) -> None:
 
 
 def test_an_unknown_format_names_the_known_ones(path: Path, tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match=r"no format 'zip' .*tar"):
+    with pytest.raises(UsageError, match=r"no format 'zip' .*tar.*webdataset"):
         export(Dataset(path), "zip", tmp_path / "a.tar")
+    with pytest.raises(UsageError, match=r"no format 'tra' .did you mean 'tar'"):
+        export(Dataset(path), "tra", tmp_path / "a.tar")

@@ -11,7 +11,7 @@ from sdgen.dataset.virtualhome_names import CATEGORIES, PROPERTIES, ROOMS, STATE
 from sdgen.export import export
 from sdgen.export.virtualhome import unity, unity_rotation
 from sdgen.geometry import quat_from_axis_angle, rotation_matrix
-from sdgen.importing.scenes.naming import Namer
+from sdgen.importing.scenes.naming import exact_namer
 from sdgen.importing.scenes.virtualhome import read_virtualhome
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -92,7 +92,7 @@ def test_the_importer_finds_the_same_things_in_the_same_places(folder: Path) -> 
     data = Dataset(SAMPLE)
     item = data[0]
     path = folder / "graphs" / f"{item.id}.json"
-    found = read_virtualhome(path, data.catalog, Namer(data.catalog))
+    found = read_virtualhome(path, data.catalog, exact_namer(data.catalog))
     boxes = {node.id: node.bounding_box for node in item.scene_graph.nodes}
     assert len(found.floors) == len(item.scene.home.rooms)
     for piece in found.pieces:

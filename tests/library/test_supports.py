@@ -6,6 +6,7 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.library.meshes import MeshData
+from sdgen.library.records import Support
 from sdgen.library.shape import corners_of
 from sdgen.library.supports import carried_share, find_supports, headroom_m
 from shapely import union_all
@@ -88,3 +89,17 @@ def test_what_our_models_say_is_found_on_their_meshes(category: str) -> None:
             # (a top of planks is found as planks)
             share = union_all(level).intersection(polygon).area / polygon.area
             assert share > 0.5, f"{asset.id}: {support.name}"
+
+
+def test_supports_are_the_same_whatever_was_asked_of_them() -> None:
+    one, two = _square(), _square()
+    assert one.area_m2 > 0
+    assert len(one.edge_m) == len(two.edge_m) == 4
+    assert one == two
+    assert hash(one) == hash(two)
+    assert one != two.model_copy(update={"z_m": 0.5})
+    assert one != "top"
+
+
+def _square() -> Support:
+    return Support(name="top", part="body", z_m=0.7, polygon_m=((0, 0), (1, 0), (1, 1), (0, 1)))

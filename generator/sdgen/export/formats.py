@@ -46,6 +46,9 @@ FORMATS: Mapping[str, Format] = {
     "urdf": Format("urdf", "export_urdf", "a URDF a scene, shared meshes", models=True),
     "usd": Format("usd", "export_usd", "a USD a scene with physics, shared models", models=True),
     "virtualhome": Format("virtualhome", "export_virtualhome", "scene graphs in Unity's axes"),
+    "questions": Format(
+        "question_files", "export_questions", "boxed pictures, options, answers for language models"
+    ),
     "coco": Format("coco", "export_coco", "instances, hazards and panoptic masks"),
 }
 
@@ -64,7 +67,8 @@ def export(
     SdgenError for a bad place, InputError for a data set that is not whole.
     """
     if name not in FORMATS:
-        raise UsageError(f"no format {name!r}{did_you_mean(name, list(FORMATS))}")
+        near = did_you_mean(name, list(FORMATS)) or f" (one of: {', '.join(FORMATS)})"
+        raise UsageError(f"no format {name!r}{near}")
     known = FORMATS[name]
     write = getattr(import_module(f"sdgen.export.{known.module}"), known.function)
     if not known.models:

@@ -65,6 +65,12 @@ class Support(Record):
     headroom_m: Coordinate | None = None
     container: str | None = None
 
+    def __eq__(self, other: object) -> bool:
+        # By what is stored: what is kept of it once computed has arrays, which have no one truth.
+        return type(other) is Support and all(
+            getattr(self, name) == getattr(other, name) for name in Support.model_fields
+        )
+
     @cached_property
     def area_m2(self) -> float:
         """Area of the surface."""

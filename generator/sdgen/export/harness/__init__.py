@@ -1,0 +1,1 @@
+"""Files that go into a folder of questions as they are."""

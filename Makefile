@@ -2,7 +2,8 @@
 # make test    what every change must pass: ruff, mypy, pytest on all cores
 # make test-library  what takes minutes and hangs on the models alone: all of them checked, told apart
 # make lint    ruff and mypy only
-# make docs    write docs/commands.md anew from the commands themselves
+# make docs    write the reference anew from code and schemas, and run the notebook
+# make site    the guides as a site, in build/site
 # make assets  make all models again with Blender (minutes to hours; not needed to build homes)
 # make clean   remove what the targets above left, .venv too
 
@@ -15,7 +16,7 @@ PYTEST_OPTIONS ?=
 #: One process a core; more than eight would want more memory than most machines have.
 PYTEST := $(BIN)/python -m pytest -n logical --maxprocesses 8 --dist loadgroup --durations 10
 
-.PHONY: help demo test test-library lint docs assets clean env dev-env
+.PHONY: help demo test test-library lint docs site assets clean env dev-env
 .DEFAULT_GOAL := help
 
 help:
@@ -47,7 +48,13 @@ test-library: dev-env
 
 docs: dev-env
 	$(BIN)/python scripts/command_reference.py > docs/commands.md
+	$(BIN)/python scripts/file_reference.py > docs/files.md
+	$(BIN)/python scripts/api_reference.py > docs/api.md
 	$(BIN)/python scripts/hazard_pages.py
+	$(BIN)/python scripts/run_notebook.py
+
+site: dev-env
+	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict
 
 assets:
 	@command -v $(BLENDER) >/dev/null || { echo "error: 'make assets' needs Blender 3.4 or newer (apt-get install blender), or BLENDER=/path/to/blender" >&2; exit 1; }

@@ -14,9 +14,10 @@ from pydantic import BaseModel
 
 HEAD = """# Python, name by name
 
-Written by `make docs` from the code itself; [python.md](python.md) shows how it is used. What stands
-here is public: it changes only with a line in the [changelog](../CHANGELOG.md). All of it is typed
-(`py.typed`). The records of files (`Scene`, `Anomalies`, `Camera`, ...) are in [files.md](files.md).
+Written by `make docs` from the code itself; [python.md](python.md) shows how it is used. What
+stands here is public: it changes only with a line in the [changelog](../CHANGELOG.md). All of it is
+typed (`py.typed`). The records of files (`Scene`, `Anomalies`, `Camera`, ...) are in
+[files.md](files.md).
 """
 #: What is public: a heading, and names by the module to import them from.
 SECTIONS: dict[str, dict[str, tuple[str, ...]]] = {
@@ -39,6 +40,7 @@ SECTIONS: dict[str, dict[str, tuple[str, ...]]] = {
         "sdgen.benchmark": (
             "Evaluation",
             "Score",
+            "Report",
             "detect",
             "read_predictions",
             "write_predictions",
@@ -57,14 +59,14 @@ def plain(text: str | None) -> str:
 
 
 def signature(thing: Any, name: str, skip_self: bool = False) -> str:
-    """``name(a: int, b: str = "") -> None``, on several lines where one is too long."""
+    """``name(a: int) -> None``; a function's on several lines where one is too long."""
     told = inspect.signature(thing)
     parameters = list(told.parameters.values())[1 if skip_self else 0 :]
     words = [_parameter(one) for one in parameters]
     back = told.return_annotation
     end = "" if back is inspect.Signature.empty or inspect.isclass(thing) else f" -> {_type(back)}"
     line = f"{name}({', '.join(words)}){end}"
-    if len(line) <= 96:
+    if skip_self or len(line) <= 96:
         return line
     return f"{name}(\n" + "".join(f"    {one},\n" for one in words) + f"){end}"
 
@@ -75,7 +77,8 @@ def _parameter(one: inspect.Parameter) -> str:
         name += f": {_type(one.annotation)}"
     if one.default is inspect.Parameter.empty:
         return name
-    return f"{name} = {one.default!r}"
+    default = getattr(one.default, "__name__", None) or repr(one.default)
+    return f"{name} = {default}"
 
 
 def _type(annotation: Any) -> str:
@@ -99,7 +102,9 @@ def members(cls: type) -> Iterator[tuple[str, str]]:
 def fields(cls: type[BaseModel]) -> Iterator[tuple[str, str]]:
     """The fields of a record, with their defaults."""
     for name, field in cls.model_fields.items():
-        default = "" if field.is_required() else f" = {field.get_default(call_default_factory=True)!r}"
+        default = (
+            "" if field.is_required() else f" = {field.get_default(call_default_factory=True)!r}"
+        )
         yield f"{name}: {_type(field.annotation)}{default}", plain(field.description)
 
 
@@ -115,9 +120,8 @@ def entry(module: str, name: str) -> Iterator[str]:
         return
     rows = [*(fields(thing) if record else ()), *members(thing)]
     for call, words in rows:
-        head = f"`{call}`" if "\n" not in call else f"`{' '.join(call.split())}`"
         first = " ".join(words.split())
-        yield f"- {head}{': ' + first if first else ''}"
+        yield f"- `{call}`{': ' + first if first else ''}"
     if rows:
         yield ""
 

@@ -60,7 +60,12 @@ def kind(node: dict[str, Any]) -> str:
     if words == "object":
         inner = node.get("additionalProperties")
         return f"mapping to {kind(inner)}" if isinstance(inner, dict) else "mapping"
-    names = {"string": "text", "boolean": "true or false", "null": "null", "integer": "whole number"}
+    names = {
+        "string": "text",
+        "boolean": "true or false",
+        "null": "null",
+        "integer": "whole number",
+    }
     return names.get(str(words), str(words or "anything")) + limits(node)
 
 

@@ -6,11 +6,9 @@ Run: ``sdgen build --n 100 --seed 4051 --twins --out homes``, then
 
 from __future__ import annotations
 
-import shutil
-import subprocess
+import io
 import sys
-import tempfile
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +18,9 @@ from PIL import Image, ImageDraw, ImageFont
 from sdgen.dataset import SceneItem
 from sdgen.gallery import write_gallery
 from sdgen.gallery.plan_picture import plan_picture
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from tests.browser import browser
 
 OUT = Path(__file__).resolve().parent.parent / "docs" / "images" / "ten"
 RED, BLUE, GAP = (214, 40, 40), (30, 100, 210), 6
@@ -32,9 +33,7 @@ def grid(pictures: Sequence[Picture], columns: int, size: tuple[int, int]) -> Pi
     """Pictures of one size in rows."""
     rows = -(-len(pictures) // columns)
     width, height = size
-    sheet = Image.new(
-        "RGB", (columns * (width + GAP) - GAP, rows * (height + GAP) - GAP), "white"
-    )
+    sheet = Image.new("RGB", (columns * (width + GAP) - GAP, rows * (height + GAP) - GAP), "white")
     for k, one in enumerate(pictures):
         shown = one.convert("RGB").resize(size, Image.Resampling.LANCZOS)
         sheet.paste(shown, (k % columns * (width + GAP), k // columns * (height + GAP)))
@@ -84,29 +83,48 @@ def crop(item: SceneItem, k: int, number: int) -> Picture:
     return picture.crop((round(left), round(top), round(left + side), round(top + side)))
 
 
-def best_view(item: SceneItem, number: int) -> tuple[int, int]:
-    """The pixels of an object where most of it is seen whole, and that view."""
-    found = [
-        (one.pixels if one.fraction > 0.9 else 0, v.view)
-        for v in item.visibility.views
-        for one in v.objects
-        if one.object_id == number
-    ]
-    return max(found, default=(0, 0))
+#: How large a thing should be for a crop to show it and what is around it, in pixels.
+BEST_PIXELS = 20_000
+#: And in a view beside its twin.
+SMALL_PIXELS = 8_000
+
+
+def best_view(item: SceneItem, number: int, wanted: int = BEST_PIXELS) -> tuple[float, int]:
+    """How well the view that shows an object best does, 1 at most, and that view."""
+    found = [(0.0, 0)]
+    for k, shown in enumerate(item.visibility.views):
+        for one in shown.objects:
+            if one.object_id == number:
+                x, y, w, h = one.bbox
+                camera = item.cameras[k]
+                whole = min(x, y, camera.width - x - w, camera.height - y - h) > 4
+                size = min(one.pixels / wanted, wanted / one.pixels)
+                found.append((size * one.fraction * (1 if whole else 0.2), k))
+    return max(found)
 
 
 def homes(data: sdgen.Dataset) -> Picture:
-    """One overview each of six homes, of six kinds of rooms."""
-    kinds = ("kitchen", "living_room", "bedroom", "bathroom", "child_room", "hallway")
-    found: dict[str, Picture] = {}
+    """The overview that shows most of each kind of room."""
+    kinds = ("kitchen", "living_room", "bedroom", "bathroom", "child_room", "hall")
+    best: dict[str, tuple[int, str, SceneItem, int]] = {}
     for item in data:
+        rooms = {room.id: room.type for room in item.scene.home.rooms}
         for camera in item.cameras:
-            room = next((r for r in item.scene.home.rooms if r.id == camera.room_id), None)
-            free = camera.kind == "room" and room is not None and room.type not in found
-            if free and room is not None and room.type in kinds:
-                found[room.type] = named(view(item, camera.index), room.type.replace("_", " "))
-                break
-    return grid([found[kind] for kind in kinds if kind in found], 3, (480, 360))
+            kind = rooms.get(camera.room_id, "")
+            one = (_told_apart(item, camera.index), item.id, item, camera.index)
+            if camera.kind == "room" and kind in kinds and one[:2] > best.get(kind, (0, ""))[:2]:
+                best[kind] = one
+    tiles = [named(view(*best[kind][2:]), kind.replace("_", " ")) for kind in kinds if kind in best]
+    return grid(tiles, 3, (480, 360))
+
+
+def _told_apart(item: SceneItem, k: int) -> int:
+    """How many things a view shows well; none where one of them fills it."""
+    shown = seen(item, k).values()
+    camera = item.cameras[k]
+    if max(one.pixels for one in shown) > camera.width * camera.height / 3:
+        return 0
+    return sum(one.pixels >= 300 for one in shown)
 
 
 def sensors(item: SceneItem, k: int) -> Picture:
@@ -117,9 +135,7 @@ def sensors(item: SceneItem, k: int) -> Picture:
     ids, parts = item.instance(k).astype(np.uint32), item.part(k).astype(np.uint32)
     pictures = [view(item, k), grey, _coloured(ids), _coloured(ids * 16 + parts)]
     words = ("rgb", "depth", "instance", "part")
-    return grid(
-        [named(p, w) for p, w in zip(pictures, words, strict=True)], 2, (480, 360)
-    )
+    return grid([named(p, w) for p, w in zip(pictures, words, strict=True)], 2, (480, 360))
 
 
 def _coloured(ids: np.ndarray) -> Picture:
@@ -130,20 +146,16 @@ def _coloured(ids: np.ndarray) -> Picture:
 
 def hazards(data: sdgen.Dataset) -> Picture:
     """The best picture of each hazard."""
-    best: dict[str, tuple[int, Callable[[], Picture]]] = {}
-    for item in data:
-        for anomaly in item.anomalies.anomalies:
-            pixels, k = best_view(item, anomaly.object_id)
-            # What fills a picture is no longer told by what is around it.
-            pixels = pixels if pixels < 60_000 else 60_000 - pixels
-            if pixels > best.get(anomaly.hazard, (0, None))[0]:
-                best[anomaly.hazard] = (
-                    pixels,
-                    lambda item=item, k=k, number=anomaly.object_id: crop(item, k, number),
-                )
-    tiles = [
-        named(best[name][1]().resize((300, 300)), name.replace("_", " ")) for name in sorted(best)
-    ]
+    tiles = []
+    for hazard in sorted(data.info.hazards_enabled):
+        found = [
+            (*best_view(item, one.object_id), item.id, item, one.object_id)
+            for item in data.filter(hazard=hazard)
+            for one in item.anomalies.anomalies
+            if one.hazard == hazard
+        ]
+        _, k, _, item, number = max(found, key=lambda one: (one[0], one[2]))
+        tiles.append(named(crop(item, k, number).resize((300, 300)), hazard.replace("_", " ")))
     return grid(tiles, 5, (300, 300))
 
 
@@ -151,44 +163,40 @@ def with_twin(data: sdgen.Dataset, wanted: Sequence[str]) -> Picture:
     """Views of anomalies beside the same views where they were undone."""
     tiles: list[Picture] = []
     for hazard in wanted:
-        found = []
-        for item in data.filter(hazard=hazard, twin=True):
-            for anomaly in item.anomalies.anomalies:
-                if anomaly.hazard == hazard:
-                    pixels, k = best_view(item, anomaly.object_id)
-                    found.append((min(pixels, 25_000), item.id, item, k, anomaly.object_id))
-        _, _, item, k, number = max(found, key=lambda one: one[:2])
+        found = [
+            (*best_view(item, one.object_id, SMALL_PIXELS), item.id, item, one.object_id)
+            for item in data.filter(hazard=hazard, twin=True)
+            for one in item.anomalies.anomalies
+            if one.hazard == hazard
+        ]
+        _, k, _, item, number = max(found, key=lambda one: (one[0], one[2]))
         twin = item.twin
         assert twin is not None
-        tiles += [named(boxed(item, k, {number: RED}), hazard), named(view(twin, k), "twin")]
+        tiles += [named(boxed(item, k, {number: RED}), hazard.replace("_", " "))]
+        tiles += [named(view(twin, k), "twin")]
     return grid(tiles, 2, (480, 360))
 
 
 def near_misses(data: sdgen.Dataset, wanted: Sequence[str]) -> Picture:
-    """A hazard beside what looks like it."""
+    """A hazard beside a thing of the same category that is none."""
     tiles: list[Picture] = []
     for hazard in wanted:
-        wrong = _largest(
-            (item, a.object_id) for item in data for a in item.anomalies.anomalies if a.hazard == hazard
-        )
-        right = _largest(
-            (item, a.object_id)
-            for item in data
-            for a in item.anomalies.lookalikes
-            if a.near_miss_of == hazard
-        )
-        tiles.append(named(crop(*wrong).resize((360, 360)), hazard))
-        tiles.append(named(crop(*right).resize((360, 360)), "near miss"))
+        wrong: dict[str, tuple[Any, ...]] = {}
+        right: dict[str, tuple[Any, ...]] = {}
+        for item in data:
+            category = {one.id: one.category for one in item.scene.objects}
+            told = [(wrong, a.object_id, a.hazard) for a in item.anomalies.anomalies]
+            told += [(right, a.object_id, a.near_miss_of) for a in item.anomalies.lookalikes]
+            for best, number, what in told:
+                score, k = best_view(item, number)
+                one = (score, item.id, k, item, number)
+                if what == hazard and one[:2] > best.get(category[number], (0.0, ""))[:2]:
+                    best[category[number]] = one
+        name = max(wrong.keys() & right.keys(), key=lambda one: min(wrong[one][0], right[one][0]))
+        for best, words in ((wrong, hazard.replace("_", " ")), (right, "none")):
+            _, _, k, item, number = best[name]
+            tiles.append(named(crop(item, k, number).resize((360, 360)), words))
     return grid(tiles, 4, (360, 360))
-
-
-def _largest(things: Iterable[tuple[SceneItem, int]]) -> tuple[SceneItem, int, int]:
-    found = []
-    for item, number in things:
-        pixels, k = best_view(item, number)
-        found.append((min(pixels, 9_000), item.id, number, item, k))
-    _, _, number, item, k = max(found, key=lambda one: one[:3])
-    return item, k, number
 
 
 def everything(item: SceneItem, k: int) -> Picture:
@@ -198,7 +206,7 @@ def everything(item: SceneItem, k: int) -> Picture:
     wrong = {a.object_id for a in item.anomalies.anomalies}
     categories = {one.id: one.category for one in item.scene.objects}
     for one in sorted(seen(item, k).values(), key=lambda one: -one.pixels):
-        if one.object_id not in categories or one.pixels < 150:
+        if one.object_id not in categories or one.pixels < 400:
             continue
         colour = RED if one.object_id in wrong else (40, 140, 90)
         x, y, w, h = (2 * v for v in one.bbox)
@@ -207,52 +215,49 @@ def everything(item: SceneItem, k: int) -> Picture:
     return picture
 
 
-def shot(page: Path, part: str, size: tuple[int, int], wait_ms: int = 8000) -> Picture:
-    """What Chromium shows of a page of the gallery."""
-    browser = shutil.which("chromium") or shutil.which("google-chrome")
-    if browser is None:
-        sys.exit("the last pictures need Chromium")
-    with tempfile.TemporaryDirectory() as folder:
-        out = Path(folder) / "shot.png"
-        subprocess.run(
-            [
-                browser,
-                "--headless",
-                "--no-sandbox",
-                "--use-gl=angle",
-                "--use-angle=swiftshader",
-                "--enable-unsafe-swiftshader",
-                "--hide-scrollbars",
-                f"--window-size={size[0]},{size[1]}",
-                f"--virtual-time-budget={wait_ms}",
-                f"--screenshot={out}",
-                page.resolve().as_uri() + part,
-            ],
-            check=True,
-            capture_output=True,
-        )
-        return Image.open(out).convert("RGB").copy()
+def shots(gallery: Path, item: SceneItem, number: int) -> dict[str, Picture]:
+    """What Chromium shows of the gallery."""
+    page_of_scene = gallery.parent / item.id / "index.html"
+    out = {}
+    with browser() as page:
+        for name, size, part in (
+            ("gallery", (1280, 900), ""),
+            ("scene", (1280, 1000), ""),
+            ("in-3d", (1280, 860), f"#3d={number}"),
+        ):
+            page.size(*size)
+            where = gallery if name == "gallery" else page_of_scene
+            page.open(where.resolve().as_uri() + part)
+            if part:
+                page.until("!!document.getElementById('stage').dataset.ready")
+                page.run("document.getElementById('space').scrollIntoView()")
+            page.run("new Promise(done => setTimeout(done, 1500))")
+            out[name] = Image.open(io.BytesIO(page.picture())).convert("RGB")
+    return out
 
 
 def main(path: str) -> None:
     """Draw all ten."""
     data = sdgen.Dataset(path)
-    rooms = [i for i in data if len(i.anomalies.anomalies) >= 2 and "stove_on" in i.entry.hazards]
-    item = rooms[0] if rooms else data[0]
-    k = item.best_view()
+    views = ((_told_apart(i, k), i.id, k, i) for i in data for k in range(len(i.cameras)))
+    full = sorted((v for v in views if len(v[3].anomalies.anomalies) >= 2), key=lambda one: one[:2])
+    _, _, k, item = next(
+        one
+        for one in reversed(full)
+        if sum(a.object_id in seen(one[3], one[2]) for a in one[3].anomalies.anomalies) >= 2
+    )
     gallery = write_gallery(data, data.path / "view", library=sdgen.load_library()).index
     number = item.anomalies.anomalies[0].object_id
+    wanted = ("candle_on", "sharp_object", "expired_produce", "poison_cleaning")
     pictures = {
         "homes": homes(data),
         "sensors": sensors(item, k),
         "hazards": hazards(data),
         "twins": with_twin(data, ("spill", "fridge_open")),
-        "near-misses": near_misses(data, ("poison_medication", "candle_on", "broken_item", "choking_hazard")),
+        "near-misses": near_misses(data, wanted),
         "everything": everything(item, k),
         "plan": plan_picture(item.scene, data.infos, item.cameras),
-        "gallery": shot(gallery, "", (1280, 900)),
-        "scene": shot(gallery.parent / item.id / "index.html", "", (1280, 1000)),
-        "in-3d": shot(gallery.parent / item.id / "index.html", f"#3d={number}", (1280, 900), 20000),
+        **shots(gallery, item, number),
     }
     OUT.mkdir(parents=True, exist_ok=True)
     for name, picture in pictures.items():

@@ -7,11 +7,15 @@ import shlex
 import shutil
 import subprocess
 import sys
+from importlib.util import find_spec
+from itertools import pairwise
 from pathlib import Path
 
+import click
 import pytest
+import sdgen
 from sdgen.catalog.load import load_catalog
-from sdgen.cli.main import COMMANDS
+from sdgen.cli.main import COMMANDS, cli
 from sdgen.facts.thresholds import CLIMB_NEAR_M
 from sdgen.vocabulary import FLAT_M
 from sdgen.walkways import OPEN_FLOOR_M, WALKWAY_HALF_M
@@ -20,7 +24,12 @@ from tests.by_path import ROOT, module_at
 from tests.shared import Shared
 from tests.shipped import shipped_library
 
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
+PAGES = [
+    ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
+    *(ROOT / name / "README.md" for name in ("assets", "examples", "hazard_catalog", "output")),
+    *sorted((ROOT / "docs").rglob("*.md")),
+]
 #: Pages whose console and python blocks are run, in order, in one empty folder. The first and the
 #: last share a build: not neighbours, or one worker would wait for the other.
 STORIES = [
@@ -28,8 +37,19 @@ STORIES = [
     ROOT / "docs" / "python.md",
     ROOT / "docs" / "extending.md",
     ROOT / "docs" / "exports.md",
+    ROOT / "docs" / "base-homes.md",
+    ROOT / "docs" / "training.md",
+    ROOT / "docs" / "gallery.md",
+    ROOT / "docs" / "cluster.md",
     ROOT / "docs" / "quickstart.md",
 ]
+
+
+def name_of(page: Path) -> str:
+    """How a test calls a page."""
+    return page.relative_to(ROOT).as_posix()
+
+
 TINY = ["--n", "2", "--views", "2", "--size", "96x72", "--workers", "1"]
 
 
@@ -49,7 +69,15 @@ def tiny(words: list[str]) -> list[str]:
     if words[1] != "build":
         return words
     at = words.index("--n")
-    return [*words[:at], *words[at + 2 :], *TINY]
+    part = float(TINY[1]) / float(words[at + 1])
+    kept = [
+        ":".join(str(round(int(end) * part)) for end in word.split(":"))
+        if before == "--range"
+        else word
+        for before, word in pairwise(words)
+    ]
+    kept = [words[0], *kept]
+    return [*kept[:at], *kept[at + 2 :], *TINY]
 
 
 def run(line: list[str], folder: Path) -> None:
@@ -71,12 +99,14 @@ def build(words: list[str], folder: Path, shared: Shared) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", STORIES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", STORIES, ids=name_of)
 def test_what_a_page_tells_to_run_runs(page: Path, tmp_path: Path, shared: Shared) -> None:
     story = blocks(page, "console", "python")
     assert story
     for language, text in story:
         if language == "python":
+            if "import torch" in text and find_spec("torch") is None:
+                continue  # a gigabyte, which nothing else here needs
             run([sys.executable, "-c", text], tmp_path)
             continue
         lines = [tiny(words)[1:] for words in commands(text)]
@@ -89,13 +119,13 @@ def test_what_a_page_tells_to_run_runs(page: Path, tmp_path: Path, shared: Share
                 run([sys.executable, "-m", "sdgen", *words], tmp_path)
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
 def test_console_blocks_hold_our_commands_only(page: Path) -> None:
     for _, text in blocks(page, "console"):
         assert all(words[0] == "sdgen" for words in commands(text))
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
 def test_every_command_a_page_names_exists(page: Path) -> None:
     known = set(COMMANDS)
     lines = [text for _, text in blocks(page, "console", "sh")]
@@ -104,7 +134,23 @@ def test_every_command_a_page_names_exists(page: Path) -> None:
     assert set(named) <= known
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_every_option_a_page_shows_is_understood(page: Path) -> None:
+    text = "\n".join(text for _, text in blocks(page, "console", "sh"))
+    for line in re.findall(r"^(?:\$ )?(sdgen .*)$", text.replace("\\\n", " "), flags=re.M):
+        for part in line.split(" && "):
+            words = shlex.split(part, comments=True)[1:]
+            command, context = cli, click.Context(cli, info_name="sdgen")
+            while isinstance(command, click.Group) and words:
+                found = command.get_command(context, words.pop(0))
+                assert found is not None, line
+                command = found
+                context = click.Context(command, context, command.name)
+            # Raises for an option it does not have.
+            command.make_parser(context).parse_args(words)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
 def test_links_lead_somewhere(page: Path) -> None:
     targets = re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8"))
     local = [target for target in targets if not re.match(r"\w+:", target)]
@@ -121,6 +167,21 @@ def test_every_guide_is_in_the_index() -> None:
 def test_every_command_and_option_is_documented() -> None:
     written = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
     assert written == module_at("scripts/command_reference.py").reference(), "run 'make docs'"
+
+
+@pytest.mark.parametrize(
+    ("page", "script"),
+    [("files.md", "scripts/file_reference.py"), ("api.md", "scripts/api_reference.py")],
+)
+def test_every_key_of_a_file_and_every_public_name_is_documented(page: str, script: str) -> None:
+    written = (ROOT / "docs" / page).read_text(encoding="utf-8")
+    assert written == module_at(script).reference(), "run 'make docs'"
+
+
+def test_every_name_the_package_exports_is_in_the_reference() -> None:
+    written = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
+    for name in set(sdgen.__all__) - {"__version__"}:
+        assert f"### sdgen.{name}\n" in written, name
 
 
 def test_every_hazard_is_documented() -> None:
@@ -177,4 +238,6 @@ def test_small_python_blocks_run() -> None:
 def test_tiny_keeps_the_rest_of_a_command() -> None:
     words = ["sdgen", "build", "--n", "1000", "--seed", "7", "--out", "homes"]
     assert tiny(words) == ["sdgen", "build", "--seed", "7", "--out", "homes", *TINY]
+    words = ["sdgen", "build", "--n", "1000", "--range", "500:1000"]
+    assert tiny(words) == ["sdgen", "build", "--range", "1:2", *TINY]
     assert tiny(["sdgen", "stats", "homes"]) == ["sdgen", "stats", "homes"]

@@ -86,6 +86,10 @@ def test_scene_rejected_names_scene_and_reasons() -> None:
         (["assets", "show"], "Missing argument"),
         (["detect", "x"], "'--method'. Choose from: rules, never, always"),
         (["export", "."], "Missing option '-o'"),
+        (["valdate", "x"], "did you mean 'validate'?"),
+        (["catalog", "tset"], "did you mean 'test'?"),
+        (["home", "exprot"], "did you mean 'export'?"),
+        (["assets", "imprt"], "did you mean 'import'?"),
         (["assets", "show", "mug_1"], "did you mean 'mug_01'?"),
     ],
 )

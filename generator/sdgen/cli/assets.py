@@ -11,6 +11,8 @@ from sdgen.cli.assets_fetch import fetch_assets
 from sdgen.cli.assets_import import import_assets
 from sdgen.cli.assets_retexture import retexture_model
 from sdgen.cli.bar import bar
+from sdgen.cli.group import NamedGroup
+from sdgen.cli.quiet import QUIET
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.library import Library, load_library
 from sdgen.library.records import Asset
@@ -27,7 +29,7 @@ EXTRA = click.option(
 )
 
 
-@click.group()
+@click.group(cls=NamedGroup)
 def assets() -> None:
     """List, show, draw, check, fetch, import and retexture models.
 
@@ -133,6 +135,7 @@ def show_asset(extra: tuple[str, ...], as_json: bool, asset_id: str) -> None:
     show_default=True,
     help="What draws the models.",
 )
+@QUIET
 @click.argument("words", metavar="[LIBRARY|ID|CATEGORY]...", nargs=-1)
 def sheet(
     extra: tuple[str, ...],
@@ -208,6 +211,7 @@ def sheet(
 @click.option(
     "--workers", type=click.IntRange(min=1), metavar="N", help="Processes [default: cores]."
 )
+@QUIET
 @click.argument(
     "folders",
     type=click.Path(exists=True, file_okay=False, path_type=Path),

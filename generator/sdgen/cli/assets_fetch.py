@@ -11,6 +11,7 @@ import click
 from sdgen.cli.bar import bar
 from sdgen.cli.disk import check_destination
 from sdgen.cli.params import destination, parsed
+from sdgen.cli.quiet import QUIET
 from sdgen.errors import AssetError, SdgenError, UsageError, did_you_mean
 
 if TYPE_CHECKING:
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 @click.option("--list", "as_list", is_flag=True, help="Print the names of the source's models.")
 @click.option("--accept-licence", is_flag=True, help="Accept the source's licence, unasked.")
 @click.option("--base-url", metavar="URL", help="Fetch from a mirror that is laid out alike.")
+@QUIET
 def fetch_assets(
     source_id: str,
     names: tuple[str, ...],

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sdgen.cli.bar import bar
+from sdgen.cli.quiet import QUIET
 from sdgen.cli.shared_options import CATALOGS
 from sdgen.importing.member_names import plain, shown_name
 
@@ -59,6 +60,7 @@ _SOURCES = ("ycb", "gso", "replicacad", "fantastic-breaks", "folder")
 @click.option(
     "--workers", type=click.IntRange(min=1), metavar="N", help="Processes [default: cores]."
 )
+@QUIET
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @click.argument("source", type=click.Choice(_SOURCES))
 @click.argument("path", type=click.Path(exists=True, path_type=Path))

@@ -8,12 +8,15 @@ from contextlib import contextmanager
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from sdgen.cli.quiet import quiet
+
 
 @contextmanager
 def bar(what: str) -> Iterator[Callable[[int, int], None] | None]:
-    """A callback ``(done, total)`` that moves a bar on stderr; None when nobody would see it."""
+    """A callback ``(done, total)`` that moves a bar on stderr; None when nobody would
+    see it, or with ``--quiet``."""
     console = Console(stderr=True)
-    if not console.is_terminal:
+    if not console.is_terminal or quiet():
         yield None
         return
     columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())

@@ -17,6 +17,7 @@ from sdgen.cli.catalog_categories import list_categories
 from sdgen.cli.catalog_new import new_hazard
 from sdgen.cli.catalog_propose import propose
 from sdgen.cli.catalog_test import test_hazards
+from sdgen.cli.group import NamedGroup
 from sdgen.cli.params import split_names
 from sdgen.cli.shared_options import CATALOGS, EXTENSIONS
 from sdgen.errors import InputError, UsageError, did_you_mean
@@ -35,7 +36,7 @@ def _load(catalogs: Sequence[Path], extensions: tuple[str, ...]) -> Catalog:
     return load_catalog(catalogs, extensions=split_names(extensions))
 
 
-@click.group()
+@click.group(cls=NamedGroup)
 def catalog() -> None:
     """List, show and check what can go wrong.
 

@@ -10,6 +10,7 @@ import click
 
 from sdgen.cli.bar import bar
 from sdgen.cli.params import split_names
+from sdgen.cli.quiet import QUIET
 from sdgen.cli.shared_options import ASSETS, EXTENSIONS, RENDERER
 from sdgen.errors import UsageError
 from sdgen.options import MAX_SEED
@@ -72,6 +73,7 @@ _NAMED = 50
     metavar="N",
     help="Processes [default: cores, fewer where memory is scarce].",
 )
+@QUIET
 @click.option("--json", "as_json", is_flag=True, help="Print the report as one JSON object.")
 @click.argument("paths", metavar="[PATH]...", nargs=-1, type=click.Path(path_type=Path))
 def test_hazards(

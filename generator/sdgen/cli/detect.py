@@ -6,6 +6,8 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.quiet import QUIET, hint
+
 METHODS = ("rules", "never", "always")
 
 
@@ -25,6 +27,7 @@ METHODS = ("rules", "never", "always")
     help="Predictions file to write; - is standard output.",
 )
 @click.option("--split", help="Only the scenes of train, val or test.")
+@QUIET
 def detect(dataset: Path, method: str, output: Path, split: str | None) -> None:
     """Run a detector over a data set and write its predictions.
 
@@ -47,5 +50,5 @@ def detect(dataset: Path, method: str, output: Path, split: str | None) -> None:
         return
     write_predictions(output, found)
     reports = sum(len(said) for said in found.values())
-    click.echo(f"{output}: {reports} reports in {len(found)} scenes", err=True)
-    click.echo(f"score them: sdgen evaluate {dataset} {output}", err=True)
+    hint(f"{output}: {reports} reports in {len(found)} scenes")
+    hint(f"score them: sdgen evaluate {dataset} {output}")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import click
 
 from sdgen.cli.disk import human_bytes
+from sdgen.cli.quiet import QUIET
 from sdgen.cli.shared_options import ASSETS
 from sdgen.export.formats import FORMATS
 
@@ -34,6 +36,8 @@ _WHAT = "; ".join(f"{name}: {known.words}" for name, known in FORMATS.items())
 @click.option("--split", help="Only the scenes of train, val or test (not for tar).")
 @click.option("--meshes", is_flag=True, help="huggingface: also each scene's GLB, as a column.")
 @ASSETS
+@QUIET
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def export(
     dataset: Path,
     name: str,
@@ -41,6 +45,7 @@ def export(
     split: str | None,
     meshes: bool,
     assets: tuple[Path, ...],
+    as_json: bool,
 ) -> None:
     """Write a data set in a format that other tools read; docs/exports.md tells of each.
 
@@ -68,5 +73,16 @@ def export(
     with bar("writing") as on_scene:
         write(data, name, output, on_scene, library)
     files = [output] if output.is_file() else [p for p in output.rglob("*") if p.is_file()]
-    size = human_bytes(sum(file.stat().st_size for file in files))
-    click.echo(f"{output}: {size}" + (f" in {len(files)} files" if output.is_dir() else ""))
+    size = sum(file.stat().st_size for file in files)
+    if as_json:
+        record = {
+            "out": str(output),
+            "format": name,
+            "scenes": len(data),
+            "files": len(files),
+            "bytes": size,
+        }
+        click.echo(json.dumps(record, indent=1, ensure_ascii=False))
+        return
+    number = f" in {len(files)} files" if output.is_dir() else ""
+    click.echo(f"{output}: {human_bytes(size)}{number}")

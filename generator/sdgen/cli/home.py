@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import click
 
+from sdgen.cli.group import NamedGroup
 from sdgen.cli.params import destination, parsed
 from sdgen.cli.shared_options import ASSETS, CATALOGS, RENDERER, SIZE, VIEWS
 from sdgen.errors import UsageError
@@ -47,7 +48,7 @@ def _sources(command: Callable[..., Any]) -> Callable[..., Any]:
     return _WHICH(_SEED(CATALOGS(ASSETS(command))))
 
 
-@click.group()
+@click.group(cls=NamedGroup)
 def home() -> None:
     """List base homes, draw one home, write it as YAML, GLB or MJCF, or import a scene.
 

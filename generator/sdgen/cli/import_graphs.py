@@ -7,6 +7,8 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.quiet import QUIET
+
 FORMATS = ("virtualhome",)
 #: What is told of each graph, lines.
 SHOWN = 5
@@ -31,6 +33,7 @@ SHOWN = 5
     help="Draws the households, and where an agent starts.",
 )
 @click.option("--household", metavar="KIND", help="Who lives in all of them [default: drawn].")
+@QUIET
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def import_graphs(
     format_: str,

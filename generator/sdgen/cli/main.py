@@ -17,7 +17,8 @@ import click
 
 import sdgen
 from sdgen.cli import signals
-from sdgen.errors import FULL, SHOWN, InputError, SdgenError, Stopped, did_you_mean
+from sdgen.cli.group import NamedGroup
+from sdgen.errors import FULL, SHOWN, InputError, SdgenError, Stopped
 
 #: Command -> one line for ``sdgen --help``. Module ``sdgen.cli.<name>`` defines ``<name>``; it is
 #: imported only when the command is used, so ``sdgen --help`` stays quick.
@@ -59,7 +60,7 @@ EXTRAS = {
 EPILOG = "Example: sdgen build --n 12 --seed 7 && sdgen view output/sdgen-n12-s7"
 
 
-class LazyGroup(click.Group):
+class LazyGroup(NamedGroup):
     """A group that knows its commands by name and imports each when it is used."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -71,14 +72,6 @@ class LazyGroup(click.Group):
         name = MODULES.get(cmd_name, cmd_name)
         command: click.Command = getattr(import_module(f"sdgen.cli.{name}"), name)
         return command
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        if args and not args[0].startswith("-") and self.get_command(ctx, args[0]) is None:
-            hint = did_you_mean(args[0], list(COMMANDS))
-            raise click.UsageError(f"no command {args[0]!r}{hint}", ctx)
-        return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> object:
         try:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import click
 
 from sdgen.cli.params import destination, parsed
+from sdgen.cli.quiet import QUIET, hint
 from sdgen.errors import BuildIncomplete
 
 
@@ -22,7 +24,9 @@ from sdgen.errors import BuildIncomplete
     required=True,
     help="Destination, a folder of its own. The same command goes on after an interruption.",
 )
-def merge(pieces: tuple[Path, ...], out: Path) -> None:
+@QUIET
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+def merge(pieces: tuple[Path, ...], out: Path, as_json: bool) -> None:
     """Join pieces that 'sdgen build --range A:B' made in folders of their own.
 
     The result has the same bytes as one build of all scenes. Pieces must be of the same
@@ -39,10 +43,22 @@ def merge(pieces: tuple[Path, ...], out: Path) -> None:
     with bar("joining") as on_scene:
         merged = join(pieces, out, on_scene)
     counts = merged.info.counts
-    click.echo(f"{out}: {counts.scenes} of {merged.info.n} scenes, {counts.views} views")
+    if as_json:
+        record = {
+            "out": str(out),
+            "n": merged.info.n,
+            "scenes": counts.scenes,
+            "views": counts.views,
+            "missing": [list(gap) for gap in merged.missing],
+            "failed": sorted(merged.info.failed),
+        }
+        click.echo(json.dumps(record, indent=1, ensure_ascii=False))
+    else:
+        click.echo(f"{out}: {counts.scenes} of {merged.info.n} scenes, {counts.views} views")
     problems = [f"no piece has --range {first}:{end}" for first, end in merged.missing]
     if merged.info.failed:
         problems.append(f"could not be made: {', '.join(sorted(merged.info.failed)[:20])}")
     if problems:
         raise BuildIncomplete(f"{out}: {'; '.join(problems)}")
-    click.echo(f"look at it: sdgen view {out}")
+    if not as_json:
+        hint(f"look at it: sdgen view {out}")

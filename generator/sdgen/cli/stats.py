@@ -8,6 +8,8 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.quiet import QUIET, hint
+
 #: Characters of the longest bar.
 _WIDTH = 30
 
@@ -21,6 +23,7 @@ _WIDTH = 30
     metavar="FILE.svg",
     help="Also draw the distributions.",
 )
+@QUIET
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def stats(dataset: Path, split: str | None, plot: Path | None, as_json: bool) -> None:
     """Count scenes, views, objects, anomalies by hazard, homes and splits, and show how rooms,
@@ -47,7 +50,7 @@ def stats(dataset: Path, split: str | None, plot: Path | None, as_json: bool) ->
         part = f", {split}" if split is not None else ""
         title = f"{dataset.name}: n {data.info.n}, seed {data.info.seed}{part}"
         write_stats(plot, title, spread)
-        click.echo(f"{plot}", err=True)
+        hint(f"{plot}")
     info, counts = data.info, count(data.entries)
     hazards = {name: counts.anomalies_by_hazard.get(name, 0) for name in info.hazards_enabled}
     if as_json:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sdgen.cli.params import split_names
+from sdgen.cli.quiet import QUIET
 from sdgen.cli.recertify import certify_again
 from sdgen.engines.machine import usable_cores
 from sdgen.errors import SHOWN, InputError, UsageError
@@ -56,6 +57,7 @@ if TYPE_CHECKING:
 @click.option(
     "--workers", type=click.IntRange(min=1), metavar="N", help="Processes [default: cores]."
 )
+@QUIET
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object, all problems in it.")
 def validate(
     dataset: Path,

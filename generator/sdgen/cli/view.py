@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from sdgen.cli.quiet import QUIET, hint
 from sdgen.cli.shared_options import ASSETS
 
 #: Each scene shown is a page of its own with all its pictures drawn anew.
@@ -38,6 +39,7 @@ LIMIT = 200
     show_default=True,
     help="Port of --serve; 0 takes a free one.",
 )
+@QUIET
 def view(
     dataset: Path,
     output: Path | None,
@@ -69,7 +71,7 @@ def view(
     with bar("drawing") as on_scene:
         shown = write_gallery(data, output or dataset / "view", limit or None, on_scene, library)
     if shown.scenes < shown.total:
-        click.echo(f"shows the first {shown.scenes} of {shown.total} scenes (--limit)", err=True)
+        hint(f"shows the first {shown.scenes} of {shown.total} scenes (--limit)")
     if serving:
         serve(dataset, shown.index, port, lambda url: click.echo(f"{url} (stop with Ctrl-C)"))
         return

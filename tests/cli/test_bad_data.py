@@ -17,6 +17,7 @@ from sdgen.errors import SHOWN
 from sdgen.rejection import Cause
 
 from tests import toy
+from tests.edits import reseal
 
 Captured = pytest.CaptureFixture[str]
 
@@ -148,6 +149,7 @@ def test_what_an_object_names_and_is_not_there_is_told(
 ) -> None:
     path = toy.build(tmp_path / "d", toy.small(n=1, sensors=()))
     _edit(path / "scenes/000000/scene.json", lambda data: data["objects"][0].update(change))
+    reseal(path)
     (tmp_path / "out").mkdir()
     args = ["--method", "rules"] if command == "detect" else []
     assert run([command, str(path), *args, "-o", str(tmp_path / "out" / "o")]) == 1

@@ -10,6 +10,7 @@ import pytest
 from sdgen.cli.main import run
 
 from tests import toy
+from tests.edits import reseal
 
 
 @pytest.fixture(scope="module")
@@ -185,6 +186,7 @@ def test_files_that_disagree_are_located(
 ) -> None:
     path = toy.build(tmp_path / "d", toy.small(n=2))
     damage(path)
+    reseal(path)
     (tmp_path / "p.jsonl").write_text("")
     out = tmp_path / "out.jsonl"
     more = (

@@ -10,6 +10,7 @@ from PIL import Image
 from sdgen.dataset import Dataset
 
 from tests import toy
+from tests.edits import reseal
 
 
 @pytest.fixture(scope="module")
@@ -46,6 +47,8 @@ def test_without_pictures_and_with_broken_ones_there_are_words(tmp_path: Path) -
     assert "no picture" in Dataset(blind)._repr_html_()
     path = toy.build(tmp_path / "broken", toy.small(n=1))
     (path / "scenes/000000/views/00/rgb.png").write_bytes(b"<script>")
+    assert "rgb.png: changed since it was written" in Dataset(path)[0]._repr_html_()
+    reseal(path)
     assert "not a readable picture" in Dataset(path)[0]._repr_html_()
 
 

@@ -12,6 +12,7 @@ from sdgen.dataset import Dataset
 from sdgen.gallery import write_gallery
 
 from tests import browser, toy
+from tests.edits import reseal
 from tests.shipped import shipped_library
 
 SAMPLE = Path(__file__).resolve().parents[2] / "output" / "sample"
@@ -250,6 +251,7 @@ def test_strangers_text_runs_nothing(page: browser.Page, tmp_path: Path) -> None
         data = json.loads(file.read_text(encoding="utf-8"))
         change(data)
         file.write_text(json.dumps(data), encoding="utf-8")
+    reseal(path)
     index = write_gallery(Dataset(path), path / "view").index
     opened(page, index)
     assert hostile.replace("_", " ") in page.run("document.forms[0].household.innerText")

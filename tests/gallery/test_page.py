@@ -18,6 +18,7 @@ from sdgen.gallery.pictures import depth_colours, mask_colours, thumbnail
 from sdgen.validate import validate
 
 from tests import toy
+from tests.edits import reseal
 
 VOID = {"meta", "link", "img", "br", "input"}
 
@@ -182,6 +183,7 @@ def test_a_scenes_cover_is_the_view_that_shows_its_hazards(tmp_path: Path) -> No
     for shown in data["anomalies"]:
         shown["evidence_pixels"].reverse()
     file.write_text(json.dumps(data), encoding="utf-8")
+    reseal(path)
     write_gallery(Dataset(path), path / "view")
     assert (index.parent / "000003/overview.jpg").read_bytes() == second
     assert (index.parent / "000000/overview.jpg").is_file()
@@ -193,6 +195,7 @@ def test_views_that_visibility_leaves_out_are_told(tmp_path: Path) -> None:
     data = json.loads(file.read_text(encoding="utf-8"))
     data["anomalies"][0]["evidence_pixels"].pop()
     file.write_text(json.dumps(data), encoding="utf-8")
+    reseal(path)
     with pytest.raises(InputError, match=r"000003.*see sdgen validate"):
         write_gallery(Dataset(path), path / "view")
 
@@ -212,6 +215,7 @@ def test_strangers_text_is_escaped(tmp_path: Path) -> None:
     data = json.loads(scene.read_text(encoding="utf-8"))
     data["home"]["rooms"][0]["name"] = hostile + "\u2028"
     scene.write_text(json.dumps(data), encoding="utf-8")
+    reseal(path)
     index = write_gallery(Dataset(path), path / "view").index
     shown = (index.parent / "000001/index.html").read_text(encoding="utf-8")
     assert "&lt;script&gt;alert" in shown
@@ -258,6 +262,7 @@ def _no_model(path: Path) -> None:
 
 def _no_picture(path: Path) -> None:
     (path / "scenes/000001/views/00/rgb.png").write_bytes(b"\x89PNG")
+    reseal(path)
 
 
 @pytest.mark.parametrize(

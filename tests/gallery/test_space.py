@@ -9,6 +9,7 @@ from sdgen.dataset import Dataset
 from sdgen.gallery.space import scene_space
 
 from tests import toy
+from tests.edits import reseal
 
 
 def said(path: Path, scene: int = 3) -> dict[str, Any]:
@@ -40,6 +41,7 @@ def test_a_circle_of_strangers_leads_back_to_the_room(tmp_path: Path) -> None:
         {"from_id": a, "to_id": b, "relation_type": "ON"} for a, b in ((600, 4000), (4000, 600))
     ]
     file.write_text(json.dumps(data), encoding="utf-8")
+    reseal(path)
     up = {thing["id"]: thing["up"] for thing in said(path)["things"]}
     way, at = set(), 600
     while at not in (100, 101):
@@ -55,6 +57,7 @@ def test_open_doors_are_where_their_joints_put_them(tmp_path: Path) -> None:
     (fridge,) = [thing for thing in data["objects"] if thing["id"] == 305]
     fridge["joints"] = {"door": np.pi / 2}
     file.write_text(json.dumps(data), encoding="utf-8")
+    reseal(path)
     things = {thing["id"]: thing for thing in said(path)["things"]}
     assert set(things[305]["parts"]) == {"door"}
     moved = np.array(things[305]["parts"]["door"]).reshape(4, 4) @ (0.3, -0.3, 0.0, 1.0)

@@ -15,7 +15,7 @@ from sdgen.validate import rebuild, validate
 from sdgen.validate.physics import check_physics
 
 from tests import toy
-from tests.validate.test_validate import edit_json, reseal
+from tests.edits import edit_json, reseal
 
 Captured = pytest.CaptureFixture[str]
 

@@ -14,7 +14,7 @@ from sdgen.validate import validate
 from sdgen.validate.colours import follows_mask
 
 from tests import toy
-from tests.validate.test_validate import edit_json, reseal
+from tests.edits import edit_json, reseal
 
 SAMPLE = Path(__file__).parents[2] / "output" / "sample"
 VIEW = "scenes/000001/views/01"

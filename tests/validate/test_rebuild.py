@@ -13,8 +13,8 @@ from sdgen.library import load_library
 from sdgen.validate import rebuild, validate
 
 from tests import toy
+from tests.edits import edit_json, reseal
 from tests.shared import Shared
-from tests.validate.test_validate import edit_json, reseal
 
 Captured = pytest.CaptureFixture[str]
 

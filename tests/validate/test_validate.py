@@ -1,22 +1,15 @@
 """validate: silent on a sound data set, and one edit anywhere is found and located."""
 
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 from PIL import Image
-from sdgen.dataset import Dataset
-from sdgen.dataset.disk import file_sha256
-from sdgen.dataset.images import gray_bytes
-from sdgen.dataset.records import CONTENT_FILES
-from sdgen.dataset.scene_folder import content_sha256
-from sdgen.dataset.text import line_bytes
 from sdgen.validate import validate
 
 from tests import toy
+from tests.edits import edit_json, edit_picture, reseal
 
 LAST = "scenes/000003"
 Edit = Callable[[Any], None]
@@ -32,37 +25,6 @@ def test_a_sound_data_set_has_no_problems(tmp_path: Path) -> None:
 @pytest.mark.parametrize("sensors", [(), ("rgb",), ("depth",), ("instance",)])
 def test_fewer_sensors_are_sound_too(tmp_path: Path, sensors: tuple[str, ...]) -> None:
     assert validate(toy.build(tmp_path / "d", toy.small(n=2, sensors=sensors))) == []
-
-
-def reseal(path: Path) -> None:
-    """Make the digests right again, as whoever edits with intent would."""
-    data = Dataset(path)
-    lines = []
-    for entry in data.entries:
-        folder = path / "scenes" / entry.id
-        files = {
-            p.relative_to(folder).as_posix(): file_sha256(p)
-            for p in sorted(folder.rglob("*"))
-            if p.is_file()
-        }
-        content = {name: (folder / name).read_bytes() for name in CONTENT_FILES}
-        update = {"files": files, "content_sha256": content_sha256(content)}
-        lines.append(line_bytes(entry.model_copy(update=update)))
-    (path / "manifest.jsonl").write_bytes(b"".join(lines))
-
-
-def edit_json(path: Path, edit: Edit) -> None:
-    """Change a JSON file in place."""
-    data = json.loads(path.read_text(encoding="utf-8"))
-    edit(data)
-    path.write_text(json.dumps(data), encoding="utf-8")
-
-
-def edit_picture(path: Path, edit: Edit) -> None:
-    """Change the pixels of a 16-bit picture in place."""
-    values = np.asarray(Image.open(path)).astype(np.uint16)
-    edit(values)
-    path.write_bytes(gray_bytes(values))
 
 
 @pytest.fixture(scope="module")
@@ -365,7 +327,7 @@ def _empty_readme(path: Path) -> None:
         (_extra_file, "file", "views/77/rgb.png: the manifest does not list it"),
         (_missing_scene, "file", "scenes/000003: missing"),
         (_extra_scene, "file", "scenes/000009: the manifest does not list it"),
-        (_link, "file", "graph.json: not a plain file"),
+        (_link, "file", "graph.json: a symbolic link leads elsewhere"),
         (_catalogue, "hash", "catalogue.json: not the catalogue"),
         (_catalogue, "label", "object 600, sharp_object: listed and does not hold"),
         (_asset, "graph", "edges"),

@@ -6,7 +6,6 @@ from __future__ import annotations
 import io
 import struct
 import zlib
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,6 @@ import numpy.typing as npt
 from isal import isal_zlib
 from PIL import Image
 
-from sdgen.dataset.text import read_bytes
 from sdgen.errors import InputError
 
 #: Near enough to lossless for training: no chroma is thrown away.
@@ -75,21 +73,21 @@ def _chunk(kind: bytes, data: bytes) -> bytes:
     return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", check)
 
 
-def read_rgb(path: Path, size: tuple[int, int], where: str) -> npt.NDArray[np.uint8]:
+def rgb_of(content: bytes, size: tuple[int, int], where: str) -> npt.NDArray[np.uint8]:
     """(H, W, 3) colours of a picture of ``size`` (width, height). Raises InputError."""
-    return np.array(_open(path, size, ("RGB",), where), dtype=np.uint8)  # one may write to
+    return np.array(_open(content, size, ("RGB",), where), dtype=np.uint8)  # one may write to
 
 
-def read_gray(path: Path, size: tuple[int, int], bits: int, where: str) -> npt.NDArray[Any]:
+def gray_of(content: bytes, size: tuple[int, int], bits: int, where: str) -> npt.NDArray[Any]:
     """(H, W) values of an 8- or 16-bit picture of ``size``. Raises InputError."""
     if bits == 8:
-        return np.array(_open(path, size, ("L",), where), dtype=np.uint8)
-    return np.asarray(_open(path, size, ("I;16", "I;16B", "I"), where)).astype(np.uint16)
+        return np.array(_open(content, size, ("L",), where), dtype=np.uint8)
+    return np.asarray(_open(content, size, ("I;16", "I;16B", "I"), where)).astype(np.uint16)
 
 
-def _open(path: Path, size: tuple[int, int], modes: tuple[str, ...], where: str) -> Image.Image:
+def _open(content: bytes, size: tuple[int, int], modes: tuple[str, ...], where: str) -> Image.Image:
     try:
-        with Image.open(io.BytesIO(read_bytes(path, where)), formats=("PNG", "JPEG")) as image:
+        with Image.open(io.BytesIO(content), formats=("PNG", "JPEG")) as image:
             if image.size != size:
                 raise InputError([f"{where}: {image.size} pixels, the view says {size}"])
             if image.size[0] * image.size[1] > MAX_PIXELS or image.mode not in modes:

@@ -13,12 +13,12 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.dataset.disk import sha256_hex
-from sdgen.dataset.images import read_gray, read_rgb
+from sdgen.dataset.images import gray_of, rgb_of
 from sdgen.dataset.notebook import BLUE, RED, figure, page
 from sdgen.dataset.older import physics_as_now
 from sdgen.dataset.records import VISIBILITY_FILE, ManifestEntry
 from sdgen.dataset.scene_folder import view_folder
-from sdgen.dataset.text import read_bytes, read_record
+from sdgen.dataset.text import read_bytes, to_record
 from sdgen.errors import InputError
 from sdgen.scene import (
     Anomalies,
@@ -41,12 +41,16 @@ R = TypeVar("R", bound=Record)
 
 @dataclass(frozen=True, repr=False)
 class SceneItem:
-    """One scene: records read on first use, arrays on every use. Raises InputError, located."""
+    """One scene: records read on first use, arrays on every use. Raises InputError, located.
+
+    Files that changed since they were written are refused, unless not ``checked``.
+    """
 
     root: Path
     entry: ManifestEntry
     graph_view: GraphView = "full"
     twin_entry: ManifestEntry | None = None
+    checked: bool = True
 
     @property
     def id(self) -> str:
@@ -58,7 +62,7 @@ class SceneItem:
         """Its benign twin, None when the data set has none (or this is one)."""
         if self.twin_entry is None:
             return None
-        return SceneItem(self.root, self.twin_entry, self.graph_view)
+        return SceneItem(self.root, self.twin_entry, self.graph_view, checked=self.checked)
 
     @property
     def folder(self) -> Path:
@@ -116,18 +120,27 @@ class SceneItem:
         Raises InputError for one that is missing, changed, no plain file or led to by a link.
         """
         where = self.where(name)
-        # A linked folder on the way would lead out of the data set as well as a linked file.
-        way = accumulate(where.split("/"), os.path.join, initial=os.fspath(self.root))
-        if any(map(os.path.islink, islice(way, 1, None))):
+        if self.linked(name):
             raise InputError([f"{where}: a symbolic link leads elsewhere"])
         content = read_bytes(self.folder / name, where)
         if sha256_hex(content) != self.entry.files.get(name):
-            raise InputError([f"{where}: changed since it was written (sdgen validate)"])
+            raise InputError([f"{where}: changed since it was written (see sdgen validate)"])
         return content
+
+    def linked(self, name: str) -> bool:
+        """True when the file, or a folder on the way to it, is a symbolic link: it would lead out
+        of the data set."""
+        way = accumulate(self.where(name).split("/"), os.path.join, initial=os.fspath(self.root))
+        return any(map(os.path.islink, islice(way, 1, None)))
 
     def read(self, model: type[R], name: str) -> R:
         """A file of the scene as a record."""
-        return read_record(model, self.folder / name, self.where(name))
+        return to_record(model, self._content(name), self.where(name))
+
+    def _content(self, name: str) -> bytes:
+        if self.checked:
+            return self.file(name)
+        return read_bytes(self.folder / name, self.where(name))
 
     @cached_property
     def scene(self) -> Scene:
@@ -160,7 +173,7 @@ class SceneItem:
     def physics(self) -> PhysicsReport:
         """``physics.json``."""
         name = "physics.json"
-        return read_record(PhysicsReport, self.folder / name, self.where(name), physics_as_now)
+        return to_record(PhysicsReport, self._content(name), self.where(name), physics_as_now)
 
     @cached_property
     def visibility(self) -> Visibility:
@@ -189,8 +202,8 @@ class SceneItem:
         """Colours of a view, (H, W, 3) uint8."""
         path = self.rgb_path(view)
         name = path.name if path is not None else "rgb.png"
-        where = self.where(f"{view_folder(view)}/{name}")
-        return read_rgb(self.folder / view_folder(view) / name, self._size(view), where)
+        name = f"{view_folder(view)}/{name}"
+        return rgb_of(self._content(name), self._size(view), self.where(name))
 
     def depth_mm(self, view: int) -> npt.NDArray[np.uint16]:
         """Planar depth of a view as stored, (H, W) uint16 millimetres, 0 = nothing."""
@@ -209,9 +222,8 @@ class SceneItem:
         return np.asarray(self._gray(view, "part.png", 8), dtype=np.uint8)
 
     def _gray(self, view: int, name: str, bits: int) -> npt.NDArray[np.uint16]:
-        path = self.folder / view_folder(view) / name
-        where = self.where(f"{view_folder(view)}/{name}")
-        return read_gray(path, self._size(view), bits, where)
+        name = f"{view_folder(view)}/{name}"
+        return gray_of(self._content(name), self._size(view), bits, self.where(name))
 
     def _size(self, view: int) -> tuple[int, int]:
         camera = self.cameras[view]

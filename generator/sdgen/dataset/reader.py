@@ -51,8 +51,9 @@ class Dataset(Sequence[SceneItem]):
     ``split`` keeps one of ``train``, ``val``, ``test``; ``twins`` gives each scene's benign twin
     instead, ``toggles`` those in which one anomaly is undone (with both: all of these);
     ``graph_view`` says what the scenes' ``.graph`` shows. Picklable. Raises InputError for a
-    folder that is no data set, or one that lacks scenes it was finished with (``partial`` opens
-    what is left of it, and takes its catalogue for what it is).
+    folder that is no data set, or one that lacks scenes it was finished with, and on reading
+    what changed since it was written. ``partial`` opens what is left of it, and takes its files
+    for what they are.
     """
 
     def __init__(
@@ -115,7 +116,7 @@ class Dataset(Sequence[SceneItem]):
 
     def _item(self, entry: ManifestEntry) -> SceneItem:
         twin = self._twins.get(entry.id)
-        return SceneItem(self.path, entry, self.graph_view, twin)
+        return SceneItem(self.path, entry, self.graph_view, twin, checked=not self.partial)
 
     def filter(
         self,

@@ -120,7 +120,6 @@ class _Split:
                 "height": row["height"],
                 **{key: row[key] for key in ("scene", "twin_of", "view", "room_type")},
             }
-            item.file(pictures["instance"])  # its bytes are the manifest's
             ids = item.instance(view)
             segments = segments_of(ids)
             for thing in row["objects"]:

@@ -27,7 +27,6 @@ from sdgen.dataset.text import compact
 from sdgen.errors import SdgenError
 from sdgen.export.formats import OnScene
 from sdgen.export.questions import Bbox, Question, questions_of
-from sdgen.export.rows import picture_files
 from sdgen.export.shards import groups, scenes_in
 
 TSV = "sdgen_questions.tsv"
@@ -124,7 +123,6 @@ def _write(
 def boxed(question: Question) -> bytes:
     """The picture of a question as JPEG, a red frame around its box."""
     item, view = question.item, question.view
-    item.file(picture_files(item, view)["image"])  # its bytes are the manifest's
     image = Image.fromarray(framed(item.rgb(view), question.bbox))
     buffer = io.BytesIO()
     image.save(buffer, "JPEG", quality=92)

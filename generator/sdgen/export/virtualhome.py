@@ -49,7 +49,6 @@ def export_virtualhome(data: Dataset, output: Path, on_scene: OnScene = None) ->
 
 def virtualhome_graph(item: SceneItem) -> dict[str, Any]:
     """The graph of a scene as VirtualHome writes it."""
-    item.file("graph.json")  # its bytes are the manifest's
     graph = item.scene_graph
     return {
         "nodes": [_node(node) for node in graph.nodes],

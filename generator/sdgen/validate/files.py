@@ -144,7 +144,9 @@ def check_files(data: Dataset, item: SceneItem) -> Iterator[Problem]:
         yield Problem("file", f"{item.where(name)}: in the manifest, not promised by the options")
     for name in sorted(entry.files):
         path = item.folder / name
-        if path.is_symlink() or not path.is_file():
+        if item.linked(name):
+            yield Problem("file", f"{item.where(name)}: a symbolic link leads elsewhere")
+        elif not path.is_file():
             yield Problem("file", f"{item.where(name)}: {_state(name in found)}")
         elif file_sha256(path) != entry.files[name]:
             yield Problem("hash", f"{item.where(name)}: changed since it was written")

@@ -62,7 +62,7 @@ class _Checker(Closing):
         self._client = Client()
 
     def __call__(self, index: int) -> list[Problem]:
-        item = SceneItem(self._data.path, self._data.entries[index])
+        item = SceneItem(self._data.path, self._data.entries[index], checked=False)
         try:
             return list(check_scene_physics(item, self._library, self._client))
         except InputError as error:

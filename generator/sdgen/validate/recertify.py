@@ -128,7 +128,7 @@ class _Again:
         self._catalog = catalog
 
     def __call__(self, index: int) -> SceneAgain:
-        item = SceneItem(self._data.path, self._data.entries[index])
+        item = SceneItem(self._data.path, self._data.entries[index], checked=False)
         try:
             with derived_from(self._data, item):
                 return _again(self._data, item, self._catalog)

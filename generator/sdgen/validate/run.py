@@ -69,7 +69,7 @@ class _Checker:
         self._catalog = catalog
 
     def __call__(self, index: int) -> list[Problem]:
-        item = SceneItem(self._data.path, self._data.entries[index])
+        item = SceneItem(self._data.path, self._data.entries[index], checked=False)
         return _scene(self._data, item, self._catalog)
 
     def close(self) -> None:

@@ -70,7 +70,7 @@ def _base(data: Dataset, item: SceneItem) -> SceneItem | None:
     entry = next((e for e in data.entries if e.id == item.scene.twin_of), None)
     if entry is None:
         return None
-    base = SceneItem(data.path, entry)
+    base = SceneItem(data.path, entry, checked=False)
     hazards = {hazard.id for hazard in data.catalog.hazards}
     try:
         if any(check_scene(base, data.infos, data.catalog, data.info.format_version)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import os
-import select
+import selectors
 import shutil
 import subprocess
 import sys
@@ -73,8 +73,10 @@ class Page:
     def _next(self) -> dict[str, Any]:
         end = time.monotonic() + PATIENCE_S
         while b"\0" not in self._rest:
-            ready, _, _ = select.select([self._receive], [], [], max(0.0, end - time.monotonic()))
-            assert ready, "Chromium does not answer"
+            # Not select(), which takes no descriptor above 1023: a worker of the tests may have more.
+            with selectors.DefaultSelector() as ready:
+                ready.register(self._receive, selectors.EVENT_READ)
+                assert ready.select(max(0.0, end - time.monotonic())), "Chromium does not answer"
             more = os.read(self._receive, 1 << 20)
             assert more, "Chromium has ended"
             self._rest += more

@@ -101,10 +101,10 @@ def test_the_notebook_prints_what_it_says() -> None:
     assert sum(1 for cell in kept.cells if cell.get("outputs")) >= 9
 
 
-def printed(notebook: nbformat.NotebookNode) -> list[list[str]]:
-    """What each cell of code printed."""
+def printed(notebook: nbformat.NotebookNode) -> list[str]:
+    """What each cell of code printed, in however many pieces it came."""
     return [
-        [out.text for out in cell.outputs if out.output_type == "stream"]
+        "".join(out.text for out in cell.outputs if out.output_type == "stream")
         for cell in notebook.cells
         if cell.cell_type == "code"
     ]

@@ -73,7 +73,7 @@ class Page:
     def _next(self) -> dict[str, Any]:
         end = time.monotonic() + PATIENCE_S
         while b"\0" not in self._rest:
-            # Not select(), which takes no descriptor above 1023: a worker of the tests may have more.
+            # Not select(): it takes no descriptor above 1023, and a worker may have more.
             with selectors.DefaultSelector() as ready:
                 ready.register(self._receive, selectors.EVENT_READ)
                 assert ready.select(max(0.0, end - time.monotonic())), "Chromium does not answer"

@@ -39,6 +39,7 @@ STORIES = [
     ROOT / "docs" / "exports.md",
     ROOT / "docs" / "base-homes.md",
     ROOT / "docs" / "training.md",
+    ROOT / "docs" / "metrics.md",
     ROOT / "docs" / "gallery.md",
     ROOT / "docs" / "cluster.md",
     ROOT / "docs" / "quickstart.md",

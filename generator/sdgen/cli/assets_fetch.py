@@ -22,7 +22,11 @@ if TYPE_CHECKING:
 @click.argument("source_id", metavar="SOURCE")
 @click.argument("names", metavar="[MODEL]...", nargs=-1)
 @click.option(
-    "--out", metavar="FOLDER", callback=parsed(destination), help="Folder the models are put into."
+    "-o",
+    "--out",
+    metavar="FOLDER",
+    callback=parsed(destination),
+    help="Folder the models are put into.",
 )
 @click.option("--all", "everything", is_flag=True, help="Fetch every model of the source.")
 @click.option("--list", "as_list", is_flag=True, help="Print the names of the source's models.")

@@ -66,6 +66,7 @@ def eye_height(text: str) -> float:
     help="Root seed; 0 is a seed like any other.",
 )
 @click.option(
+    "-o",
     "--out",
     metavar="FOLDER",
     callback=parsed(destination),

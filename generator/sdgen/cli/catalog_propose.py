@@ -57,6 +57,7 @@ _REFUSED: dict[Why, str] = {
     help="Read the answer from a file (- is standard input) in place of asking.",
 )
 @click.option(
+    "-o",
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="HAZARD.yaml",

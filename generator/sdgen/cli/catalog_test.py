@@ -60,6 +60,7 @@ _NAMED = 50
     help="So many must fit.",
 )
 @click.option(
+    "-o",
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
     metavar="FOLDER",

@@ -82,6 +82,7 @@ def list_homes(catalogs: tuple[Path, ...], as_json: bool) -> None:
 @home.command("show")
 @_sources
 @click.option(
+    "-o",
     "--out",
     metavar="FOLDER",
     callback=parsed(destination),

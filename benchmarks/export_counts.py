@@ -29,7 +29,7 @@ from sdgen.vocabulary import STRUCTURES
 
 Counts = dict[str, Any]
 #: How things are called in models of scenes: category and id.
-NAME = re.compile(r"(.+)_(\d+)")
+NAME = re.compile(r"([^/.]+)_(\d+)")
 
 
 def main() -> int:
@@ -241,18 +241,21 @@ def bodies(file: Path) -> list[str]:
 
 
 def prims(file: Path) -> list[str]:
-    """Names of the prims of a stage of OpenUSD."""
+    """Names of the prims of a stage of OpenUSD that say what they are."""
     from pxr import Usd
 
     stage = Usd.Stage.Open(str(file))  # its prims end with it
-    return [prim.GetName() for prim in stage.Traverse()]
+    label = "SemanticsLabelsAPI:category"
+    return [p.GetName() for p in stage.Traverse() if label in p.GetAppliedSchemas()]
 
 
 def meshes(file: Path) -> list[str]:
-    """Names of a GLB's nodes, as trimesh reads it."""
+    """Names of the nodes below a GLB's root, as trimesh reads it."""
     import trimesh
 
-    return list(trimesh.load(file).graph.nodes)
+    graph = trimesh.load(file).graph
+    (root,) = graph.transforms.children[graph.base_frame]
+    return list(graph.transforms.children[root])
 
 
 def links(file: Path) -> list[str]:

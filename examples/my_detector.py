@@ -4,7 +4,8 @@
     sdgen evaluate homes predictions.jsonl
 
 It knows three rules of thumb and nothing of the catalogue, so it finds some anomalies, misses
-others and falls for some lookalikes.
+others and falls for some lookalikes. It reads the states of the full graph (a stove that is ON):
+whether a detector may is up to the study; ``Dataset(..., graph_view="neutral")`` has none.
 """
 
 from __future__ import annotations

@@ -55,4 +55,6 @@ def main(path: str, workers: int = 2) -> None:
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:2])
+    if len(sys.argv) != 2:
+        sys.exit("usage: torch_loader.py DATASET")
+    main(sys.argv[1])

@@ -23,7 +23,7 @@ def value_name(option: click.Option) -> str:
     if option.is_flag:
         return ""
     if option.metavar:
-        return f" {option.metavar}"
+        return f" {option.metavar}".replace("|", "\\|")
     if isinstance(option.type, click.Choice):
         return " " + "\\|".join(str(choice) for choice in option.type.choices)
     return f" {option.type.name.split()[0].upper()}"
@@ -35,10 +35,10 @@ def option_row(option: click.Option) -> str:
     notes = [(option.help or "").strip()]
     if option.multiple and "epeatable" not in notes[0]:
         notes.append("Repeatable.")
-    default = option.default
+    default, bar = option.default, "\\|"
     if option.show_default and isinstance(default, str | int | float):
         notes.append(f"Default: {default}.")
-    return f"| {names}{value_name(option)} | {' '.join(notes)} |"
+    return f"| {names}{value_name(option)} | {' '.join(notes).replace('|', bar)} |"
 
 
 def section(command: click.Command, path: str) -> str:

@@ -59,6 +59,39 @@ class BuildOptions(Record):
         return bool(self.sensors) and self.views > 0
 
 
+def command_of(options: BuildOptions) -> str:
+    """The command line that asks for these options, but for those that are the usual ones."""
+    said, usual = _flags(options), _flags(BuildOptions())
+    words = [f"{name} {value}" for name, value in said.items() if value != usual[name]]
+    words += [f"--{name}" for name, wished in _switches(options) if wished]
+    return " ".join(["sdgen build", f"--n {options.n} --seed {options.seed}", *words])
+
+
+def _flags(options: BuildOptions) -> dict[str, str]:
+    return {
+        "--hazards": f"{options.hazards_min}-{options.hazards_max}",
+        "--homes": options.homes,
+        "--only": ",".join(options.only),
+        "--extensions": ",".join(options.extensions),
+        "--draw": options.draw,
+        "--views": str(options.views),
+        "--size": f"{options.width}x{options.height}",
+        "--sensors": ",".join(options.sensors) or "none",
+        "--eye-height": f"{options.eye_height_m:g}",
+        "--rgb": options.rgb,
+        "--supersample": str(options.supersample),
+        "--renderer": options.renderer,
+    }
+
+
+def _switches(options: BuildOptions) -> tuple[tuple[str, bool], ...]:
+    return (
+        ("twins", options.twins),
+        ("toggles", options.toggles),
+        ("assets-only", options.assets_only),
+    )
+
+
 def check_index_range(first: int, end: int, n: int) -> None:
     """UsageError when ``first`` to ``end`` - 1 are not scenes of a data set of ``n``."""
     if not 0 <= first <= end:

@@ -173,6 +173,13 @@ def test_an_optional_package_that_is_missing_is_one_line_that_names_the_extra() 
     assert "bug" not in describe(ModuleNotFoundError("No module named 'x.y'"))
 
 
+@pytest.mark.parametrize(("module", "name"), [("pxr", "usd-core"), ("rerun", "rerun-sdk")])
+def test_a_missing_package_is_named_as_pip_knows_it(module: str, name: str) -> None:
+    """Another's package may have the name of the module: ``rerun`` does."""
+    told = describe(ModuleNotFoundError(f"No module named '{module}.x'", name=module))
+    assert f"pip install {name} " in told
+
+
 def test_the_shell_completes_commands() -> None:
     environment = {
         **os.environ,

@@ -7,6 +7,7 @@ import pytest
 import yaml
 from sdgen.dataset import Dataset
 from sdgen.dataset.card import card, histogram
+from sdgen.options import BuildOptions, command_of
 
 from tests import toy
 
@@ -38,6 +39,29 @@ def test_its_numbers_are_those_of_the_files(path: Path) -> None:
             for s in splits
         ]
         assert numbers == [sum(by_split), *by_split]
+
+
+def test_its_command_has_every_option_that_is_not_the_usual_one(path: Path) -> None:
+    options = Dataset(path).info.options
+    assert f"```sh\n{command_of(options)}\n```" in text(path)
+    other = BuildOptions(
+        n=3,
+        seed=5,
+        hazards_min=1,
+        hazards_max=1,
+        only=("spill", "stove_on"),
+        extensions=("heat", "pets"),
+        views=4,
+        width=320,
+        height=240,
+        sensors=(),
+        twins=True,
+        assets_only=True,
+    )
+    assert command_of(other) == (
+        "sdgen build --n 3 --seed 5 --hazards 1-1 --only spill,stove_on --extensions heat,pets "
+        "--views 4 --size 320x240 --sensors none --twins --assets-only"
+    )
 
 
 def test_its_front_matter_is_what_hubs_read(path: Path) -> None:

@@ -225,7 +225,7 @@ def test_a_near_miss_tells_which_rule_it_misses(page: browser.Page, homes: Path)
     scene(page, homes, "000000", f"#3d={near.object_id}")
     page.until(f"stage.dataset.chosen === '{near.object_id}'")
     told = page.run("panel.innerText")
-    assert f"is no {near.near_miss_of.replace('_', ' ')}" in told
+    assert f"near miss of {near.near_miss_of.replace('_', ' ')}" in told
     assert "It misses:" in told
 
 

@@ -101,7 +101,7 @@ def test_a_scene_shows_anomalies_lookalikes_household_and_boxes(page: Path) -> N
 
 def test_a_scene_says_which_rules_its_near_miss_keeps_and_misses(page: Path) -> None:
     text = (page.parent / "000003/index.html").read_text(encoding="utf-8")
-    card = text[text.index('<span class="near">knife 512</span> is no sharp object') :]
+    card = text[text.index('<span class="near">knife 512</span> near miss of sharp object') :]
     missed, kept = card[: card.index("show in 3-D")].split("what it shares with one")
     assert "its lowest point is at most 1.44 m above where a child gets to stand" in missed
     assert "above where a child can stand 1.80 m" in missed

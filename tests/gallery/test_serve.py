@@ -47,7 +47,8 @@ def get(site: tuple[str, int], path: str) -> tuple[int, bytes]:
 
 def test_it_serves_the_page_and_nothing_outside(site: tuple[str, int]) -> None:
     assert get(site, "/view/index.html") == (200, b"the page")
-    for path in ("/", "/link.txt", "/pipe.txt", "/../secret.txt", "/%2e%2e/secret.txt", "/none"):
+    assert get(site, "/") == (302, b"")
+    for path in ("/link.txt", "/pipe.txt", "/../secret.txt", "/%2e%2e/secret.txt", "/none"):
         status, body = get(site, path)
         assert status == 404, path
         assert b"secret" not in body.replace(b"secret.txt", b"")

@@ -11,6 +11,7 @@ from sdgen.dataset import Dataset
 from sdgen.dataset.versions import package_versions
 from sdgen.library import load_library
 from sdgen.validate import rebuild, validate
+from sdgen.validate.rebuild import spread
 
 from tests import toy
 from tests.edits import edit_json, reseal
@@ -104,3 +105,9 @@ def test_versions_that_decide_content_count_and_those_of_pictures_do_not(tmp_pat
     ((problem,), note, made) = rebuild(data, library, 0)  # type: ignore[arg-type]
     assert "versions.numpy: 0.9 then" in str(problem)
     assert (note, made) == ("", 0)
+
+
+def test_more_scenes_than_there_are_are_all_of_them() -> None:
+    assert [len(spread(3, wanted)) for wanted in (0, 1, 2, 3, 4, 99)] == [0, 1, 2, 3, 3, 3]
+    assert spread(3, 4) == [0, 1, 2]
+    assert spread(10, 2) == [0, 5]

@@ -87,8 +87,8 @@ _README = """\
 
     sdgen catalog validate {folder}
     sdgen catalog test {folder} --out tried
-    sdgen build --n 6 --catalog {folder} --only {name} --out homes
-    sdgen view homes
+    sdgen build --n 6 --catalog {folder} --only {name} --hazards 1-1 --out my_homes
+    sdgen view my_homes
 
 An object that no category names yet (`sdgen catalog categories` lists them) needs an entry in
 `categories/mine.yaml`:

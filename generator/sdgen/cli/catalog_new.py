@@ -61,4 +61,4 @@ def new_hazard(kind: Kind, out: Path, name: str) -> None:
     click.echo(f"{hazard}: change it, then")
     click.echo(f"  sdgen catalog validate {folder}")
     click.echo(f"  sdgen catalog test {folder} --out tried")
-    click.echo(f"  sdgen build --n 6 --catalog {folder} --only {name} --out homes")
+    click.echo(f"  sdgen build --n 6 --catalog {folder} --only {name} --hazards 1-1 --out my_homes")

@@ -21,7 +21,9 @@ METHODS = ("rules", "never", "always")
 )
 @click.option(
     "-o",
+    "--out",
     "--output",
+    "output",
     type=click.Path(path_type=Path, dir_okay=False),
     required=True,
     help="Predictions file to write; - is standard output.",

@@ -27,7 +27,9 @@ _WHAT = "; ".join(f"{name}: {known.words}" for name, known in FORMATS.items())
 )
 @click.option(
     "-o",
+    "--out",
     "--output",
+    "output",
     type=click.Path(path_type=Path),
     required=True,
     help="File to write for tar (its ending .tar or .tar.gz decides the compression), for all "

@@ -57,6 +57,8 @@ EXTRAS = {
     "rerun": "rerun",
     "scipy": "assets",
 }
+#: Packages that pip calls otherwise than Python does.
+DISTRIBUTIONS = {"pxr": "usd-core", "rerun": "rerun-sdk", "sklearn": "scikit-learn"}
 EPILOG = "Example: sdgen build --n 12 --seed 7 && sdgen view output/sdgen-n12-s7"
 
 
@@ -148,7 +150,8 @@ def describe(error: Exception) -> str:
     if isinstance(error, ModuleNotFoundError) and named:
         package = named[1]
         extra = f" (or sdgen's extra [{EXTRAS[package]}])" if package in EXTRAS else ""
-        return f"error: this needs the package {package!r}: pip install {package}{extra}"
+        name = DISTRIBUTIONS.get(package, package)
+        return f"error: this needs the package {name!r}: pip install {name}{extra}"
     if isinstance(error, MemoryError):
         return "error: out of memory; use fewer --workers or a smaller --size, then resume"
     text = " ".join(str(error).split()) or "no message"

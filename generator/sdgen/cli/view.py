@@ -17,7 +17,9 @@ LIMIT = 200
 @click.argument("dataset", type=click.Path(path_type=Path), metavar="DATASET")
 @click.option(
     "-o",
+    "--out",
     "--output",
+    "output",
     type=click.Path(path_type=Path),
     help="Folder of the page [default: DATASET/view].",
 )

@@ -10,6 +10,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from sdgen.catalog.records import Catalog
 from sdgen.dataset.records import DatasetInfo, ManifestEntry
 from sdgen.library.records import AssetInfo
+from sdgen.options import command_of
 
 #: Characters of the longest bar of a histogram.
 BAR = 30
@@ -41,6 +42,7 @@ def card(
     return environment.get_template("card.md.j2").render(
         info=info,
         options=info.options,
+        command=command_of(info.options),
         titles={hazard.id: hazard for hazard in catalog.hazards} if catalog else {},
         by_split=_by_split(scenes),
         anomalies=histogram([entry.anomalies for entry in scenes], 1),

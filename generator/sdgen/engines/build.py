@@ -33,7 +33,7 @@ FAULTS = 3
 
 def build(
     options: BuildOptions,
-    out: Path,
+    out: str | Path,
     catalog: Catalog,
     library: Library,
     workers: int | None = 1,
@@ -52,7 +52,7 @@ def build(
     many as there is room for), by the engine that ``engine`` names (this machine when None).
     ``non_commercial``: models may be used whose licence allows no trade; else they are refused.
     """
-    start = time.monotonic()
+    start, out = time.monotonic(), Path(out)
     if options.homes == "imported":
         raise UsageError("homes: 'imported' ones come from 'sdgen import', no build makes them")
     engine = engine or EngineOptions()

@@ -42,9 +42,10 @@ class LabelOnPage:
     crop: Crop | None = None
 
 
-def names_of(item: SceneItem) -> Callable[[int], str]:
-    """What a node is called: ``kitchen table 77``."""
-    names = {thing.id: f"{plain(thing.category)} {thing.id}" for thing in item.scene.objects}
+def names_of(item: SceneItem, *others: SceneItem) -> Callable[[int], str]:
+    """What a node is called: ``kitchen table 77``; ``others`` name what this scene lacks."""
+    things = [thing for one in (*others, item) for thing in one.scene.objects]
+    names = {thing.id: f"{plain(thing.category)} {thing.id}" for thing in things}
     names |= {one.id: one.category for one in item.scene.home.structures}
     names |= {room.id: plain(room.name) for room in item.scene.home.rooms}
     return lambda key: names.get(key, f"node {key}")

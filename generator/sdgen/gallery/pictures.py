@@ -103,8 +103,12 @@ def crop(rgb: Rgb, box: Box) -> tuple[bytes, bool]:
     image = Image.fromarray(rgb).resize(
         (THUMB_WIDTH, THUMB_HEIGHT), Image.Resampling.BICUBIC, box=area
     )
-    low = ((x - left) * scale - 4, (y - top) * scale - 4)
-    far = ((x + w - left) * scale + 3, (y + h - top) * scale + 3)
+    # Within the picture: of a thing that fills it one would else see a line that means nothing.
+    low = (max((x - left) * scale - 4, 1), max((y - top) * scale - 4, 1))
+    far = (
+        min((x + w - left) * scale + 3, THUMB_WIDTH - 2),
+        min((y + h - top) * scale + 3, THUMB_HEIGHT - 2),
+    )
     ImageDraw.Draw(image).rectangle((*low, *far), outline=_MARK, width=2)
     return _jpeg(image), x + w / 2 > left + wide * 0.55
 

@@ -24,7 +24,7 @@ from sdgen.gallery.pictures import depth_png, mask_png, thumbnail
 from sdgen.gallery.script import call
 from sdgen.gallery.seen import best_views, cover, seen_in
 from sdgen.gallery.space import scene_space
-from sdgen.gallery.words import who
+from sdgen.gallery.words import deed, who
 from sdgen.hazards.certify import facts_of
 
 DATA, OVERVIEW, PLAN = "data.js", "overview.jpg", "plan.svg"
@@ -103,7 +103,8 @@ class ScenePages:
             drawing=drawing,
             wrong=[label for label in labels if label.kind == "anomaly"],
             near=[label for label in labels if label.kind == "lookalike"],
-            name=name,
+            name=names_of(item, *(other for _, other in around.family)),
+            deed=deed,
             who=who(item.household),
             rooms=rooms,
             titles={key: hazard.title for key, hazard in self._hazards.items()},

@@ -28,6 +28,20 @@ _NAMES = {
     "away_deg": "turned away by",
     "away_from_id": "away from",
 }
+#: What undoes an anomaly, with a place and without one.
+_ACTIONS = {
+    "close": ("close it", "close it"),
+    "switch_off": ("switch it off", "switch it off"),
+    "put_out": ("put it out", "put it out"),
+    "empty": ("empty it", "empty it"),
+    "put_in": ("put it into {}", "put it where such things are kept"),
+    "put_on": ("put it on {}", "put it where such things stand"),
+    "move_away": ("move it away to {}", "move it away"),
+    "wipe_up": ("wipe it up", "wipe it up"),
+    "sweep_up": ("sweep it up", "sweep it up"),
+    "throw_away": ("throw it into {}", "throw it away"),
+    "take_away": ("take it away", "take it away"),
+}
 #: Said by others: a relation by its clause, a category by a name, a zone's name by its kind.
 _LEFT_OUT = {"relation", "target_category", "zone_name"}
 
@@ -66,6 +80,12 @@ def _value(key: str, value: EvidenceValue, name: Callable[[int], str]) -> str:
     if key.endswith("_deg"):
         return f"{value:.0f}°"
     return f"{value:.0%}" if key.endswith("overlap") else f"{value:g}"
+
+
+def deed(action: str, place: str | None) -> str:
+    """What undoes an anomaly, in words; ``place`` is what its object is put on or into."""
+    with_place, without = _ACTIONS.get(action, (f"{plain(action)} {{}}", plain(action)))
+    return without if place is None else with_place.format(place)
 
 
 def who(household: Household) -> str:

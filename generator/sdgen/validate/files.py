@@ -94,6 +94,12 @@ def _manifest(data: Dataset) -> Iterator[Problem]:
         where, name = f"manifest.jsonl: scene {entry.id}", f"{entry.index:06d}"
         if entry.id != name and not (entry.twin_of and entry.id.startswith(f"{name}-")):
             yield Problem("count", f"{where}: id and index disagree")
+        drawn = re.fullmatch(r"procedural_(\d+)_\d{6}", entry.home)
+        if drawn is not None and int(drawn[1]) != data.info.seed:
+            text = (
+                f"dataset.json: seed {data.info.seed}, scene {entry.id} was drawn with {drawn[1]}"
+            )
+            yield Problem("count", text)
         if entry.split != split_of_home(entry.home):
             right = split_of_home(entry.home)
             yield Problem("count", f"{where}: split {entry.split!r}, its home is {right!r}")

@@ -48,8 +48,7 @@ def rebuild(
     if problems:
         return Rebuilt(problems, "", 0)
     problems = list(_versions(info))
-    total = len(data)
-    picked = sorted({k * total // scenes for k in range(min(scenes, total))}) if scenes else []
+    picked = spread(len(data), scenes)
     if not picked:
         return Rebuilt(problems, "", 0)
     choice, note = _renderer(info) if info.options.draws else (None, "")
@@ -69,6 +68,12 @@ def rebuild(
                     on_scene(done, len(picked))
                 problems += _scene(data, data[k].entry, worker, place, note == "")
     return Rebuilt(problems, note, len(picked))
+
+
+def spread(total: int, wanted: int) -> list[int]:
+    """So many of the numbers below ``total``, spread evenly; all where more are wanted."""
+    wanted = min(wanted, total)
+    return [k * total // wanted for k in range(wanted)]
 
 
 def _versions(info: DatasetInfo) -> Iterator[Problem]:

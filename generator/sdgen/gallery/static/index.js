@@ -84,6 +84,7 @@ const sdgen = {};
       (!text || row.id.includes(text) || plain(row.home).toLowerCase().includes(plain(text))));
     made = 0;
     cards.replaceChildren();
+    if (!shown.length) cards.append(make("p", "soft", "No scene is all of this: choose less, or press Escape."));
     more();
     count.textContent = `${shown.length} of ${rows.filter((row) => kind === "all" || row.kind === kind).length}`;
   }

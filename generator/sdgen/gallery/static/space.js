@@ -73,7 +73,7 @@
       const kind = labels.some((label) => label.kind === "anomaly") ? "anomaly" : "lookalike";
       marks.outline(holder, kind);
       const of = labels.filter((label) => label.kind === kind);
-      const title = kind === "anomaly" ? of.map((label) => `${++number} ${sdgen.plain(label.hazard)}`).join(", ") : `${called.get(id)} is no ${sdgen.plain(of[0].hazard)}`;
+      const title = kind === "anomaly" ? of.map((label) => `${++number} ${sdgen.plain(label.hazard)}`).join(", ") : `${called.get(id)}: near miss of ${sdgen.plain(of[0].hazard)}`;
       const pin = sdgen.make("button", `pin ${kind}${kind === "lookalike" ? " small" : ""}`, title);
       pin.type = "button";
       pin.title = title;

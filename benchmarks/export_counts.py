@@ -29,7 +29,7 @@ from sdgen.vocabulary import STRUCTURES
 
 Counts = dict[str, Any]
 #: How things are called in models of scenes: category and id.
-NAME = re.compile(r"([^/.]+)_(\d+)")
+NAME = re.compile(r"([a-z_]+)_(\d+)")
 
 
 def main() -> int:

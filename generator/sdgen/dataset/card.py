@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from sdgen.catalog.records import Catalog
-from sdgen.dataset.records import DatasetInfo, ManifestEntry
+from sdgen.dataset.records import SPLITS, DatasetInfo, ManifestEntry
 from sdgen.library.records import AssetInfo
 from sdgen.options import command_of
 
@@ -30,6 +30,9 @@ def card(
     concerned by a hazard.
     """
     scenes = [entry for entry in entries if entry.twin_of is None]
+    # As they were made and as they are read back, splits have one order.
+    splits = {name: info.splits[name] for name in (*SPLITS, *info.splits) if name in info.splits}
+    info = info.model_copy(update={"splits": splits})
     # Markdown, not HTML: nothing to escape.
     environment = Environment(
         loader=PackageLoader("sdgen.dataset", "templates"),

@@ -21,6 +21,7 @@ from sdgen.dataset.output_file import refuse_data_set
 from sdgen.dataset.records import (
     LICENCE,
     SCENE_ID,
+    SPLITS,
     TOP_FILES,
     Build,
     DatasetInfo,
@@ -281,7 +282,7 @@ class DatasetWriter(Closing):
         words: Vocabularies,
         failed: Mapping[str, Causes],
     ) -> DatasetInfo:
-        splits = {name: sorted({e.home for e in entries if e.split == name}) for name in _SPLITS}
+        splits = {name: sorted({e.home for e in entries if e.split == name}) for name in SPLITS}
         return DatasetInfo(
             format_version=self.build.format_version,
             versions=self.build.versions,
@@ -297,9 +298,6 @@ class DatasetWriter(Closing):
             counts=count(entries),
             failed={key: cause_counts(failed[key]) for key in sorted(failed)},
         )
-
-
-_SPLITS = ("train", "val", "test")
 
 
 def _order(scene_id: str) -> tuple[int, str]:

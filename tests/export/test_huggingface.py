@@ -103,3 +103,16 @@ def test_croissant_is_valid_and_gives_the_same_rows(path: Path, folder: Path) ->
     hazards = [row["anomalies/hazard"].decode() for row in read.records("anomalies")]
     assert len(hazards) == counts.anomalies
     assert set(hazards) <= set(counts.anomalies_by_hazard)
+
+
+def test_rows_wait_by_what_they_weigh(
+    path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Scenes hold no pictures and long lists: a hundred of them would be all of a data set."""
+    from pyarrow.parquet import ParquetFile
+
+    monkeypatch.setattr(ours, "ROWS_BYTES", 20_000)
+    export(Dataset(path), "huggingface", tmp_path / "out")
+    for file in (tmp_path / "out" / "scenes").glob("*.parquet"):
+        table = ParquetFile(file)
+        assert table.num_row_groups == table.metadata.num_rows

@@ -30,8 +30,11 @@ from sdgen.library import Library
 if TYPE_CHECKING:
     import datasets
 
-#: Rows, and bytes of pictures, that are compressed and read together: what is held in memory.
+#: Rows, and about how many bytes of them, that are compressed and read together: what is held in
+#: memory.
 ROWS, ROWS_BYTES = 100, 16_000_000
+#: About what a value is in memory beside its text.
+_VALUE_BYTES = 64
 
 
 def export_huggingface(
@@ -150,4 +153,9 @@ class _Parquet:
 
 
 def _weight(value: Any) -> int:
-    return len(value["bytes"]) if isinstance(value, dict) and "bytes" in value else 0
+    """About how many bytes a value of a row takes: a scene's lists weigh more than its texts."""
+    if isinstance(value, Mapping):
+        return _VALUE_BYTES + sum(map(_weight, value.values()))
+    if isinstance(value, list | tuple):
+        return _VALUE_BYTES + sum(map(_weight, value))
+    return _VALUE_BYTES + len(value) if isinstance(value, str | bytes) else _VALUE_BYTES

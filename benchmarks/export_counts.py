@@ -56,13 +56,13 @@ def main() -> int:
 
 
 def words(counts: Mapping[str, Any]) -> str:
-    """Counts on a line; of hazards how many differ."""
+    """Counts on a line; of hazards how many kinds there are."""
     shown = {k: f"{len(v)}" if isinstance(v, Counter) else f"{v}" for k, v in counts.items()}
     return ", ".join(f"{number} {key}" for key, number in shown.items())
 
 
 def stats(path: Path) -> Counts:
-    """What ``sdgen stats --json`` says, and what it does not: views and things with a mask."""
+    """What ``sdgen stats --json`` says; views of scenes alone, as exports keep twins apart."""
     command = [sys.executable, "-m", "sdgen", "stats", str(path), "--json"]
     done = subprocess.run(command, check=True, capture_output=True, text=True)
     said = json.loads(done.stdout)
@@ -192,7 +192,7 @@ def of_virtualhome(path: Path) -> Counts:
     graphs = {file.stem: json.loads(file.read_text()) for file in path.glob("graphs/*.json")}
     alone = {name: graph for name, graph in graphs.items() if "-" not in name}
     things = sum(
-        node["category"] not in ("Rooms",) and node["class_name"] not in STRUCTURES
+        node["category"] != "Rooms" and node["class_name"] not in STRUCTURES
         for graph in alone.values()
         for node in graph["nodes"]
     )

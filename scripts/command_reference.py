@@ -23,9 +23,9 @@ def value_name(option: click.Option) -> str:
     if option.is_flag:
         return ""
     if option.metavar:
-        return f" {option.metavar}".replace("|", "\\|")
+        return f" {option.metavar}"
     if isinstance(option.type, click.Choice):
-        return " " + "\\|".join(str(choice) for choice in option.type.choices)
+        return " " + "|".join(str(choice) for choice in option.type.choices)
     return f" {option.type.name.split()[0].upper()}"
 
 
@@ -35,10 +35,11 @@ def option_row(option: click.Option) -> str:
     notes = [(option.help or "").strip()]
     if option.multiple and "epeatable" not in notes[0]:
         notes.append("Repeatable.")
-    default, bar = option.default, "\\|"
+    default = option.default
     if option.show_default and isinstance(default, str | int | float):
         notes.append(f"Default: {default}.")
-    return f"| {names}{value_name(option)} | {' '.join(notes).replace('|', bar)} |"
+    cells = [f"{names}{value_name(option)}", " ".join(notes)]
+    return "".join(["| ", " | ".join(cell.replace("|", "\\|") for cell in cells), " |"])
 
 
 def section(command: click.Command, path: str) -> str:

@@ -64,6 +64,20 @@ def test_its_command_has_every_option_that_is_not_the_usual_one(path: Path) -> N
     )
 
 
+def test_no_option_is_left_out_of_the_command() -> None:
+    usual = BuildOptions()
+    others = {
+        **{"n": 11, "seed": 1, "homes": "base", "hazards_min": 1, "hazards_max": 4},
+        **{"draw": "iid", "extensions": ("heat",), "views": 1, "width": 64, "height": 48},
+        **{"sensors": ("rgb",), "rgb": "jpg", "supersample": 2, "renderer": "cpu"},
+        **{"eye_height_m": 1.0, "twins": True, "toggles": True, "assets_only": True},
+        "only": ("spill",),
+    }
+    assert set(others) == set(BuildOptions.model_fields)
+    lines = {command_of(usual.model_copy(update={name: v})) for name, v in others.items()}
+    assert len(lines - {command_of(usual)}) == len(others)
+
+
 def test_its_front_matter_is_what_hubs_read(path: Path) -> None:
     front = yaml.safe_load(text(path).split("---")[1])
     assert front["license"] == "cc-by-4.0"

@@ -35,9 +35,13 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
     # Cameras decide content by rays alone: they know neither the simulator nor the renderer.
     3: (("home", "households"), ("cameras",), ("hazards",)),
     4: (("physics",), ("render",)),
-    5: (("truth", "dataset"),),
+    5: (("truth",), ("perception",), ("dataset",)),
     6: (("pipeline",), ("engines",)),
-    7: (("validate", "export", "gallery", "importing", "benchmark", "proposals"),),
+    7: (
+        ("chat",),
+        ("validate", "export", "gallery", "importing", "detectors", "proposals"),
+        ("benchmark",),
+    ),
     8: (("cli",),),
     9: (("__main__",),),
 }

@@ -131,3 +131,14 @@ def did_you_mean(word: str, choices: Sequence[str]) -> str:
     if 0 < len(choices) <= 12:
         return f" (one of: {', '.join(sorted(choices))})"
     return ""
+
+
+#: Of text by strangers, so much is repeated.
+_LINE = 300
+
+
+def one_line(text: str) -> str:
+    """Text of a stranger as one line that ends no comment and moves no cursor."""
+    plain = "".join(letter if letter.isprintable() else " " for letter in text[: 4 * _LINE])
+    plain = " ".join(plain.split())
+    return plain if len(plain) <= _LINE else f"{plain[:_LINE]}..."

@@ -13,7 +13,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.cli.main import run
 from sdgen.proposals import trial
 
-from tests.proposals.endpoint import Fake, endpoint
+from tests.chat.endpoint import Fake, endpoint
 
 ANSWER = """\
 Here are some:

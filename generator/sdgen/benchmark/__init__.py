@@ -1,9 +1,9 @@
-"""Predictions against truth: the metrics, a strict reader of predictions, three detectors."""
+"""Predictions against truth: the metrics, and a strict reader of predictions."""
 
-from sdgen.benchmark.detectors import DETECTORS, detect
 from sdgen.benchmark.metrics import Evaluation, Score, evaluate
 from sdgen.benchmark.predictions import prediction_bytes, read_predictions, write_predictions
 from sdgen.dataset.records import Report
+from sdgen.detectors import DETECTORS, detect
 
 __all__ = [
     "DETECTORS",

@@ -16,9 +16,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sdgen.benchmark.predictions import Predictions, read_predictions
+from sdgen.benchmark.predictions import read_predictions
 from sdgen.dataset import Dataset, SceneItem
-from sdgen.dataset.records import Report
+from sdgen.dataset.records import Predictions, Report
 from sdgen.errors import InputError, did_you_mean
 from sdgen.scene import Anomaly, Record
 

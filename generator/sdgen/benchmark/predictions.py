@@ -2,23 +2,21 @@
 
 An error (about a hundred of them at once, ``file:line: key path: problem``): text that is no JSON,
 unknown or missing keys, wrong types, a label or notify outside the vocabulary, a scene the data set
-does not have, a scene on two lines, an object id the scene's graph does not have, an object twice
-in a scene. No error: a scene without a line (nothing detected there), any order of lines and
+does not have (twins are scenes, too), a scene on two lines, an object id the scene's graph does not
+have, an object twice in a scene. No error: a scene without a line (nothing detected there), any order of lines and
 reports, a wall or a floor among the objects (a false alarm like any other).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 from sdgen.dataset import Dataset
 from sdgen.dataset.output_file import write_output
-from sdgen.dataset.records import Prediction, Report
-from sdgen.dataset.text import line_bytes, numbered_lines, to_record
+from sdgen.dataset.records import Prediction, Predictions, Report
+from sdgen.dataset.text import compact, numbered_lines, to_record
 from sdgen.errors import SHOWN, InputError, did_you_mean
-
-Predictions = Mapping[str, tuple[Report, ...]]
 
 
 def read_predictions(path: str | Path, data: Dataset) -> dict[str, tuple[Report, ...]]:
@@ -57,9 +55,6 @@ def _check(prediction: Prediction, data: Dataset, where: str) -> Iterable[str]:
         hint = did_you_mean(prediction.scene, [entry.id for entry in data.entries])
         yield f"{where}: scene: no scene {prediction.scene!r}{hint}"
         return
-    if item.entry.twin_of is not None:
-        yield f"{where}: scene: {prediction.scene!r} is a twin; twins are not scored"
-        return
     ids = {node.id for node in item.scene_graph.nodes}
     seen: set[int] = set()
     for k, report in enumerate(prediction.reports):
@@ -81,12 +76,13 @@ def write_predictions(path: str | Path, predictions: Predictions) -> None:
 
 def prediction_bytes(predictions: Predictions) -> bytes:
     """Predictions as the bytes of their file, sorted by scene and object."""
-    lines = [
-        line_bytes(
-            Prediction(
-                scene=scene, reports=tuple(sorted(predictions[scene], key=lambda r: r.object_id))
-            )
-        )
-        for scene in sorted(predictions)
+    return b"".join(_line(scene, predictions[scene]) for scene in sorted(predictions))
+
+
+def _line(scene: str, reports: Iterable[Report]) -> bytes:
+    # A detector that does not say how sure it is writes no null, as in files of older versions.
+    said = [
+        report.model_dump(exclude_none=True)
+        for report in sorted(reports, key=lambda r: r.object_id)
     ]
-    return b"".join(lines)
+    return (compact({"scene": scene, "reports": said}) + "\n").encode("utf-8")

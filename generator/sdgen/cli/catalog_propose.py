@@ -184,7 +184,7 @@ def _asked(
     temperature: float | None,
     timeout: float,
 ) -> tuple[bytes, str]:
-    from sdgen.proposals.endpoint import Endpoint, ask
+    from sdgen.chat.endpoint import Endpoint, ask
 
     if not model:
         raise UsageError("say which model to ask: --model NAME (or --prompt-only, --answer FILE)")

@@ -152,12 +152,32 @@ class SceneItem:
         """``graph.json``."""
         return self.read(Graph, "graph.json")
 
+    @cached_property
+    def shown_graph(self) -> Graph:
+        """The scene graph in the data set's ``graph_view``: what detectors read.
+
+        ``full``: all that graph.json has. ``neutral``: what things are and where, with
+        VirtualHome's five relations; no states, no tags and none of our further relations, which
+        all but name some anomalies. ``perceived``: the nodes some view shows, and the rooms they
+        are in. ValueError for another view.
+        """
+        from sdgen.dataset.graph_views import neutral, seen_in_views
+
+        if self.graph_view == "full":
+            return self.scene_graph
+        if self.graph_view == "neutral":
+            return neutral(self.scene_graph)
+        if self.graph_view == "perceived":
+            seen = {thing.object_id for view in self.visibility.views for thing in view.objects}
+            return seen_in_views(self.scene_graph, seen)
+        raise ValueError(f"graph_view {self.graph_view!r}: full, neutral or perceived expected")
+
     @property
     def graph(self) -> nx.MultiDiGraph:
-        """The scene graph as ``networkx.MultiDiGraph``, in the data set's ``graph_view``."""
+        """``shown_graph`` as ``networkx.MultiDiGraph``."""
         from sdgen.dataset.graph_views import to_networkx
 
-        return to_networkx(self.scene_graph, self.visibility, self.graph_view)
+        return to_networkx(self.shown_graph, self.graph_view)
 
     @cached_property
     def anomalies(self) -> Anomalies:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field
@@ -170,11 +170,13 @@ class DatasetInfo(Record):
 
 
 class Report(Record):
-    """One detected object of a prediction; ``silent`` = noticed, but not reported."""
+    """One detected object of a prediction; ``silent`` = noticed, but not reported. ``score``: how
+    sure the detector is, 0 to 1; None where it does not say."""
 
     object_id: int
     label: Label
     notify: Notify = "now"
+    score: float | None = Field(default=None, ge=0.0, le=1.0)
 
 
 class Prediction(Record):
@@ -182,6 +184,10 @@ class Prediction(Record):
 
     scene: str
     reports: tuple[Report, ...]
+
+
+#: Reports by scene id.
+Predictions = Mapping[str, tuple[Report, ...]]
 
 
 def count(entries: tuple[ManifestEntry, ...]) -> Counts:

@@ -12,9 +12,8 @@ from sdgen.catalog.hazard_yaml import PlaceYaml, SetYaml
 from sdgen.catalog.records import Catalog, Hazard, Recipe, SetRecipe
 from sdgen.catalog.terms.term import Case
 from sdgen.catalog.words import Names
-from sdgen.errors import InputError, did_you_mean
+from sdgen.errors import InputError, did_you_mean, one_line
 from sdgen.library import Library
-from sdgen.proposals.recipe_text import one_line
 from sdgen.strict import no_mapping, read, shown, unknown_key
 from sdgen.vocabulary import OPENINGS
 from sdgen.yaml_source import Source

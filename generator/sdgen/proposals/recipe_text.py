@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from sdgen.catalog.records import PlaceRecipe, Recipe
 
-#: Of text by strangers, so much is repeated.
-_SHOWN = 300
-
 
 def recipe_line(recipe: Recipe) -> str:
     """``{place: vase, relation: ON, target: floor}``: a recipe as the catalogue reads it."""
@@ -24,13 +21,6 @@ def recipe_line(recipe: Recipe) -> str:
             max_height_m=recipe.max_height_m,
         )
     return _mapping(set=recipe.categories, state=recipe.state, rooms=recipe.rooms)
-
-
-def one_line(text: str) -> str:
-    """Text of a stranger as one line that ends no comment and moves no cursor."""
-    plain = "".join(letter if letter.isprintable() else " " for letter in text[: 4 * _SHOWN])
-    plain = " ".join(plain.split())
-    return plain if len(plain) <= _SHOWN else f"{plain[:_SHOWN]}..."
 
 
 def _mapping(**values: tuple[str, ...] | str | float | None) -> str:

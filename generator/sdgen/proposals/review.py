@@ -10,9 +10,9 @@ import yaml
 
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Recipe
-from sdgen.errors import InputError
+from sdgen.errors import InputError, one_line
 from sdgen.proposals.check import Idea, Refused
-from sdgen.proposals.recipe_text import one_line, recipe_line
+from sdgen.proposals.recipe_text import recipe_line
 from sdgen.scratch import scratch_folder
 
 _HEAD = """\

@@ -6,9 +6,9 @@ import json
 import time
 
 import pytest
+from sdgen.chat.endpoint import Endpoint, ask
 from sdgen.errors import SdgenError, UsageError
-from sdgen.proposals import endpoint as asking
-from sdgen.proposals.endpoint import Endpoint, ask
+from sdgen.chat import endpoint as asking
 
 from .endpoint import Fake, endpoint
 

@@ -7,8 +7,7 @@ import time
 from dataclasses import dataclass
 from typing import Any
 
-from sdgen.errors import SdgenError, UsageError
-from sdgen.proposals.recipe_text import one_line
+from sdgen.errors import SdgenError, UsageError, one_line
 
 #: An answer of 200 kB, escaped and with what is said about it.
 _MAX_BYTES = 1_500_000

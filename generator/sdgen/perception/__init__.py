@@ -1,0 +1,1 @@
+"""What can be made out of a home from its pictures."""

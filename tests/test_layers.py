@@ -193,7 +193,8 @@ def test_a_circle_is_found_however_it_is_imported(tmp_path: Path, last: str) -> 
         ("pipeline", "engines", False),
         ("export", "gallery", False),
         ("errors", "scene", False),
-        ("dataset", "truth", False),
+        ("truth", "dataset", False),
+        ("detectors", "benchmark", False),
         ("truth", "truth", True),
     ],
 )

@@ -6,9 +6,9 @@ import json
 import time
 
 import pytest
+from sdgen.chat import endpoint as asking
 from sdgen.chat.endpoint import Endpoint, ask
 from sdgen.errors import SdgenError, UsageError
-from sdgen.chat import endpoint as asking
 
 from .endpoint import Fake, endpoint
 

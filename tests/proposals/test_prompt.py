@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from sdgen.catalog.load import extension_names, load_catalog
 from sdgen.catalog.records import PlaceRecipe
+from sdgen.errors import one_line
 from sdgen.proposals.prompt import prompt_of
-from sdgen.proposals.recipe_text import one_line, recipe_line
+from sdgen.proposals.recipe_text import recipe_line
 from sdgen.yaml_source import parse_yaml
 
 from tests.shipped import shipped_library

@@ -3,8 +3,8 @@
 An error (about a hundred of them at once, ``file:line: key path: problem``): text that is no JSON,
 unknown or missing keys, wrong types, a label or notify outside the vocabulary, a scene the data set
 does not have (twins are scenes, too), a scene on two lines, an object id the scene's graph does not
-have, an object twice in a scene. No error: a scene without a line (nothing detected there), any order of lines and
-reports, a wall or a floor among the objects (a false alarm like any other).
+have, an object twice in a scene. No error: a scene without a line (nothing detected there), any
+order of lines and reports, a wall or a floor among the objects (a false alarm like any other).
 """
 
 from __future__ import annotations

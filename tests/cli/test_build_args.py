@@ -32,7 +32,7 @@ def asked(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Any]:
         calls.append(SimpleNamespace(options=options, out=where.out, where=where, rest=rest))
         return report(out=where.out, requested=options.n, made=options.n)
 
-    monkeypatch.setattr(build_module, "_run", record)
+    monkeypatch.setattr(build_module, "carry_out", record)
     monkeypatch.chdir(tmp_path)
     return calls
 
@@ -231,7 +231,7 @@ def test_missing_scenes_exit_3_and_are_named(
     asked: list[Any], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     failed = (SceneFailed(4, "000004", {Cause("home", "no_free_floor"): 5}),)
-    monkeypatch.setattr(build_module, "_run", lambda *_: report(made=9, failed=failed))
+    monkeypatch.setattr(build_module, "carry_out", lambda *_: report(made=9, failed=failed))
     assert run(["build"]) == 3
     assert "1 of 10 scenes could not be made: 000004" in capsys.readouterr().err
 
@@ -245,7 +245,7 @@ def test_the_account_for_programs_counts_causes_in_fields(
         Cause("twin", "no_place", hazard="spill", category="mug"): 2,
     }
     made = report(made=9, failed=(SceneFailed(4, "000004", causes),), rejections=causes)
-    monkeypatch.setattr(build_module, "_run", lambda *_: made)
+    monkeypatch.setattr(build_module, "carry_out", lambda *_: made)
     assert run(["build", "--json"]) == 3
     told = json.loads(capsys.readouterr().out)
     fields = {"check": "no_place", "hazard": "spill", "category": "mug"}

@@ -263,7 +263,7 @@ def build(
         click.echo(line, err=True)
     where = Where(out, (first, end), overwrite, workers, engine, ray_address, non_commercial)
     alone = homes if isinstance(homes, Path) else None
-    _close(_run(options, where, catalogs, assets, quiet, alone), as_json)
+    _close(carry_out(options, where, catalogs, assets, quiet, alone), as_json)
 
 
 def _by_default(parameter: str) -> bool:
@@ -290,7 +290,7 @@ def _present(out: Path, first: int, end: int) -> int:
     return sum((out / "scenes" / f"{index:06d}").is_dir() for index in range(first, end))
 
 
-def _run(
+def carry_out(
     options: BuildOptions,
     where: Where,
     catalogs: tuple[Path, ...],

@@ -32,6 +32,7 @@ COMMANDS = {
     "import": "Make a data set of others' scene graphs.",
     "detect": "Run a detector over a data set.",
     "evaluate": "Score predictions against a data set.",
+    "benchmark": "Print the tables of detectors; seal and open secret tests.",
     "home": "Draw one home, or write it as YAML or GLB.",
     "catalog": "List, show and check what can go wrong.",
     "assets": "List and show the models.",

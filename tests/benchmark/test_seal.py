@@ -1,0 +1,128 @@
+"""Sealed tests: the secret is bound and hidden, and every byte is proved."""
+
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+
+import pytest
+from sdgen.benchmark import seal as sealing
+from sdgen.benchmark.seal import Seal, Secret, opened, read_seal, seal, secret_of
+from sdgen.dataset import Dataset
+from sdgen.dataset.text import record_bytes
+from sdgen.errors import InputError, SdgenError
+
+from tests import toy
+
+SEED = sealing.LEAST_SEED + 7
+SECRET = Secret(seed=SEED, nonce="0" * 64)
+
+
+def made(path: Path, n: int = 4, seed: int = SEED) -> Dataset:
+    return Dataset(toy.build(path, toy.small(n=n, seed=seed, twins=True)))
+
+
+@pytest.fixture(scope="module")
+def data(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+    return made(tmp_path_factory.mktemp("set") / "d")
+
+
+def test_a_seal_tells_nothing_of_the_seed_and_has_every_scene(data: Dataset) -> None:
+    sealed = seal(data, SECRET)
+    text = record_bytes(sealed).decode()
+    assert str(SEED) not in text
+    assert SECRET.nonce not in text
+    assert {scene.id for scene in sealed.scenes} == {entry.id for entry in data.entries}
+    assert sealed.options.seed == 0
+
+
+def test_the_commitment_hides_behind_its_nonce_and_binds_both() -> None:
+    other = Secret(seed=SEED, nonce="1" * 64)
+    assert other.commitment != SECRET.commitment
+    assert Secret(seed=SEED + 1, nonce=SECRET.nonce).commitment != SECRET.commitment
+
+
+def test_the_same_test_set_opens_clean_and_any_change_is_named(
+    data: Dataset, tmp_path: Path
+) -> None:
+    sealed = seal(data, SECRET)
+    again = made(tmp_path / "again")
+    assert list(opened(sealed, SECRET, again)) == []
+    file = again.path / "scenes" / "000003" / "scene.json"
+    file.write_bytes(file.read_bytes() + b" ")
+    problems = list(opened(sealed, SECRET, Dataset(again.path)))
+    assert len(problems) == 1
+    assert problems[0].startswith("scenes/000003/scene.json: changed since it was written")
+
+
+def test_a_changed_picture_and_a_manifest_that_lies_are_found(
+    data: Dataset, tmp_path: Path
+) -> None:
+    sealed = seal(data, SECRET)
+    again = made(tmp_path / "again")
+    picture = again.path / "scenes" / "000001" / "views" / "00" / "rgb.png"
+    picture.write_bytes(picture.read_bytes() + b" ")
+    assert "scenes/000001/views/00/rgb.png" in next(opened(sealed, SECRET, again))
+    # Another scene, sealed by its own manifest, is not the one that was sealed.
+    other = made(tmp_path / "other", seed=SEED + 1)
+    problems = list(opened(sealed, SECRET, other))
+    assert problems[0] == "dataset.json: seed: not the one of the secret"
+
+
+def test_missing_and_further_scenes_are_named(data: Dataset, tmp_path: Path) -> None:
+    sealed = seal(data, SECRET)
+    few, many = made(tmp_path / "few", n=3), made(tmp_path / "many", n=5)
+    assert "scenes/000003: is missing" in list(opened(sealed, SECRET, few))
+    assert "scenes/000004: was not sealed" in list(opened(sealed, SECRET, many))
+
+
+def test_another_secret_opens_nothing(data: Dataset) -> None:
+    sealed = seal(data, SECRET)
+    with pytest.raises(SdgenError, match="not the secret that the seal commits to"):
+        list(opened(sealed, Secret(seed=SEED, nonce="2" * 64), data))
+    with pytest.raises(SdgenError, match="was not built with the seed"):
+        seal(data, Secret(seed=SEED + 1, nonce="0" * 64))
+
+
+def test_a_part_is_not_sealed(data: Dataset) -> None:
+    with pytest.raises(SdgenError, match="a whole data set"):
+        seal(Dataset(data.path, split="train"), SECRET)
+
+
+def test_a_new_secret_is_made_once_and_for_its_owner_alone(tmp_path: Path) -> None:
+    path = tmp_path / "keep" / "secret.json"
+    one = secret_of(path, make=True)
+    assert secret_of(path, make=True) == one == secret_of(path)
+    assert stat.S_IMODE(path.stat().st_mode) == 0o600
+    assert sealing.new_secret() != one
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("7", "expected a mapping"),
+        ('{"seed": 7, "nonce": "' + "0" * 64 + '"}', "seed"),
+        ('{"seed": 281474976710700}', "missing key 'nonce'"),
+        ('{"seed": 281474976710700, "nonce": "ABC"}', "nonce"),
+        ("{", "not JSON"),
+    ],
+)
+def test_a_bad_secret_is_located(tmp_path: Path, text: str, expected: str) -> None:
+    path = tmp_path / "secret.json"
+    path.write_text(text)
+    with pytest.raises(InputError, match=expected) as caught:
+        secret_of(path)
+    assert all(problem.startswith(str(path)) for problem in caught.value.problems)
+
+
+def test_a_seal_reads_back_and_its_digest_binds_all_of_it(data: Dataset, tmp_path: Path) -> None:
+    sealed = seal(data, SECRET)
+    path = tmp_path / "seal.json"
+    path.write_bytes(record_bytes(sealed))
+    assert read_seal(path) == sealed
+    changed = sealed.model_copy(update={"scenes": sealed.scenes[:-1]})
+    assert isinstance(changed, Seal)
+    assert changed.digest != sealed.digest
+    path.write_text('{"format": "sdgen seal 2"}')
+    with pytest.raises(InputError):
+        read_seal(path)

@@ -39,12 +39,24 @@ def detect(
         if method not in DETECTORS:
             raise UsageError(f"no method {method!r}{did_you_mean(method, list(DETECTORS))}")
         method = DETECTORS[method]
-    out: dict[str, tuple[Report, ...]] = {}
+    return detect_all(data, {"": method}, on_scene, twins)[""]
+
+
+def detect_all(
+    data: Dataset,
+    detectors: Mapping[str, Detector],
+    on_scene: Callable[[int, int], None] | None = None,
+    twins: bool = False,
+) -> dict[str, dict[str, tuple[Report, ...]]]:
+    """Reports of several detectors, by their names: as ``detect``, with each scene opened, and its
+    graph made out, once for all of them."""
+    out: dict[str, dict[str, tuple[Report, ...]]] = {name: {} for name in detectors}
     total = len(data)
     for done, item in enumerate(data, start=1):
         for one in looked_at(item, twins):
             with derived_from(data, one):
-                out[one.id] = method(data, one)
+                for name, detector in detectors.items():
+                    out[name][one.id] = detector(data, one)
         if on_scene is not None:
             on_scene(done, total)
     return out

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 
 class Reported(NamedTuple):
-    """A row of the paper: what it calls it, AS and CAS in percent (None: not given)."""
+    """A row of the paper: how it calls it, AS and CAS in percent (None: not given)."""
 
     title: str
-    as_: float
+    as_: float | None
     cas: float | None
 
 

@@ -1,9 +1,5 @@
 """How well predictions match: the paper's Anomaly Success scores, and usual ones.
 
-For a scene, *A* are the objects that are anomalies, *A+* those of them this household wants
-reported, *D* the objects a prediction names, *D+* those it reports (not ``silent``). Objects, not
-pairs: an object with two anomalies counts once, and is in *A+* when one of them is to be reported.
-
 The paper leaves open what a hazard-free scene scores and what CAS is divided by. Our reading: AS
 is taken over scenes that have an anomaly, CAS over those that have one to report, divided by
 |A+| and not clipped; what is said of hazard-free scenes counts as unwanted or as false alarm.
@@ -11,28 +7,25 @@ is taken over scenes that have an anomaly, CAS over those that have one to repor
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 
-from sdgen.benchmark.predictions import read_predictions
-from sdgen.dataset import Dataset, SceneItem
-from sdgen.dataset.records import Predictions, Report
-from sdgen.errors import InputError, did_you_mean
-from sdgen.scene import Anomaly, Record
+from sdgen.benchmark.collect import Collected, collect, opened, predicted
+from sdgen.benchmark.outcome import Outcome, SceneScores, score_scene
+from sdgen.benchmark.scores import Column, Score, means, ratio, score, scores_of, shares
+from sdgen.benchmark.truth import SHOWN_BY, Ways, Wrong
+from sdgen.dataset import Dataset
+from sdgen.dataset.records import SPLITS, Predictions
+from sdgen.scene import Record
+from sdgen.seeding import lane
 
+__all__ = ["Evaluation", "Score", "SceneScores", "evaluate", "evaluation", "score", "score_scene"]
 
-class Score(Record):
-    """A mean, its standard error and over how many values; None where there are too few."""
-
-    mean: float | None
-    se: float | None
-    n: int
+SEEN, UNSEEN = "seen", "unseen"
 
 
 class Evaluation(Record):
-    """All scores of a prediction (``evaluate --json``)."""
+    """All scores of a prediction (``evaluate --json``); docs/metrics.md says what each is."""
 
     AS: Score
     CAS: Score
@@ -43,95 +36,150 @@ class Evaluation(Record):
     f1: Score
     label_accuracy: Score
     recall_by_hazard: dict[str, Score]
-
-
-@dataclass(frozen=True)
-class SceneScores:
-    """What one scene contributes; None where a score is not defined for it."""
-
-    as_: float | None
-    cas: float | None
-    unwanted: float
-    false_alarms: float
-    precision: float | None
-    f1: float | None
-    label_accuracy: float | None
-    found_by_hazard: tuple[tuple[str, bool], ...]
-
-
-def score(values: Iterable[float | None]) -> Score:
-    """Mean and standard error (sample deviation over root n) of the values that are defined."""
-    kept = [value for value in values if value is not None]
-    n = len(kept)
-    if n == 0:
-        return Score(mean=None, se=None, n=0)
-    mean = math.fsum(kept) / n
-    if n == 1:
-        return Score(mean=mean, se=None, n=1)
-    variance = math.fsum((value - mean) ** 2 for value in kept) / (n - 1)
-    return Score(mean=mean, se=math.sqrt(variance / n), n=n)
-
-
-def score_scene(anomalies: Sequence[Anomaly], reports: Sequence[Report]) -> SceneScores:
-    """The scores of one scene."""
-    wrong = {a.object_id for a in anomalies}
-    wanted = {a.object_id for a in anomalies if a.report}
-    detected = {r.object_id for r in reports}
-    reported = {r.object_id for r in reports if r.notify != "silent"}
-    hits = wrong & detected
-    unwanted = len((wrong - wanted) & reported)
-    labels: dict[int, set[str]] = {}
-    for anomaly in anomalies:
-        labels.setdefault(anomaly.object_id, set()).add(anomaly.label)
-    right = [r.label in labels[r.object_id] for r in reports if r.object_id in hits]
-    return SceneScores(
-        as_=len(hits) / len(wrong) if wrong else None,
-        cas=(len(wanted & reported) - unwanted) / len(wanted) if wanted else None,
-        unwanted=float(unwanted),
-        false_alarms=float(len(detected - wrong)),
-        precision=len(hits) / len(detected) if detected else None,
-        f1=2 * len(hits) / (len(wrong) + len(detected)) if wrong or detected else None,
-        label_accuracy=sum(right) / len(right) if right else None,
-        found_by_hazard=tuple((a.hazard, a.object_id in detected) for a in anomalies),
-    )
-
-
-def _anomalies(data: Dataset, item: SceneItem) -> tuple[Anomaly, ...]:
-    for anomaly in item.anomalies.anomalies:
-        if anomaly.hazard not in data.info.hazards_enabled:
-            known = list(data.info.hazards_enabled)
-            hint = did_you_mean(anomaly.hazard, known)
-            where = item.where("anomalies.json")
-            raise InputError([f"{where}: {anomaly.id}: no hazard {anomaly.hazard!r}{hint}"])
-    return item.anomalies.anomalies
+    micro: dict[str, Score]
+    hazard_free_alarmed: Score
+    recall_by_group: dict[str, Score]
+    recall_by_label: dict[str, Score]
+    recall_by_visibility: dict[str, Score]
+    recall_by_split: dict[str, Score]
+    recall_by_seen: dict[str, Score]
+    seen_gap: Score
+    recall_by_category_seen: dict[str, Score]
+    category_seen_gap: Score
+    lookalikes_reported: Score
+    lookalikes_reported_by_hazard: dict[str, Score]
+    twins_told_apart: Score
+    twin_false_alarms: Score
 
 
 def evaluate(data: Dataset | str | Path, predictions: Predictions | str | Path) -> Evaluation:
     """Score predictions (or their file) against a data set (or its folder).
 
-    Scenes without a prediction count as silence. Raises InputError for a bad file, located, and for
-    a catalogue that is not the data set's.
+    Scenes without a prediction count as silence; lines of benign twins are used for what is said of
+    twins alone. Raises InputError for a bad file, located, and for a catalogue that is not the data
+    set's.
     """
-    if isinstance(data, str | Path):
-        data = Dataset(data)
-    _ = data.catalog  # refused where it is not the one of the labels
-    if isinstance(predictions, str | Path):
-        predictions = read_predictions(predictions, data)
-    scenes = [score_scene(_anomalies(data, item), predictions.get(item.id, ())) for item in data]
-    by_hazard: dict[str, list[float]] = {hazard: [] for hazard in data.info.hazards_enabled}
-    for scene in scenes:
-        for hazard, found in scene.found_by_hazard:
-            by_hazard[hazard].append(float(found))
-    anomaly_score = score(s.as_ for s in scenes)
-    return Evaluation(
-        AS=anomaly_score,
-        CAS=score(s.cas for s in scenes),
-        unwanted_per_scene=score(s.unwanted for s in scenes),
-        false_alarms_per_scene=score(s.false_alarms for s in scenes),
-        precision=score(s.precision for s in scenes),
-        # By a scene's objects, recall is what the paper calls Anomaly Success.
-        recall=anomaly_score,
-        f1=score(s.f1 for s in scenes),
-        label_accuracy=score(s.label_accuracy for s in scenes),
-        recall_by_hazard={hazard: score(values) for hazard, values in by_hazard.items()},
+    data = opened(data)
+    return evaluation(collect(data, {"": predicted(data, predictions)}), "")
+
+
+def evaluation(found: Collected, name: str) -> Evaluation:
+    """The scores of one of several detectors."""
+    outcomes = found.outcomes[name]
+    info = found.data.info
+    nested: dict[str, dict[str, Column]] = {"": _plain(outcomes), "micro": _micro(outcomes)}
+    rows = [
+        (k, wrong, yes) for k, one in enumerate(outcomes) for wrong, yes in one.anomalies()
+    ]
+    splits = [one.split for one in outcomes]
+    hazards = tuple(info.hazards_enabled)
+    present = set(splits)
+    for field, words, word in _cuts(
+        hazards, info.vocabularies.groups, info.vocabularies.labels, found.ways
+    ):
+        said = [(word(wrong, splits[k]), k, yes) for k, wrong, yes in rows]
+        if field == "recall_by_split":
+            words = (*(s for s in SPLITS if s in present), *sorted(present - set(SPLITS)))
+        more = sorted({one for one, _, _ in said if one is not None} - set(words))
+        nested[field] = {
+            key: shares(len(outcomes), [(k, yes) for one, k, yes in said if one == key])
+            for key in (*words, *more)
+        }
+    nested["lookalikes_reported_by_hazard"] = _lookalikes(outcomes, hazards)
+    flat = {f"{field}/{key}": c for field, cs in nested.items() for key, c in cs.items()}
+    gaps = {
+        f"/{gap}": (f"{field}/{SEEN}", f"{field}/{UNSEEN}")
+        for gap, field in (
+            ("seen_gap", "recall_by_seen"),
+            ("category_seen_gap", "recall_by_category_seen"),
+        )
+    }
+    # The same scenes are drawn whoever the detector is.
+    scores = scores_of(flat, lane(info.seed, 0, "evaluate:scenes"), gaps)
+    top: dict[str, Score] = {key[1:]: value for key, value in scores.items() if key[0] == "/"}
+    parts: dict[str, dict[str, Score]] = {
+        field: {key: scores[f"{field}/{key}"] for key in columns}
+        for field, columns in nested.items()
+        if field
+    }
+    # By a scene's objects, recall is what the paper calls Anomaly Success.
+    return Evaluation.model_validate({**top, "recall": top["AS"], **parts})
+
+
+#: What an anomaly of a scene of some split counts for; None: for nothing.
+_Word = Callable[[Wrong, str], str | None]
+
+
+def _cuts(
+    hazards: Sequence[str], groups: Sequence[str], labels: Sequence[str], ways: Ways
+) -> Iterable[tuple[str, Sequence[str], _Word]]:
+    """Each way to cut recall: its field, the words that are told in any case, and an anomaly's."""
+
+    def told(seen: bool | None) -> str | None:
+        return None if seen is None else SEEN if seen else UNSEEN
+
+    yield "recall_by_hazard", hazards, lambda one, _: one.way.hazard
+    yield "recall_by_group", groups, lambda one, _: one.group
+    yield "recall_by_label", labels, lambda one, _: one.label
+    yield "recall_by_visibility", SHOWN_BY, lambda one, _: one.shown
+    yield "recall_by_split", (), lambda _, split: split
+    seen = (SEEN, UNSEEN)
+    yield "recall_by_seen", seen, lambda one, split: told(ways.seen(one.way, split))
+    yield (
+        "recall_by_category_seen",
+        seen,
+        lambda one, split: told(ways.category_seen(one.way, split)),
     )
+
+
+def _plain(outcomes: Sequence[Outcome]) -> dict[str, Column]:
+    """The scores that are one number."""
+    scenes = [one.scores for one in outcomes]
+    twins = [one.twin for one in outcomes]
+    reported, near = [0.0] * len(outcomes), [0.0] * len(outcomes)
+    apart, pairs = [0.0] * len(outcomes), [0.0] * len(outcomes)
+    for k, one in enumerate(outcomes):
+        likes = [item for item in one.items if item.near_miss_of]
+        near[k], reported[k] = len(likes), sum(item.said is not None for item in likes)
+        if one.twin is not None:
+            again = {item.object_id for item in one.twin.items if item.said is not None}
+            both = [(wrong, yes) for wrong, yes in one.anomalies() if wrong.in_twin]
+            pairs[k] = len(both)
+            apart[k] = sum(yes and wrong.object_id not in again for wrong, yes in both)
+    return {
+        "AS": means([s.as_ for s in scenes]),
+        "CAS": means([s.cas for s in scenes]),
+        "unwanted_per_scene": means([s.unwanted for s in scenes]),
+        "false_alarms_per_scene": means([s.false_alarms for s in scenes]),
+        "precision": means([s.precision for s in scenes]),
+        "f1": means([s.f1 for s in scenes]),
+        "label_accuracy": means([s.label_accuracy for s in scenes]),
+        "hazard_free_alarmed": means(
+            [float(s.scores.false_alarms > 0) if s.hazard_free else None for s in outcomes]
+        ),
+        "lookalikes_reported": ratio(reported, near),
+        "twins_told_apart": ratio(apart, pairs),
+        "twin_false_alarms": means([t.scores.false_alarms if t is not None else None for t in twins]),
+    }
+
+
+def _micro(outcomes: Sequence[Outcome]) -> dict[str, Column]:
+    """Precision, recall and F1 over all objects at once."""
+    hits = [float(one.scores.hits) for one in outcomes]
+    detected = [float(one.scores.detected) for one in outcomes]
+    wrong = [float(one.scores.wrong) for one in outcomes]
+    both = [a + b for a, b in zip(detected, wrong, strict=True)]
+    return {
+        "precision": ratio(hits, detected),
+        "recall": ratio(hits, wrong),
+        "f1": ratio([2 * value for value in hits], both),
+    }
+
+
+def _lookalikes(outcomes: Sequence[Outcome], hazards: Sequence[str]) -> Mapping[str, Column]:
+    found: dict[str, list[tuple[int, bool]]] = {hazard: [] for hazard in hazards}
+    for k, one in enumerate(outcomes):
+        for item in one.items:
+            for hazard in item.near_miss_of:
+                found.setdefault(hazard, []).append((k, item.said is not None))
+    return {hazard: shares(len(outcomes), rows) for hazard, rows in found.items()}

@@ -1,0 +1,118 @@
+"""What is made out of one object: its outline, how high it reaches, what is level on it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+from shapely.geometry.base import BaseGeometry
+
+from sdgen.freespace import opening_rectangle
+from sdgen.geometry import Array, quat_from_yaw, rotation_matrix, yaw_of
+from sdgen.perception.clouds import Cloud, Points
+from sdgen.perception.kinds import Kind
+from sdgen.perception.levels import Level, levels_of, outline_of
+from sdgen.scene import ObjectInstance, Opening
+from sdgen.vocabulary import HALF_WALL_M
+
+#: What leans less than this (its cosine) stands upright.
+UPRIGHT = 0.999
+#: The lower end of an object is seen when its outline ends, with nothing before it, within so much
+#: of its lowest point, metres.
+ENDS_WITHIN_M = 0.015
+#: Fewer points say nothing of a leaf of its own.
+LEAST_LEAF = 20
+
+
+@dataclass
+class Piece:
+    """A part of a thing as an upright prism: its outline from above and its heights, metres.
+    ``slides``: it is a drawer."""
+
+    outline: BaseGeometry
+    low: float
+    high: float
+    slides: bool = False
+
+
+@dataclass
+class Thing:
+    """An object as it was made out: ``name`` of its class and what is known of that; ``turn`` (3,
+    3), its axes in the world; its body, leaves that stand open, and level surfaces; ``ends``: its
+    lower end is seen, not hidden."""
+
+    id: int
+    name: str
+    kind: Kind
+    fixed: bool
+    quat: tuple[float, float, float, float]
+    body: Piece
+    leaves: list[Piece]
+    levels: list[Level]
+    ends: bool
+    states: tuple[str, ...] = ()
+    opening: bool = False
+
+    @property
+    def turn(self) -> Array:
+        """Its axes in the world, (3, 3)."""
+        return rotation_matrix(self.quat)
+
+    @property
+    def upright(self) -> bool:
+        """It stands as it was made to."""
+        return bool(self.turn[2, 2] > UPRIGHT)
+
+
+def thing_of(
+    item: ObjectInstance,
+    name: str,
+    kind: Kind,
+    fixed: bool,
+    cloud: Cloud,
+    open_parts: Collection[tuple[int, bool]],
+) -> Thing:
+    """What the points of an object make it out to be. ``open_parts``: values of its parts that
+    stand open, and whether they slide."""
+    upright = rotation_matrix(item.pose.quat_xyzw)[2, 2] > UPRIGHT
+    quat = quat_from_yaw(yaw_of(item.pose.quat_xyzw)) if upright else item.pose.quat_xyzw
+    leaves = []
+    still = np.ones(len(cloud.points), dtype=np.bool_)
+    for value, slides in open_parts:
+        mine = cloud.part == value
+        if mine.sum() >= LEAST_LEAF and not mine.all():
+            leaves.append(_piece(cloud.points[mine], slides))
+            still &= ~mine
+    if not still.any():
+        still[:] = True
+        leaves = []
+    points = cloud.points[still]
+    body = _piece(points)
+    levels = levels_of(points, cloud.upward[still]) if upright and kind.carries else []
+    ends = points[cloud.ends[still], 2]
+    seen = bool(len(ends) and float(ends.min()) <= body.low + ENDS_WITHIN_M)
+    return Thing(item.id, name, kind, fixed, quat, body, leaves, levels, seen)
+
+
+def fill(thing: Thing, opening: Opening) -> None:
+    """Let a door or window fill its opening, which the plan has: a leaf is seen from one side."""
+    whole = opening_rectangle(opening, HALF_WALL_M)
+    body = thing.body
+    sill = opening.center_m[2]
+    body.outline = shapely.convex_hull(shapely.union_all([whole, body.outline]))
+    body.low = min(body.low, sill)
+    body.high = max(body.high, sill + opening.height_m)
+    thing.opening = True
+
+
+def _piece(points: Points, slides: bool = False) -> Piece:
+    heights = points[:, 2]
+    return Piece(outline_of(points), float(heights.min()), float(heights.max()), slides)
+
+
+def centroid(outline: BaseGeometry) -> npt.NDArray[np.float64]:
+    """The middle of an outline, (2,)."""
+    return np.asarray(shapely.get_coordinates(outline.centroid)[0])

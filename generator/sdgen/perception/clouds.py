@@ -34,6 +34,9 @@ BEFORE_SHARE = 0.02
 #: in the air between two surfaces.
 ALONE_SHARE = 0.1
 
+#: All pairs of neighbours in a picture.
+_BESIDE = ((np.s_[:-1, :], np.s_[1:, :]), (np.s_[:, :-1], np.s_[:, 1:]))
+
 
 @dataclass(frozen=True)
 class View:
@@ -50,13 +53,14 @@ class View:
 class Cloud:
     """What all views show of one object: ``points`` (N, 3) in the world, metres; ``part`` (N,);
     ``upward`` (N,), the surface looks up there; ``ends`` (N,), the object ends below, and nothing
-    hides that it does; ``pixels``: most that a view shows of it; ``part_pixels``: of each part the
+    hides that it does; ``rim`` (N,): it ends beside this pixel; ``pixels``: most that a view shows of it; ``part_pixels``: of each part the
     most that a view shows of it."""
 
     points: Points
     part: npt.NDArray[np.uint8]
     upward: npt.NDArray[np.bool_]
     ends: npt.NDArray[np.bool_]
+    rim: npt.NDArray[np.bool_]
     pixels: int
     part_pixels: dict[int, int]
 
@@ -79,27 +83,38 @@ def clouds(views: Iterable[View], ids: Iterable[int]) -> dict[int, Cloud]:
     if not found:
         return {}
     most: dict[int, int] = {}
-    most_of: dict[tuple[int, int], int] = {}
+    parts: dict[int, dict[int, int]] = {}
     for one in found:
-        for owner, count in zip(*np.unique(one.owner, return_counts=True), strict=True):
-            most[int(owner)] = max(most.get(int(owner), 0), int(count))
-        both = one.owner.astype(np.uint32) << 8 | one.part
-        for key, count in zip(*np.unique(both, return_counts=True), strict=True):
-            pair = (int(key) >> 8, int(key) & 0xFF)
-            most_of[pair] = max(most_of.get(pair, 0), int(count))
-    owner = np.concatenate([one.owner for one in found])
-    order = np.argsort(owner, kind="stable")
-    owner = owner[order]
+        both, counts = np.unique(one.owner.astype(np.uint32) << 8 | one.part, return_counts=True)
+        whole: dict[int, int] = {}
+        for key, count in zip(both.tolist(), counts.tolist(), strict=True):
+            owner, part = key >> 8, key & 0xFF
+            of = parts.setdefault(owner, {})
+            of[part] = max(of.get(part, 0), count)
+            whole[owner] = whole.get(owner, 0) + count
+        for owner, count in whole.items():
+            most[owner] = max(most.get(owner, 0), count)
+    owners = np.concatenate([one.owner for one in found])
+    order = np.argsort(owners, kind="stable")
+    owners = owners[order]
     points = np.concatenate([one.points for one in found])[order]
-    part = np.concatenate([one.part for one in found])[order]
+    parts_at = np.concatenate([one.part for one in found])[order]
     upward = np.concatenate([one.upward for one in found])[order]
     ends = np.concatenate([one.ends for one in found])[order]
-    first = np.flatnonzero(np.diff(owner, prepend=0)).tolist()
+    rim = np.concatenate([one.rim for one in found])[order]
+    first = np.flatnonzero(np.diff(owners, prepend=0)).tolist()
     out = {}
-    for a, b in zip(first, [*first[1:], len(owner)], strict=True):
-        key = int(owner[a])
-        parts = {p: n for (o, p), n in most_of.items() if o == key}
-        out[key] = Cloud(points[a:b], part[a:b], upward[a:b], ends[a:b], most[key], parts)
+    for a, b in zip(first, [*first[1:], len(owners)], strict=True):
+        key = int(owners[a])
+        out[key] = Cloud(
+            points[a:b],
+            parts_at[a:b],
+            upward[a:b],
+            ends[a:b],
+            rim[a:b],
+            most[key],
+            parts[key],
+        )
     return out
 
 
@@ -110,6 +125,7 @@ class _Pixels:
     part: npt.NDArray[np.uint8]
     upward: npt.NDArray[np.bool_]
     ends: npt.NDArray[np.bool_]
+    rim: npt.NDArray[np.bool_]
 
 
 def _pixels(view: View, wanted: npt.NDArray[np.bool_]) -> _Pixels:
@@ -119,9 +135,9 @@ def _pixels(view: View, wanted: npt.NDArray[np.bool_]) -> _Pixels:
     shown = wanted[instance] & (view.depth_mm > 0) & _held(instance, depth)
     world = _world(view.camera, depth)
     upward = _upward(instance, world)
-    ends = _ends(instance, depth)
+    ends, rim = _ends(instance, depth), _rim(instance)
     part = np.zeros_like(instance, dtype=np.uint8) if view.part is None else view.part
-    return _Pixels(instance[shown], world[shown], part[shown], upward[shown], ends[shown])
+    return _Pixels(instance[shown], world[shown], part[shown], upward[shown], ends[shown], rim[shown])
 
 
 def _world(camera: Camera, depth: npt.NDArray[np.float32]) -> Points:
@@ -165,16 +181,23 @@ def _ends(instance: Mask, depth: npt.NDArray[np.float32]) -> npt.NDArray[np.bool
     return out
 
 
+def _rim(instance: Mask) -> npt.NDArray[np.bool_]:
+    """Pixels (H, W) beside another object's."""
+    out = np.zeros(instance.shape, dtype=np.bool_)
+    for a, b in _BESIDE:
+        differ = instance[a] != instance[b]
+        out[a] |= differ
+        out[b] |= differ
+    return out
+
+
 def _held(instance: Mask, depth: npt.NDArray[np.float32]) -> npt.NDArray[np.bool_]:
     """Pixels (H, W) that some neighbour of their own object is near to in depth, or that have no
     such neighbour at all."""
     near = np.zeros(instance.shape, dtype=np.bool_)
     any_same = np.zeros(instance.shape, dtype=np.bool_)
     limit = depth * np.float32(ALONE_SHARE)
-    for a, b in (
-        (np.s_[:-1, :], np.s_[1:, :]),
-        (np.s_[:, :-1], np.s_[:, 1:]),
-    ):
+    for a, b in _BESIDE:
         same = instance[a] == instance[b]
         close = same & (np.abs(depth[a] - depth[b]) <= np.minimum(limit[a], limit[b]))
         for side in (a, b):

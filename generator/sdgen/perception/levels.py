@@ -24,8 +24,14 @@ APART_M = 0.02
 LEAST_PIXELS = 25
 LEAST_SHARE = 0.04
 
+#: Of more points than these, not all need looking at: those at the rim, and one in so many.
+MANY = 1000
+EVERY = 7
+
+Flags = npt.NDArray[np.bool_]
+
 _ANGLES = np.linspace(0.0, np.pi, DIRECTIONS, endpoint=False)
-_OUT = np.stack([np.cos(_ANGLES), np.sin(_ANGLES)]).astype(np.float32)
+_OUT = np.stack([np.cos(_ANGLES), np.sin(_ANGLES)], axis=1).astype(np.float32)
 
 
 class Level(NamedTuple):
@@ -35,20 +41,26 @@ class Level(NamedTuple):
     outline: BaseGeometry
 
 
-def outline_of(points: Points) -> BaseGeometry:
-    """The convex outline from above of points (N, 3), never empty of area."""
-    if len(points) > 3 * DIRECTIONS:
+def outline_of(points: Points, rim: Flags) -> BaseGeometry:
+    """The convex outline from above of points (N, 3), never empty of area; ``rim`` (N,): where the
+    object ends in its picture, which few others go beyond."""
+    if len(points) > MANY:
+        chosen = rim.copy()
+        chosen[::EVERY] = True
+        points = points[chosen]
+    if len(points) > 2 * DIRECTIONS:
         # Millimetres far from the origin: products of float32 are exact enough about the middle.
-        middle = points[:, :2].mean(axis=0)
-        along = (points[:, :2] - middle) @ _OUT
-        points = points[np.concatenate([along.argmin(axis=0), along.argmax(axis=0)])]
+        across = np.ascontiguousarray((points[:, :2] - points[0, :2]).T)
+        along = _OUT @ across
+        points = points[np.concatenate([along.argmin(axis=1), along.argmax(axis=1)])]
     hull = shapely.convex_hull(shapely.multipoints(points[:, :2].astype(np.float64)))
     return hull.buffer(HALF_PIXEL_M, join_style="mitre")
 
 
-def levels_of(points: Points, upward: npt.NDArray[np.bool_]) -> list[Level]:
-    """The level surfaces among points (N, 3) of which some look ``upward`` (N,), highest first."""
-    up = points[upward]
+def levels_of(points: Points, upward: Flags, rim: Flags) -> list[Level]:
+    """The level surfaces among points (N, 3) of which some look ``upward`` (N,), highest first;
+    ``rim`` as :func:`outline_of` has it."""
+    up, rim = points[upward], rim[upward]
     if len(up) < LEAST_PIXELS:
         return []
     heights = up[:, 2]
@@ -63,6 +75,7 @@ def levels_of(points: Points, upward: npt.NDArray[np.bool_]) -> list[Level]:
         about = low + (peak + 0.5) * BIN_M
         if any(abs(about - level.z_m) < APART_M for level in found):
             continue
-        there = up[np.abs(bins - peak) <= 1]
-        found.append(Level(float(np.median(there[:, 2])), outline_of(there)))
+        near = np.abs(bins - peak) <= 1
+        there = up[near]
+        found.append(Level(float(np.median(there[:, 2])), outline_of(there, rim[near])))
     return sorted(found, key=lambda level: -level.z_m)

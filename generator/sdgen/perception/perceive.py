@@ -24,7 +24,7 @@ from sdgen.perception.options import Perception
 from sdgen.perception.perceived import Perceived
 from sdgen.perception.records import records_of
 from sdgen.perception.standing import settle
-from sdgen.perception.things import Thing, fill, thing_of
+from sdgen.perception.things import Thing, thing_of
 from sdgen.scene import ObjectInstance, Scene, Zone
 from sdgen.truth.visibility import evidence_pixels_needed
 from sdgen.zones import derive_zones, floor_obstacles
@@ -56,11 +56,12 @@ def perceive(
             continue
         name = draws.name(item.id, item.category, kinds)
         info = infos[item.asset]
-        thing = thing_of(item, name, kinds[name], item.fixed, cloud, _open_parts(item, info))
+        kind, opening = kinds[name], openings.get(item.id)
+        thing = thing_of(
+            item, name, kind, item.fixed, cloud, _open_parts(item, info), opening
+        )
         if perception.states:
             thing.states = _states(item, info, cloud, least)
-        if item.id in openings:
-            fill(thing, openings[item.id])
         things[item.id] = thing
     settle(things)
     made = [records_of(things[key]) for key in sorted(things)]

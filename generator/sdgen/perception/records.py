@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from sdgen.geometry import Array, round_position, round_quat, vec3
+from sdgen.geometry import Array, Vec3, round_position, round_quat, vec3
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.perception.things import Piece, Thing
 from sdgen.scene import ObjectInstance, Pose
@@ -37,16 +37,18 @@ def records_of(thing: Thing) -> tuple[ObjectInstance, AssetInfo]:
     drawn_joints = []
     containers = []
     for k, leaf in enumerate(thing.leaves):
-        # A leaf lies where a joint has moved it: one that slides by a metre keeps the arithmetic
-        # exact, and only that it has moved counts.
+        # A leaf lies where a joint has moved it, from the middle of the body: so the body's middle
+        # is that of the whole when shut, as it is of real models.
         name = f"leaf_{k}"
-        parts.append(Part(name=name, faces=12, joint=name))
         points = own(_corners(leaf))
-        outlines[name] = (_tuples(points - (1.0, 0.0, 0.0)),)
-        joints[name] = 1.0
-        drawn_joints.append(_joint(name))
+        a, b = points.min(axis=0), points.max(axis=0)
+        way = (a + b) / 2 - (0.0, 0.0, (high[2] - low[2]) / 2)
+        far = max(float(np.linalg.norm(way)), 1e-3)
+        parts.append(Part(name=name, faces=12, joint=name))
+        outlines[name] = (_tuples(points - way),)
+        joints[name] = far
+        drawn_joints.append(_joint(name, vec3(way / far), far))
         if leaf.slides:
-            a, b = points.min(axis=0), points.max(axis=0)
             containers.append(_container(f"drawer_{k}", a, b))
     size = high - low
     is_open = "OPEN" in thing.states
@@ -94,9 +96,9 @@ def records_of(thing: Thing) -> tuple[ObjectInstance, AssetInfo]:
     return item, info
 
 
-def _joint(name: str) -> Joint:
+def _joint(name: str, axis: Vec3 = (1.0, 0.0, 0.0), far_m: float = 1.0) -> Joint:
     return Joint(
-        name=name, type="prismatic", origin_m=(0, 0, 0), axis=(1, 0, 0), lower=0, upper=1.0
+        name=name, type="prismatic", origin_m=(0, 0, 0), axis=axis, lower=0.0, upper=far_m
     )
 
 

@@ -75,17 +75,19 @@ def _settle(thing: Thing, owners: Sequence[Thing]) -> None:
     body = thing.body
     # Below this no thing of its class reaches, as it lies.
     lowest = body.high - _tallest(thing) - TALLER_M
-    below = [owner for owner in owners if _over(body.outline, owner.body.outline)]
-    level, owner = _highest(body, below, lowest)
     hidden = not thing.ends or thing.fixed
-    if level is None and lowest > TOUCHES_M and hidden:
+    found = None
+    for about in (0.0, ABOUT_M):
+        below = [owner for owner in owners if _over(body.outline, owner.body.outline, about)]
+        found = found or _carrier(body, below, lowest, hidden, about)
+    if found is None and hidden and lowest > TOUCHES_M:
         # Too short to stand on the floor: on what is next to it, the rest of which is hidden.
-        level, owner = _nearest(body, owners, lowest)
-    z = 0.0 if level is None else level.z_m
+        found = _nearest(body, owners, lowest)
+    z = 0.0 if found is None else found[1].z_m
     if body.low - z <= TOUCHES_M or (hidden and z >= lowest):
         body.low = min(z, body.high - LEAST_M)
-        if level is not None and owner is not None:
-            _grow(owner, level, body)
+        if found is not None:
+            _grow(*found, body)
     elif not thing.fixed:
         # It ends in the air: on a board that no camera looks down on, or it hangs.
         around = [t for t in below if t.fixed and t.body.low - SUNK_M <= body.low <= t.body.high]
@@ -99,39 +101,40 @@ def _tallest(thing: Thing) -> float:
     return float(size[2] if thing.upright else np.linalg.norm(size))
 
 
-def _highest(
-    body: Piece, owners: Sequence[Thing], lowest: float
-) -> tuple[Level | None, Thing | None]:
-    """The highest surface below a thing."""
-    best: tuple[Level | None, Thing | None] = (None, None)
+def _carrier(
+    body: Piece, owners: Sequence[Thing], lowest: float, hidden: bool, about: float
+) -> tuple[Thing, Level] | None:
+    """The surface that a thing stands on: the one at its lower end or, where that may be hidden,
+    the highest below it."""
+    found = []
     for owner in owners:
         # The top of what nobody looks down on is where its sides end.
         top = Level(owner.body.high, owner.body.outline)
         tops = [top] if abs(body.low - top.z_m) <= EDGE_M else []
         for level in (*owner.levels, *tops):
-            reached = lowest <= level.z_m <= body.low + SUNK_M
-            higher = best[0] is None or level.z_m > best[0].z_m
-            if reached and higher and _over(body.outline, level.outline):
-                best = (level, owner)
-    return best
+            if lowest <= level.z_m <= body.low + SUNK_M and _over(
+                body.outline, level.outline, about
+            ):
+                found.append((owner, level))
+    near = [one for one in found if body.low - one[1].z_m <= TOUCHES_M]
+    if near and not hidden:
+        return min(near, key=lambda one: (round(abs(one[1].z_m - body.low), 3), -one[1].z_m))
+    return max(found, key=lambda one: one[1].z_m, default=None)
 
 
 def _nearest(
     body: Piece, owners: Sequence[Thing], lowest: float
-) -> tuple[Level | None, Thing | None]:
+) -> tuple[Thing, Level] | None:
     """The surface next to a thing, of furniture, that it may stand on."""
     found = [
-        (float(shapely.distance(level.outline, body.outline)), -level.z_m, level, owner)
+        (float(shapely.distance(level.outline, body.outline)), -level.z_m, owner, level)
         for owner in owners
         if owner.fixed
         for level in owner.levels
         if lowest <= level.z_m <= body.low + SUNK_M
     ]
     near = [one for one in found if one[0] <= FAR_M]
-    if not near:
-        return None, None
-    _, _, level, owner = min(near, key=lambda one: one[:2])
-    return level, owner
+    return min(near, key=lambda one: one[:2])[2:] if near else None
 
 
 def _grow(owner: Thing, level: Level, body: Piece) -> None:
@@ -145,10 +148,8 @@ def _joined(one: BaseGeometry, other: BaseGeometry) -> BaseGeometry:
     return one if one.covers(other) else shapely.convex_hull(shapely.union_all([one, other]))
 
 
-def _over(upper: BaseGeometry, lower: BaseGeometry) -> bool:
-    """One outline lies over another, of which the part about it may be hidden; or the other, of
+def _over(upper: BaseGeometry, lower: BaseGeometry, about: float) -> bool:
+    """One outline lies over another, of which the part ``about`` it may be hidden; or the other, of
     which little is seen, lies under it."""
-    about = lower.buffer(ABOUT_M, quad_segs=2)
-    if upper.intersection(about).area > SHARE * upper.area:
-        return True
-    return bool(upper.intersection(lower).area > SHARE * lower.area)
+    shared = upper.intersection(lower.buffer(about, quad_segs=2) if about else lower).area
+    return bool(shared > SHARE * min(upper.area, lower.area))

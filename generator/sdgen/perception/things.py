@@ -7,12 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-import shapely
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.freespace import opening_rectangle
 from sdgen.geometry import Array, quat_from_yaw, rotation_matrix, yaw_of
-from sdgen.perception.clouds import Cloud, Points
+from sdgen.perception.clouds import Cloud
 from sdgen.perception.kinds import Kind
 from sdgen.perception.levels import Level, levels_of, outline_of
 from sdgen.scene import ObjectInstance, Opening
@@ -23,6 +22,8 @@ UPRIGHT = 0.999
 #: The lower end of an object is seen when its outline ends, with nothing before it, within so much
 #: of its lowest point, metres.
 ENDS_WITHIN_M = 0.015
+#: So far the frame of a door or window stands out of its wall, metres.
+FRAME_M = 0.01
 #: Fewer points say nothing of a leaf of its own.
 LEAST_LEAF = 20
 
@@ -42,7 +43,7 @@ class Piece:
 class Thing:
     """An object as it was made out: ``name`` of its class and what is known of that; ``turn`` (3,
     3), its axes in the world; its body, leaves that stand open, and level surfaces; ``ends``: its
-    lower end is seen, not hidden."""
+    lower end is seen, not hidden; ``opening``: it fills one."""
 
     id: int
     name: str
@@ -74,45 +75,46 @@ def thing_of(
     fixed: bool,
     cloud: Cloud,
     open_parts: Collection[tuple[int, bool]],
+    opening: Opening | None = None,
 ) -> Thing:
     """What the points of an object make it out to be. ``open_parts``: values of its parts that
-    stand open, and whether they slide."""
+    stand open, and whether they slide; ``opening``: what it fills, as the plan has it."""
     upright = rotation_matrix(item.pose.quat_xyzw)[2, 2] > UPRIGHT
     quat = quat_from_yaw(yaw_of(item.pose.quat_xyzw)) if upright else item.pose.quat_xyzw
     leaves = []
     still = np.ones(len(cloud.points), dtype=np.bool_)
     for value, slides in open_parts:
         mine = cloud.part == value
-        if mine.sum() >= LEAST_LEAF and not mine.all():
-            leaves.append(_piece(cloud.points[mine], slides))
+        if mine.sum() >= LEAST_LEAF:
+            leaves.append(_piece(cloud, mine, slides))
             still &= ~mine
     if not still.any():
         still[:] = True
-        leaves = []
-    points = cloud.points[still]
-    body = _piece(points)
-    levels = levels_of(points, cloud.upward[still]) if upright and kind.carries else []
-    ends = points[cloud.ends[still], 2]
+        # Of a door the plan tells where the rest is; of furniture, a leaf alone is all there is.
+        leaves = leaves if opening is not None else []
+    body = _piece(cloud, still)
+    levels: list[Level] = []
+    if upright and kind.carries:
+        levels = levels_of(cloud.points[still], cloud.upward[still], cloud.rim[still])
+    ends = cloud.points[still & cloud.ends, 2]
     seen = bool(len(ends) and float(ends.min()) <= body.low + ENDS_WITHIN_M)
-    return Thing(item.id, name, kind, fixed, quat, body, leaves, levels, seen)
+    if opening is not None:
+        _fill(body, opening)
+    return Thing(
+        item.id, name, kind, fixed, quat, body, leaves, levels, seen, opening=opening is not None
+    )
 
 
-def fill(thing: Thing, opening: Opening) -> None:
-    """Let a door or window fill its opening, which the plan has: a leaf is seen from one side."""
-    whole = opening_rectangle(opening, HALF_WALL_M)
-    body = thing.body
+def _fill(body: Piece, opening: Opening) -> None:
+    """Let a door or window fill its opening: a leaf is seen from one side."""
     sill = opening.center_m[2]
-    body.outline = shapely.convex_hull(shapely.union_all([whole, body.outline]))
+    body.outline = opening_rectangle(opening, HALF_WALL_M + FRAME_M)
     body.low = min(body.low, sill)
     body.high = max(body.high, sill + opening.height_m)
-    thing.opening = True
 
 
-def _piece(points: Points, slides: bool = False) -> Piece:
+def _piece(cloud: Cloud, mine: npt.NDArray[np.bool_], slides: bool = False) -> Piece:
+    points = cloud.points[mine]
     heights = points[:, 2]
-    return Piece(outline_of(points), float(heights.min()), float(heights.max()), slides)
-
-
-def centroid(outline: BaseGeometry) -> npt.NDArray[np.float64]:
-    """The middle of an outline, (2,)."""
-    return np.asarray(shapely.get_coordinates(outline.centroid)[0])
+    outline = outline_of(points, cloud.rim[mine])
+    return Piece(outline, float(heights.min()), float(heights.max()), slides)

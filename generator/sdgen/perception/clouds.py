@@ -51,10 +51,10 @@ class View:
 
 @dataclass(frozen=True)
 class Cloud:
-    """What all views show of one object: ``points`` (N, 3) in the world, metres; ``part`` (N,);
-    ``upward`` (N,), the surface looks up there; ``ends`` (N,), the object ends below, and nothing
-    hides that it does; ``rim`` (N,): it ends beside this pixel; ``pixels``: most that a view shows of it; ``part_pixels``: of each part the
-    most that a view shows of it."""
+    """What all views show of one object: ``points`` (N, 3) in the world, metres, and of each: the
+    ``part`` it is of; whether the surface looks ``upward`` there; whether the object ``ends`` below
+    it, with nothing before it that hides the rest; whether it ends beside it, at its ``rim``.
+    ``pixels`` and ``part_pixels``: most that a view shows of the object, and of each part."""
 
     points: Points
     part: npt.NDArray[np.uint8]
@@ -137,7 +137,9 @@ def _pixels(view: View, wanted: npt.NDArray[np.bool_]) -> _Pixels:
     upward = _upward(instance, world)
     ends, rim = _ends(instance, depth), _rim(instance)
     part = np.zeros_like(instance, dtype=np.uint8) if view.part is None else view.part
-    return _Pixels(instance[shown], world[shown], part[shown], upward[shown], ends[shown], rim[shown])
+    return _Pixels(
+        instance[shown], world[shown], part[shown], upward[shown], ends[shown], rim[shown]
+    )
 
 
 def _world(camera: Camera, depth: npt.NDArray[np.float32]) -> Points:

@@ -12,15 +12,19 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import shapely
 
 from sdgen.catalog.records import Catalog, Category
 from sdgen.geometry import Array
+from sdgen.library.drawn import shut
 from sdgen.library.records import AssetInfo, Container
 
 #: A hollow is a class's when so large a share of its models have one of that name.
 USUAL = 0.3
 #: The top of a model is flat when something can stand so high on it, in shares of its height.
 FLAT_TOP = 0.97
+#: What covers so much of its box from above is a rectangle, with rounded corners at most.
+BOXY = 0.92
 #: So many of the nearest classes in size may be mixed up with one.
 ALIKE = 3
 
@@ -39,15 +43,15 @@ class Hollow:
 @dataclass(frozen=True)
 class Kind:
     """What is known of a class: ``largest`` (3,) and ``usual`` (3,) extents of its models, metres;
-    it ``carries`` what stands on it, on its very top if that is ``flat``; it belongs to the home
-    (``fixed``), and is ``hung`` on walls or ceilings; and its hollows."""
+    it ``carries`` what stands on it, on its very top if that is ``flat``; it is ``hung`` on walls or
+    ceilings; from above it is a rectangle (``boxy``); and its hollows."""
 
     largest: Array
     usual: Array
     carries: bool = False
     flat: bool = False
-    fixed: bool = False
     hung: bool = False
+    boxy: bool = False
     hollows: tuple[Hollow, ...] = ()
 
 
@@ -68,11 +72,9 @@ class Kinds:
 
     def _kind(self, name: str) -> Kind:
         models = self._models.get(name, [])
-        category = self.catalog.category(name)
-        fixed, hung = category.kind in ("furniture", "opening"), name in self._hung
         if not models:
-            largest = np.asarray(category.extents_max_m, dtype=np.float64)
-            return Kind(largest, largest, fixed=fixed, hung=hung)
+            largest = np.asarray(self.catalog.category(name).extents_max_m, dtype=np.float64)
+            return Kind(largest, largest, hung=name in self._hung)
         sizes = np.array([model.extents_m for model in models], dtype=np.float64)
         tops = [max((s.z_m for s in m.supports), default=0.0) / m.extents_m[2] for m in models]
         return Kind(
@@ -80,8 +82,8 @@ class Kinds:
             usual=np.median(sizes, axis=0),
             carries=any(model.supports for model in models),
             flat=sum(top > FLAT_TOP for top in tops) * 2 > len(tops),
-            fixed=fixed,
-            hung=hung,
+            hung=name in self._hung,
+            boxy=bool(np.median([_filled(model) for model in models]) > BOXY),
             hollows=_hollows(models),
         )
 
@@ -117,24 +119,39 @@ class Kinds:
         return {category.name: category for category in self.catalog.categories}
 
 
+def _filled(model: AssetInfo) -> float:
+    """The share of its box that a model covers, as seen from above."""
+    points = shut(model, "default").points_m[:, :2]
+    hull = shapely.convex_hull(shapely.multipoints(points))
+    x0, y0, x1, y1 = hull.bounds
+    return float(hull.area / max((x1 - x0) * (y1 - y0), 1e-9))
+
+
 def _hollows(models: list[AssetInfo]) -> tuple[Hollow, ...]:
-    """The hollows that things of a class usually have, where they usually are."""
-    found: dict[str, list[tuple[Array, Array, bool]]] = {}
+    """The hollows that things of a class usually have, where they usually are; those behind leaves
+    as one, for which leaf shuts which of them differs from model to model."""
+    found: dict[tuple[str, bool], list[Array]] = {}
     for model in models:
+        boxes: dict[tuple[str, bool], list[Array]] = {}
         for container in model.containers:
             if model.part(container.part).joint is None:  # a drawer's goes where the drawer goes
-                found.setdefault(container.name, []).append(_in_shares(model, container))
-    usual = []
-    for name, boxes in sorted(found.items()):
-        if len(boxes) >= USUAL * len(models):
-            low = np.mean([box[0] for box in boxes], axis=0)
-            high = np.mean([box[1] for box in boxes], axis=0)
-            usual.append(Hollow(name, low, high, sum(b[2] for b in boxes) * 2 > len(boxes)))
-    return tuple(usual)
+                shut = container.closed_by is not None
+                key = ("behind", True) if shut else (container.name, False)
+                boxes.setdefault(key, []).append(_in_shares(model, container))
+        for key, mine in boxes.items():
+            low, high = np.min(mine, axis=0)[0], np.max(mine, axis=0)[1]
+            found.setdefault(key, []).append(np.stack([low, high]))
+    return tuple(
+        Hollow(name, *np.mean(boxes, axis=0), shut)
+        for (name, shut), boxes in sorted(found.items())
+        if len(boxes) >= USUAL * len(models)
+    )
 
 
-def _in_shares(model: AssetInfo, container: Container) -> tuple[Array, Array, bool]:
+def _in_shares(model: AssetInfo, container: Container) -> Array:
+    """The lowest and the highest corner (2, 3) of a hollow, in shares of its model's box."""
     size = np.maximum(np.asarray(model.extents_m), 1e-6)
-    center = (np.asarray(container.center_m) + (size[0] / 2, size[1] / 2, 0.0)) / size
+    corner = np.array([-size[0] / 2, -size[1] / 2, 0.0])
+    center = (np.asarray(container.center_m) - corner) / size
     half = np.asarray(container.size_m) / size / 2
-    return center - half, center + half, container.closed_by is not None
+    return np.stack([center - half, center + half])

@@ -13,7 +13,8 @@ from sdgen.perception.clouds import Points
 
 #: Outlines are hulls of the points furthest out in so many directions, both ways.
 DIRECTIONS = 24
-#: Half a pixel on a thing 2 m away is 2 mm: so much further an outline goes than its points.
+#: Half a pixel on a thing 2 m away is 2 mm: so much further an outline goes than its points, and
+#: what is seen edge-on has an area, too.
 HALF_PIXEL_M = 0.002
 #: Heights are counted in bins of so much, metres; a level fills three of them at most, for depth
 #: is rounded to a millimetre and ends in the thickness of a pixel.
@@ -30,6 +31,7 @@ EVERY = 7
 
 Flags = npt.NDArray[np.bool_]
 
+_HALF_PIXEL = HALF_PIXEL_M * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
 _ANGLES = np.linspace(0.0, np.pi, DIRECTIONS, endpoint=False)
 _OUT = np.stack([np.cos(_ANGLES), np.sin(_ANGLES)], axis=1).astype(np.float32)
 
@@ -53,8 +55,10 @@ def outline_of(points: Points, rim: Flags) -> BaseGeometry:
         across = np.ascontiguousarray((points[:, :2] - points[0, :2]).T)
         along = _OUT @ across
         points = points[np.concatenate([along.argmin(axis=1), along.argmax(axis=1)])]
-    hull = shapely.convex_hull(shapely.multipoints(points[:, :2].astype(np.float64)))
-    return hull.buffer(HALF_PIXEL_M, join_style="mitre")
+    around = points[:, None, :2].astype(np.float64) + _HALF_PIXEL
+    # To a millimetre, as depth is: corners nearer to each other than that are one.
+    corners = np.round(around.reshape(-1, 2), 3)
+    return shapely.convex_hull(shapely.multipoints(corners))
 
 
 def levels_of(points: Points, upward: Flags, rim: Flags) -> list[Level]:

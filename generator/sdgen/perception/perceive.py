@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+import numpy as np
+
 from sdgen.catalog.records import Catalog
 from sdgen.facts import bodies_of
 from sdgen.facts.rooms import Rooms
@@ -57,9 +59,7 @@ def perceive(
         name = draws.name(item.id, item.category, kinds)
         info = infos[item.asset]
         kind, opening = kinds[name], openings.get(item.id)
-        thing = thing_of(
-            item, name, kind, item.fixed, cloud, _open_parts(item, info), opening
-        )
+        thing = thing_of(item, name, kind, item.fixed, cloud, _open_parts(item, info), opening)
         if perception.states:
             thing.states = _states(item, info, cloud, least)
         things[item.id] = thing
@@ -86,9 +86,7 @@ def _open_parts(item: ObjectInstance, info: AssetInfo) -> list[tuple[int, bool]]
     return out
 
 
-def _states(
-    item: ObjectInstance, info: AssetInfo, cloud: Cloud, least: int
-) -> tuple[str, ...]:
+def _states(item: ObjectInstance, info: AssetInfo, cloud: Cloud, least: int) -> tuple[str, ...]:
     """The states of an object that the views tell: those with enough pixels of a part that shows
     them."""
     value_of = {name: value for value, name in enumerate(item.parts, start=1)}
@@ -118,13 +116,13 @@ def _scene(
     home = scene.home
     rooms = Rooms(home).room_ids(objects, models)
     first = home.rooms[0].id
-    inside = tuple(
-        item.model_copy(update={"room_id": rooms[item.id] or first}) for item in objects
-    )
+    inside = tuple(item.model_copy(update={"room_id": rooms[item.id] or first}) for item in objects)
     furniture = bodies_of((item for item in inside if item.fixed), models)
     free = free_shape(home, floor_obstacles(furniture))
     properties = {c.name: c.properties for c in catalog.categories}
-    zones = derive_zones(home, furniture, free, properties)
+    # GEOS divides by nothing where outlines of perceived things nearly touch, and recovers.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        zones = derive_zones(home, furniture, free, properties)
     return scene.model_copy(
         update={
             "zones": tuple(_known(zones, {item.id for item in inside})),

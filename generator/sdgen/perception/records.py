@@ -29,7 +29,7 @@ def records_of(thing: Thing) -> tuple[ObjectInstance, AssetInfo]:
 
     def own(points: Array) -> Array:
         """World points in the object's frame."""
-        return (points - moved) @ turn
+        return np.asarray((points - moved) @ turn)
 
     parts = [Part(name="body", faces=12)]
     outlines = {"body": (_tuples(own(corners)),)}
@@ -52,12 +52,14 @@ def records_of(thing: Thing) -> tuple[ObjectInstance, AssetInfo]:
             containers.append(_container(f"drawer_{k}", a, b))
     size = high - low
     is_open = "OPEN" in thing.states
+    # One sees into what stands open, whether its state is told or not.
+    seen_into = is_open or any(not leaf.slides for leaf in thing.leaves)
     for hollow in thing.kind.hollows:
-        if hollow.shut and not is_open:
+        if hollow.shut and not seen_into:
             continue
         a = np.array([-size[0] / 2, -size[1] / 2, 0.0]) + hollow.low * size
         b = np.array([-size[0] / 2, -size[1] / 2, 0.0]) + hollow.high * size
-        containers.append(_container(hollow.name, a, b, _OPEN if hollow.shut else None))
+        containers.append(_container(hollow.name, a, b, _OPEN if hollow.shut and is_open else None))
     if is_open:
         joints[_OPEN] = 1.0
         drawn_joints.append(_joint(_OPEN))
@@ -97,9 +99,7 @@ def records_of(thing: Thing) -> tuple[ObjectInstance, AssetInfo]:
 
 
 def _joint(name: str, axis: Vec3 = (1.0, 0.0, 0.0), far_m: float = 1.0) -> Joint:
-    return Joint(
-        name=name, type="prismatic", origin_m=(0, 0, 0), axis=axis, lower=0.0, upper=far_m
-    )
+    return Joint(name=name, type="prismatic", origin_m=(0, 0, 0), axis=axis, lower=0.0, upper=far_m)
 
 
 def _container(name: str, low: Array, high: Array, shut_by: str | None = None) -> Container:

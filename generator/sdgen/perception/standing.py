@@ -122,9 +122,7 @@ def _carrier(
     return max(found, key=lambda one: one[1].z_m, default=None)
 
 
-def _nearest(
-    body: Piece, owners: Sequence[Thing], lowest: float
-) -> tuple[Thing, Level] | None:
+def _nearest(body: Piece, owners: Sequence[Thing], lowest: float) -> tuple[Thing, Level] | None:
     """The surface next to a thing, of furniture, that it may stand on."""
     found = [
         (float(shapely.distance(level.outline, body.outline)), -level.z_m, owner, level)

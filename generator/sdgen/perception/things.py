@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+import shapely
 from shapely.geometry.base import BaseGeometry
 
 from sdgen.freespace import opening_rectangle
@@ -93,6 +94,8 @@ def thing_of(
         # Of a door the plan tells where the rest is; of furniture, a leaf alone is all there is.
         leaves = leaves if opening is not None else []
     body = _piece(cloud, still)
+    if upright and kind.boxy:
+        body.outline = rectangle(body.outline, rotation_matrix(quat))
     levels: list[Level] = []
     if upright and kind.carries:
         levels = levels_of(cloud.points[still], cloud.upward[still], cloud.rim[still])
@@ -103,6 +106,15 @@ def thing_of(
     return Thing(
         item.id, name, kind, fixed, quat, body, leaves, levels, seen, opening=opening is not None
     )
+
+
+def rectangle(outline: BaseGeometry, turn: Array) -> BaseGeometry:
+    """The rectangle around an outline that is turned as a thing is: of a box whose far corner is
+    hidden, the whole."""
+    flat = turn[:2, :2]
+    own = shapely.get_coordinates(outline) @ flat
+    (x0, y0), (x1, y1) = own.min(axis=0), own.max(axis=0)
+    return shapely.polygons(np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]) @ flat.T)
 
 
 def _fill(body: Piece, opening: Opening) -> None:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from sdgen.engines.build import build as build
     from sdgen.library import load_library as load_library
     from sdgen.options import BuildOptions as BuildOptions
+    from sdgen.perception import Perception as Perception
     from sdgen.pipeline import make_scene as make_scene
 
 __version__ = "0.2.0"
@@ -21,6 +22,7 @@ __version__ = "0.2.0"
 __all__ = [
     "BuildOptions",
     "Dataset",
+    "Perception",
     "__version__",
     "build",
     "evaluate",
@@ -32,6 +34,7 @@ __all__ = [
 _HOME_OF_NAME = {
     "BuildOptions": "sdgen.options",
     "Dataset": "sdgen.dataset",
+    "Perception": "sdgen.perception",
     "build": "sdgen.engines.build",
     "evaluate": "sdgen.benchmark",
     "load_catalog": "sdgen.catalog.load",

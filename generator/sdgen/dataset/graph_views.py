@@ -11,6 +11,12 @@ from sdgen.scene import Graph
 GraphView = Literal["full", "neutral", "perceived"]
 GRAPH_VIEWS: tuple[GraphView, ...] = get_args(GraphView)
 
+#: Attributes of nodes that a view does not tell.
+_HIDDEN: dict[GraphView, tuple[str, ...]] = {
+    "neutral": ("states", "tags", "prefab_name"),
+    "perceived": ("prefab_name",),
+}
+
 VIRTUALHOME_RELATIONS = ("ON", "INSIDE", "BETWEEN", "CLOSE", "FACING")
 
 
@@ -25,11 +31,9 @@ def neutral(graph: Graph) -> Graph:
 
 
 def to_networkx(graph: Graph, graph_view: GraphView = "full") -> nx.MultiDiGraph:
-    """A graph as ``networkx.MultiDiGraph``; nodes by id, edges keyed by their relation. Of a
-    ``neutral`` one nodes lack the attributes that it hides."""
-    hidden = {"id"}
-    if graph_view == "neutral":
-        hidden |= {"states", "tags", "prefab_name"}
+    """A graph as ``networkx.MultiDiGraph``; nodes by id, edges keyed by their relation. Nodes lack
+    the attributes that their ``graph_view`` hides."""
+    hidden = {"id", *_HIDDEN.get(graph_view, ())}
     out = nx.MultiDiGraph()
     for node in graph.nodes:
         out.add_node(node.id, **node.model_dump(exclude=hidden))
@@ -37,12 +41,3 @@ def to_networkx(graph: Graph, graph_view: GraphView = "full") -> nx.MultiDiGraph
         name = edge.relation_type
         out.add_edge(edge.from_id, edge.to_id, key=name, relation_type=name)
     return out
-
-
-def seen_in_views(graph: Graph, seen: set[int]) -> Graph:
-    """The nodes with these ids and the rooms, and what relates them."""
-    kept = seen | {node.id for node in graph.nodes if node.category == "Rooms"}
-    return Graph(
-        nodes=tuple(node for node in graph.nodes if node.id in kept),
-        edges=tuple(e for e in graph.edges if e.from_id in kept and e.to_id in kept),
-    )

@@ -34,7 +34,9 @@ from sdgen.scene import (
 if TYPE_CHECKING:
     import networkx as nx
 
+    from sdgen.dataset.eyes import Eyes
     from sdgen.dataset.graph_views import GraphView
+    from sdgen.perception import Perceived
 
 R = TypeVar("R", bound=Record)
 
@@ -43,7 +45,8 @@ R = TypeVar("R", bound=Record)
 class SceneItem:
     """One scene: records read on first use, arrays on every use. Raises InputError, located.
 
-    Files that changed since they were written are refused, unless not ``checked``.
+    Files that changed since they were written are refused, unless not ``checked``. ``eyes`` make
+    out its ``perceived`` graph: those that its data set hands it.
     """
 
     root: Path
@@ -51,6 +54,7 @@ class SceneItem:
     graph_view: GraphView = "full"
     twin_entry: ManifestEntry | None = None
     checked: bool = True
+    eyes: Eyes | None = None
 
     @property
     def id(self) -> str:
@@ -62,7 +66,8 @@ class SceneItem:
         """Its benign twin, None when the data set has none (or this is one)."""
         if self.twin_entry is None:
             return None
-        return SceneItem(self.root, self.twin_entry, self.graph_view, checked=self.checked)
+        view, entry = self.graph_view, self.twin_entry
+        return SceneItem(self.root, entry, view, checked=self.checked, eyes=self.eyes)
 
     @property
     def folder(self) -> Path:
@@ -158,19 +163,30 @@ class SceneItem:
 
         ``full``: all that graph.json has. ``neutral``: what things are and where, with
         VirtualHome's five relations; no states, no tags and none of our further relations, which
-        all but name some anomalies. ``perceived``: the nodes some view shows, and the rooms they
-        are in. ValueError for another view.
+        all but name some anomalies. ``perceived``: what can be made out from its pictures; see
+        :attr:`perceived`. ValueError for another view.
         """
-        from sdgen.dataset.graph_views import neutral, seen_in_views
+        from sdgen.dataset.graph_views import neutral
 
         if self.graph_view == "full":
             return self.scene_graph
         if self.graph_view == "neutral":
             return neutral(self.scene_graph)
         if self.graph_view == "perceived":
-            seen = {thing.object_id for view in self.visibility.views for thing in view.objects}
-            return seen_in_views(self.scene_graph, seen)
+            return self.perceived.graph
         raise ValueError(f"graph_view {self.graph_view!r}: full, neutral or perceived expected")
+
+    @cached_property
+    def perceived(self) -> Perceived:
+        """What can be made out of the scene from its pictures, as its data set's ``perception``
+        says: a scene of its own, with the same ids, whose graph is built as the true one is.
+
+        Raises InputError for a scene without depth and instance pictures, ValueError for an item
+        that no data set has handed eyes.
+        """
+        if self.eyes is None:
+            raise ValueError("only items of a Dataset are perceived: this one has no eyes")
+        return self.eyes.perceive(self)
 
     @property
     def graph(self) -> nx.MultiDiGraph:

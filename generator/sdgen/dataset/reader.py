@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-import json
 import operator
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdgen.catalog.records import Catalog, canonical_sha256
+from sdgen.catalog.records import Catalog
+from sdgen.dataset.eyes import Eyes
 from sdgen.dataset.filters import having_hazard, having_household, having_room, having_twin
 from sdgen.dataset.frames import Frames
 from sdgen.dataset.item import SceneItem
+from sdgen.dataset.knowledge import Knowledge
 from sdgen.dataset.notebook import page
-from sdgen.dataset.older import asset_as_now, catalogue_as_now
 from sdgen.dataset.opening import open_info, read_manifest, refuse_incomplete
 from sdgen.dataset.records import Kind, ManifestEntry
 from sdgen.dataset.tables import (
@@ -29,9 +29,9 @@ from sdgen.dataset.tables import (
     object_rows,
     view_rows,
 )
-from sdgen.dataset.text import read_bytes, read_lines, to_record
 from sdgen.errors import InputError, did_you_mean
 from sdgen.library.records import AssetInfo
+from sdgen.perception import Perception
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -50,7 +50,8 @@ class Dataset(Sequence[SceneItem]):
 
     ``split`` keeps one of ``train``, ``val``, ``test``; ``twins`` gives each scene's benign twin
     instead, ``toggles`` those in which one anomaly is undone (with both: all of these);
-    ``graph_view`` says what the scenes' ``.graph`` shows. Picklable. Raises InputError for a
+    ``graph_view`` says what the scenes' ``.graph`` shows, ``perception`` how well a ``perceived``
+    one is made out. Picklable. Raises InputError for a
     folder that is no data set, or one that lacks scenes it was finished with, and on reading
     what changed since it was written. ``partial`` opens what is left of it, and takes its files
     for what they are.
@@ -64,6 +65,7 @@ class Dataset(Sequence[SceneItem]):
         graph_view: GraphView = "full",
         partial: bool = False,
         toggles: bool = False,
+        perception: Perception | None = None,
     ) -> None:
         self.path = Path(path)
         self.split = split
@@ -72,6 +74,9 @@ class Dataset(Sequence[SceneItem]):
         self.graph_view = graph_view
         self.partial = partial
         self.info = open_info(self.path)
+        expected = None if partial else self.info.catalogue_sha256
+        self._knowledge = Knowledge(self.path, self.info.format_version, expected)
+        self._eyes = Eyes(self._knowledge, perception or Perception())
         if split is not None:
             self._refuse_split(split)
         self.entries = read_manifest(self.path)
@@ -116,7 +121,8 @@ class Dataset(Sequence[SceneItem]):
 
     def _item(self, entry: ManifestEntry) -> SceneItem:
         twin = self._twins.get(entry.id)
-        return SceneItem(self.path, entry, self.graph_view, twin, checked=not self.partial)
+        checked = not self.partial
+        return SceneItem(self.path, entry, self.graph_view, twin, checked, self._eyes)
 
     def filter(
         self,
@@ -202,32 +208,19 @@ class Dataset(Sequence[SceneItem]):
         """The graph of a scene as ``networkx.MultiDiGraph``; see ``graph_views``."""
         return replace(self[index], graph_view=graph_view).graph
 
-    @cached_property
+    @property
     def catalog(self) -> Catalog:
         """The catalogue the build used. Raises InputError for another one: labels would not follow
         from it."""
-        as_now = partial(catalogue_as_now, version=self.info.format_version)
-        catalog = to_record(Catalog, self._catalogue, "catalogue.json", as_now)
-        if not self.partial and self.catalogue_sha256 != self.info.catalogue_sha256:
-            raise InputError(["catalogue.json: not the catalogue whose digest dataset.json has"])
-        return catalog
+        return self._knowledge.catalog
 
-    @cached_property
+    @property
     def catalogue_sha256(self) -> str:
         """Digest of ``catalogue.json`` as it was written: one of an older version lacks keys that
         its record has by now. Raises InputError."""
-        try:
-            return canonical_sha256(json.loads(self._catalogue))
-        except ValueError as error:
-            raise InputError([f"catalogue.json: {error}"]) from None
+        return self._knowledge.catalogue_sha256
 
-    @cached_property
-    def _catalogue(self) -> bytes:
-        return read_bytes(self.path / "catalogue.json", "catalogue.json")
-
-    @cached_property
+    @property
     def infos(self) -> Mapping[str, AssetInfo]:
         """Records of the models the scenes use, by id."""
-        as_now = partial(asset_as_now, version=self.info.format_version)
-        assets = read_lines(AssetInfo, self.path / "assets.jsonl", "assets.jsonl", as_now)
-        return {asset.id: asset for asset in assets}
+        return self._knowledge.infos

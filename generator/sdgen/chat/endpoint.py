@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import math
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +14,11 @@ from sdgen.errors import SdgenError, UsageError, one_line
 
 #: An answer of 200 kB, escaped and with what is said about it.
 _MAX_BYTES = 1_500_000
+#: More tokens than any answer or question has: a count beyond it is nonsense.
+_MAX_TOKENS = 10_000_000
+
+#: A message as the protocol has it: its role, its content (text, or parts with pictures).
+Message = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -23,40 +31,90 @@ class Endpoint:
     base_url: str | None = None
     temperature: float | None = None
     timeout_s: float = 120.0
+    max_tokens: int | None = None
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a model said. Tokens None where the endpoint does not count them; ``cut``: it stopped
+    because it had said as much as it may."""
+
+    text: str
+    tokens_in: int | None = None
+    tokens_out: int | None = None
+    cut: bool = False
+
+
+class AskFailed(SdgenError):
+    """A question that got no answer. ``status``: of HTTP, None where nothing came so far; ``why``
+    without whom was asked; ``retry_after_s``: when to come back, as the endpoint has it; ``final``:
+    asking again is in vain."""
+
+    def __init__(
+        self,
+        text: str,
+        why: str,
+        status: int | None = None,
+        retry_after_s: float | None = None,
+        final: bool = False,
+    ) -> None:
+        super().__init__(text)
+        self.why = why
+        self.status = status
+        self.retry_after_s = retry_after_s
+        self.final = final
 
 
 def ask(endpoint: Endpoint, prompt: str) -> str:
-    """The answer to a prompt. Raises SdgenError, one line, for whatever goes wrong; ImportError
+    """The answer to a prompt. Raises AskFailed, one line, for whatever goes wrong; ImportError
     where the client is not installed."""
+    return answer_to(endpoint, [{"role": "user", "content": prompt}]).text
+
+
+def client_of(endpoint: Endpoint) -> Any:
+    """The client for an endpoint, which threads may share. Raises UsageError for a key that is
+    none, AskFailed for an address that is none."""
     import openai
 
     if not (endpoint.key.isascii() and endpoint.key.isprintable()):
         raise UsageError(
             "OPENAI_API_KEY holds what no key has: letters beyond ASCII, or a line end"
         )
-    more: dict[str, Any] = {}
-    if endpoint.temperature is not None:
-        more["temperature"] = endpoint.temperature
     try:
-        client = openai.OpenAI(
+        return openai.OpenAI(
             api_key=endpoint.key,
             base_url=endpoint.base_url,
             timeout=endpoint.timeout_s,
             max_retries=0,
         )
+    except Exception as error:
+        raise _failed(endpoint, str(error) or type(error).__name__, final=True) from None
+
+
+def answer_to(endpoint: Endpoint, messages: Sequence[Message], client: Any = None) -> Answer:
+    """The answer to a conversation; ``client``: one at hand. Raises as ``ask``."""
+    import openai
+
+    client = client_of(endpoint) if client is None else client
+    more: dict[str, Any] = {}
+    if endpoint.temperature is not None:
+        more["temperature"] = endpoint.temperature
+    if endpoint.max_tokens is not None:
+        more["max_tokens"] = endpoint.max_tokens
+    try:
         with client.chat.completions.with_streaming_response.create(
-            model=endpoint.model, messages=[{"role": "user", "content": prompt}], **more
+            model=endpoint.model, messages=list(messages), **more
         ) as response:
             body = _bounded(response, endpoint.timeout_s)
     except openai.APIStatusError as error:
-        raise _failed(endpoint, f"{error.status_code}: {_told(error)}") from None
+        raise _refused(endpoint, error) from None
     except Exception as error:
         # A body cut short is told by what carries the client, another package in each version.
         if "Timeout" in type(error).__name__:
             late = f"no answer within {endpoint.timeout_s:g} s (--timeout)"
             raise _failed(endpoint, late) from None
         raise _failed(endpoint, str(error.__cause__ or error) or type(error).__name__) from None
-    return _content(endpoint, body)
+    return _answer(endpoint, body)
 
 
 def _bounded(response: Any, timeout_s: float) -> bytes:
@@ -72,23 +130,67 @@ def _bounded(response: Any, timeout_s: float) -> bytes:
     return bytes(body)
 
 
-def _content(endpoint: Endpoint, body: bytes) -> str:
-    try:
-        content = json.loads(body)["choices"][0]["message"]["content"]
-    except (ValueError, RecursionError, LookupError, TypeError):
-        content = None
+def _answer(endpoint: Endpoint, body: bytes) -> Answer:
+    reply: Any = None
+    choice: Any = None
+    content = None
+    with contextlib.suppress(ValueError, RecursionError, LookupError, TypeError):
+        reply = json.loads(body)
+        choice = reply["choices"][0]
+        content = choice["message"]["content"]
     if not isinstance(content, str) or not content.strip():
+        declined = _declined(choice)
+        if declined:
+            raise _failed(endpoint, f"the model declines to answer: {declined}", final=True)
         raise _failed(endpoint, "its reply holds no answer (choices[0].message.content)")
-    return content
+    usage = reply.get("usage")
+    return Answer(
+        # Half of a pair of surrogates is no text: a model may say it, a file cannot.
+        text=content.encode("utf-8", "replace").decode("utf-8"),
+        tokens_in=_count(usage, "prompt_tokens"),
+        tokens_out=_count(usage, "completion_tokens"),
+        cut=choice.get("finish_reason") == "length",
+    )
 
 
-def _told(error: Any) -> str:
-    """What an endpoint says of its refusal."""
+def _declined(choice: Any) -> str:
+    """Why a model gives no answer on purpose, empty where it does not say so."""
+    if not isinstance(choice, dict):
+        return ""
+    message = choice.get("message")
+    said = message.get("refusal") if isinstance(message, dict) else None
+    if isinstance(said, str) and said.strip():
+        return said
+    return "content_filter" if choice.get("finish_reason") == "content_filter" else ""
+
+
+def _count(usage: Any, name: str) -> int | None:
+    """Tokens as an endpoint counts them; None for what is no count."""
+    value = usage.get(name) if isinstance(usage, dict) else None
+    if not isinstance(value, int) or isinstance(value, bool):
+        return None
+    return value if 0 <= value <= _MAX_TOKENS else None
+
+
+def _refused(endpoint: Endpoint, error: Any) -> AskFailed:
+    """What an endpoint says of its refusal, and when it may be asked again."""
     body = error.body if isinstance(error.body, dict) else {}
     message = body.get("message")
-    return message if isinstance(message, str) else str(error.message)
+    told = message if isinstance(message, str) else str(error.message)
+    after = None
+    with contextlib.suppress(ValueError, TypeError):
+        after = float(error.response.headers.get("retry-after"))
+    return _failed(
+        endpoint,
+        f"{error.status_code}: {told}",
+        status=int(error.status_code),
+        retry_after_s=after if after is not None and math.isfinite(after) and after >= 0 else None,
+        # Said with the same number as "slower, please", and no waiting helps.
+        final=body.get("code") == "insufficient_quota",
+    )
 
 
-def _failed(endpoint: Endpoint, why: str) -> SdgenError:
-    where = endpoint.base_url or "the default endpoint"
-    return SdgenError(f"{one_line(where)}: model {one_line(endpoint.model)!r}: {one_line(why)}")
+def _failed(endpoint: Endpoint, why: str, **more: Any) -> AskFailed:
+    where, why = endpoint.base_url or "the default endpoint", one_line(why)
+    text = f"{one_line(where)}: model {one_line(endpoint.model)!r}: {why}"
+    return AskFailed(text, why, **more)

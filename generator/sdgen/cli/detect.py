@@ -3,12 +3,31 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from sdgen.cli.asking_options import asking_options, given
 from sdgen.cli.quiet import QUIET, hint
+from sdgen.errors import UsageError
 
-METHODS = ("rules", "never", "always")
+if TYPE_CHECKING:
+    from sdgen.detectors import Detector
+
+#: Those that need no model of anybody's.
+PLAIN = ("rules", "never", "always", "chance")
+#: Those that ask one: the paper's seven, and one with pictures.
+ASKING = (
+    "object-list",
+    "scene-description",
+    "sg",
+    "e-sg",
+    "sg-c",
+    "e-sg-c",
+    "cot-sg-c",
+    "views",
+)
+METHODS = (*PLAIN, *ASKING)
 
 
 @click.command(short_help="Run a detector over a data set.")
@@ -16,8 +35,14 @@ METHODS = ("rules", "never", "always")
 @click.option(
     "--method",
     type=click.Choice(METHODS),
-    required=True,
-    help="rules: the catalogue's predicates over the files. never, always: what they say.",
+    help="rules: the catalogue's predicates over the files. never, always, chance: what they say. "
+    "The others ask a language model (--model).",
+)
+@click.option(
+    "--trained",
+    type=click.Path(path_type=Path),
+    metavar="FOLDER",
+    help="A detector of your own training, in place of --method.",
 )
 @click.option(
     "-o",
@@ -25,28 +50,74 @@ METHODS = ("rules", "never", "always")
     "--output",
     "output",
     type=click.Path(path_type=Path, dir_okay=False),
-    required=True,
     help="Predictions file to write; - is standard output.",
 )
 @click.option("--split", help="Only the scenes of train, val or test.")
+@click.option("--twins", is_flag=True, help="Also the benign twins, to tell pairs apart.")
+@click.option(
+    "--graph-view",
+    type=click.Choice(["full", "neutral", "perceived"]),
+    default="full",
+    show_default=True,
+    help="What of the scene graphs detectors are shown.",
+)
+@asking_options
 @QUIET
-def detect(dataset: Path, method: str, output: Path, split: str | None) -> None:
+@click.pass_context
+def detect(
+    context: click.Context,
+    dataset: Path,
+    method: str | None,
+    trained: Path | None,
+    output: Path | None,
+    split: str | None,
+    twins: bool,
+    graph_view: Any,
+    **asking: Any,
+) -> None:
     """Run a detector over a data set and write its predictions.
 
+    Methods that ask a language model want --model and any OpenAI-compatible endpoint, with its key
+    in OPENAI_API_KEY (any word, where it wants none). Beside the predictions they write how it
+    went, FILE.account.json, and keep the answers in FILE.cache: the same command asks only what
+    has no answer yet. Exit code 3: some scenes could not be asked.
+
+    \b
     Example: sdgen detect output/sdgen-n12-s7 --method rules -o predictions.jsonl
+    Example: sdgen detect homes --method cot-sg-c --model MODEL --estimate
+    Example: sdgen detect homes --method cot-sg-c --model MODEL -o cot.jsonl
     """
-    from sdgen.benchmark import detect as run
-    from sdgen.benchmark import prediction_bytes, write_predictions
     from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
     from sdgen.dataset.output_file import check_output
 
+    if method is None and trained is None:
+        raise _missing(context, "method")
+    if method is not None and trained is not None:
+        raise UsageError("--method and --trained: name one of them")
+    estimate_only = asking["estimate_only"]
+    if output is None and not estimate_only:
+        raise _missing(context, "output")
+    if method not in ASKING and (unused := given(context)):
+        raise UsageError(f"{unused[0]} is for methods that ask a language model: {_listed()}")
+    if method in ASKING:
+        from sdgen.cli.detect_asking import Asking, detect_asking
+
+        wanted = Asking(**asking)
+        wanted.check(output)  # before the work
+        data = Dataset(dataset, split=split, graph_view=graph_view)
+        detect_asking(data, str(method), output, twins, wanted)
+        return
+    from sdgen.benchmark import detect as run
+    from sdgen.benchmark import prediction_bytes, write_predictions
+
+    assert output is not None
     to_stdout = output == Path("-")
     if not to_stdout:
         check_output(output)  # before the work
-    data = Dataset(dataset, split=split)
+    data = Dataset(dataset, split=split, graph_view=graph_view)
     with bar("detecting") as on_scene:
-        found = run(data, method, on_scene)
+        found = run(data, _trained(trained) if trained else str(method), on_scene, twins)
     if to_stdout:
         click.echo(prediction_bytes(found), nl=False)
         return
@@ -54,3 +125,22 @@ def detect(dataset: Path, method: str, output: Path, split: str | None) -> None:
     reports = sum(len(said) for said in found.values())
     hint(f"{output}: {reports} reports in {len(found)} scenes")
     hint(f"score them: sdgen evaluate {dataset} {output}")
+
+
+def _missing(context: click.Context, name: str) -> click.MissingParameter:
+    """What click says of an option that is required."""
+    param = next(param for param in context.command.params if param.name == name)
+    return click.MissingParameter(ctx=context, param=param)
+
+
+def _listed() -> str:
+    return ", ".join(ASKING)
+
+
+def _trained(folder: Path) -> Detector:
+    """A trained detector from its folder. Raises InputError."""
+    from importlib import import_module
+
+    load: Any = import_module("sdgen.detectors.trained").load_trained
+    detector: Detector = load(folder)
+    return detector

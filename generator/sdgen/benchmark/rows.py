@@ -1,0 +1,108 @@
+"""The rows of a leaderboard: detectors that are run here, and predictions others have made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from sdgen.benchmark.base_rates import BaseRates, base_rates
+from sdgen.benchmark.leaderboard import Row
+from sdgen.benchmark.metrics import evaluate
+from sdgen.benchmark.predictions import read_predictions
+from sdgen.dataset import Dataset
+from sdgen.dataset.records import Predictions
+from sdgen.dataset.text import read_record
+from sdgen.detectors import DETECTORS, Detector, detect_all
+from sdgen.detectors.account import Account
+from sdgen.detectors.trained import Trained, load_trained
+from sdgen.errors import InputError
+
+#: What a trained detector reports, at least this sure, decides the curve; its threshold the rest.
+_LEAST_SCORE = 0.01
+#: How a household enters what the untrained say.
+_HOUSEHOLD = {"rules": "own", "chance": "a coin", "always": "none", "never": "none"}
+
+
+def pictured(data: Dataset) -> bool:
+    """True when a graph can be perceived: views have depth and masks."""
+    options = data.info.options
+    return options.views > 0 and {"depth", "instance"} <= set(options.sensors)
+
+
+def trained_in(folder: Path) -> dict[str, Trained]:
+    """The model in a folder, or those in its folders, by kind. Raises InputError."""
+    if (folder / "model.json").exists():
+        one = load_trained(folder)
+        return {one.card.kind: one}
+    found = [sub for sub in sorted(folder.iterdir()) if (sub / "model.json").exists()]
+    if not found:
+        raise InputError([f"{folder}: no model of 'sdgen train' in it, nor in its folders"])
+    models = [load_trained(sub) for sub in found]
+    return {one.card.kind: one for one in models}
+
+
+def offline_rows(
+    data: Dataset,
+    trained: Mapping[str, Trained],
+    base_rate: float,
+    on_scene: Callable[[int, int], None] | None = None,
+) -> list[Row]:
+    """Rows of all that needs no key, on the data set's view of the graph."""
+    low = {name: model.above(_LEAST_SCORE) for name, model in trained.items()}
+    detectors: dict[str, Detector] = {**DETECTORS, **low}
+    found = detect_all(data, detectors, on_scene, twins=True)
+    rows = []
+    for name, said in found.items():
+        model = trained.get(name)
+        sure = said if model is None else _at_least(said, model.threshold)
+        rows.append(
+            Row(
+                detector=name,
+                graph_view=data.graph_view,
+                household=_HOUSEHOLD.get(name, "filter"),
+                evaluation=evaluate(data, sure),
+                base_rates=base_rates(data, said, base_rate, own=sure),
+            )
+        )
+    return rows
+
+
+def _at_least(found: Predictions, threshold: float) -> Predictions:
+    return {
+        scene: tuple(report for report in reports if (report.score or 0.0) >= threshold)
+        for scene, reports in found.items()
+    }
+
+
+def rows_of_runs(data: Dataset, folder: Path, base_rate: float) -> list[Row]:
+    """Rows of the predictions in a folder: those that ``sdgen detect`` made with a language model
+    have an account beside them, of others the file's name is all that is known."""
+    files = sorted(folder.glob("*.jsonl"))
+    if not files:
+        raise InputError([f"{folder}: no predictions (*.jsonl) in it"])
+    return [_row(data, path, base_rate) for path in files]
+
+
+def _row(data: Dataset, path: Path, base_rate: float) -> Row:
+    said = read_predictions(path, data)
+    rates: BaseRates = base_rates(data, said, base_rate)
+    beside = path.with_name(f"{path.name}.account.json")
+    if not beside.exists():
+        return Row(
+            detector=path.stem,
+            graph_view="full",
+            household="unknown",
+            evaluation=evaluate(data, said),
+            base_rates=rates,
+        )
+    account = read_record(Account, beside, str(beside))
+    failed = account.scenes_by_status.get("failed", 0)
+    return Row(
+        detector=account.settings.method,
+        graph_view=account.settings.graph_view,
+        household=account.settings.household,
+        model=account.settings.model,
+        note=f"{failed} scenes got no answer" if failed else "",
+        evaluation=evaluate(data, said),
+        base_rates=rates,
+    )

@@ -115,7 +115,7 @@ def rates_of(
     """The base rates of one of several detectors; see ``base_rates``."""
     if not 0 < hazard_share < 1:
         raise UsageError(f"a share of homes lies between 0 and 1, not at {hazard_share:g}")
-    if not (0 < inspections_a_day and math.isfinite(inspections_a_day)):
+    if not (inspections_a_day > 0 and math.isfinite(inspections_a_day)):
         raise UsageError(f"{inspections_a_day:g} inspections a day are none")
     costs = costs or Costs()
     homes = _homes(found.outcomes[name], costs)

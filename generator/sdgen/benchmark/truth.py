@@ -159,8 +159,8 @@ def _content(item: SceneItem, name: str) -> bytes:
 
 
 def truths(data: Dataset, predicted: Collection[str]) -> Iterator[Truth]:
-    """The truth of every scene, and of its benign twin where that is among the ``predicted``. Raises
-    InputError for broken files."""
+    """The truth of every scene, and of its benign twin where that is among the ``predicted``.
+    Raises InputError for broken files."""
     for item in data:
         twin = item.twin
         if twin is not None and twin.id not in predicted:

@@ -59,7 +59,7 @@ def recall_panel(found: Mapping[str, Evaluation]) -> Panel:
     """Recall by hazard, a dot and a 95 % interval for each detector."""
     hazards = list(dict.fromkeys(key for one in found.values() for key in one.recall_by_hazard))
     named = _named(found)
-    top = HEAD + 18 * (len(named) > 0)
+    top = HEAD + _legend(named)
     row = LANE * len(found) + GAP
     right = WIDTH - 20.0
 
@@ -104,7 +104,7 @@ def curve_panel(found: Mapping[str, BaseRates]) -> Panel:
     """Recall against false alarms a home-day, a step line for each detector that is sure of
     something by degrees, and a dot at all it says."""
     named = _named(found)
-    top = HEAD + 18 * (len(named) > 0)
+    top = HEAD + _legend(named)
     right, low = WIDTH - 20.0, top + float(HIGH)
     rates = [p.false_alarms_per_home_day for one in found.values() for p in one.curve]
     positive = [rate for rate in rates if rate > 0]
@@ -140,7 +140,7 @@ def curve_panel(found: Mapping[str, BaseRates]) -> Panel:
     setting = next(iter(found.values()), None)
     where = "false alarms a home-day"
     if setting is not None:
-        where += f" ({setting.hazard_share:.3g} of homes have a hazard)"
+        where += f" ({100 * setting.hazard_share:.3g} % of homes have a hazard)"
     ticks = [(zero, "0"), *((x(10.0**k), f"{10.0**k:g}") for k in range(first, last + 1))]
     return Panel(
         kind="field",
@@ -161,6 +161,11 @@ def _named(found: Mapping[str, object]) -> tuple[tuple[str, int], ...]:
     """Detectors with their colours; none where there is but one."""
     names = [(name[:24], k % COLOURS) for k, name in enumerate(found)]
     return tuple(names) if len(names) > 1 else ()
+
+
+def _legend(named: Sequence[object]) -> int:
+    """The height of the names of detectors, three beside each other."""
+    return 4 + 14 * math.ceil(len(named) / 3) if named else 0
 
 
 def _plain(name: str) -> str:

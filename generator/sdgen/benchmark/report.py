@@ -18,7 +18,7 @@ from sdgen.benchmark.compare import Comparison, comparisons
 from sdgen.benchmark.metrics import Evaluation, evaluation
 from sdgen.benchmark.plot import curve_panel, recall_panel, svg
 from sdgen.benchmark.scores import Score
-from sdgen.benchmark.tables import CUTS, ROWS, in_words, p_in_words
+from sdgen.benchmark.tables import CUTS, MICRO, ROWS, in_words, p_in_words
 from sdgen.benchmark.worst import SceneOnPage, worst_scenes
 from sdgen.dataset.disk import remove_tree
 from sdgen.dataset.output_file import write_output
@@ -141,8 +141,7 @@ def _tables(scores: Mapping[str, Evaluation]) -> list[tuple[str, list[tuple[str,
     """Tables of scores: a title, and rows with a score for each detector."""
     every = list(scores.values())
     out = [("", [(title, [getattr(one, name) for one in every]) for title, name in ROWS.items()])]
-    micro = [(f"{key}, all objects", [one.micro[key] for one in every]) for key in every[0].micro]
-    out[0][1].extend(micro)
+    out[0][1].extend((title, [one.micro[key] for one in every]) for title, key in MICRO.items())
     for title, field in CUTS.items():
         keys = list(dict.fromkeys(key for one in every for key in getattr(one, field)))
         rows = []

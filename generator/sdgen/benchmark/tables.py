@@ -24,6 +24,23 @@ ROWS: Mapping[str, str] = {
     "recall, seen less unseen ways": "seen_gap",
     "recall, seen less unseen categories": "category_seen_gap",
 }
+#: Those that are told whether or not there is a value, and over what they are taken.
+FIXED: Mapping[str, str] = {
+    "AS": "scenes",
+    "CAS": "scenes",
+    "unwanted_per_scene": "scenes",
+    "false_alarms_per_scene": "scenes",
+    "precision": "scenes",
+    "recall": "scenes",
+    "f1": "scenes",
+    "label_accuracy": "scenes",
+}
+#: Row of a table -> key of ``micro``.
+MICRO: Mapping[str, str] = {
+    "precision, all objects": "precision",
+    "recall, all objects": "recall",
+    "F1, all objects": "f1",
+}
 #: What is said of one word after another -> field of the evaluation.
 CUTS: Mapping[str, str] = {
     "recall by hazard": "recall_by_hazard",

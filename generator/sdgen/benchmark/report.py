@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 
 from sdgen.benchmark.base_rates import BaseRates
 from sdgen.benchmark.collect import Collected
-from sdgen.benchmark.compare import Comparison, comparisons
+from sdgen.benchmark.compare import comparisons
 from sdgen.benchmark.metrics import Evaluation, evaluation
 from sdgen.benchmark.plot import curve_panel, recall_panel, svg
 from sdgen.benchmark.scores import Score

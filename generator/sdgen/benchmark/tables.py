@@ -17,12 +17,12 @@ ROWS: Mapping[str, str] = {
     "recall": "recall",
     "F1": "f1",
     "label accuracy": "label_accuracy",
-    "hazard-free scenes alarmed": "hazard_free_alarmed",
+    "hazard-free, alarmed": "hazard_free_alarmed",
     "lookalikes reported": "lookalikes_reported",
     "twins told apart": "twins_told_apart",
     "false alarms a twin": "twin_false_alarms",
-    "recall, seen less unseen ways": "seen_gap",
-    "recall, seen less unseen categories": "category_seen_gap",
+    "recall, seen - unseen ways": "seen_gap",
+    "recall, seen - unseen kinds": "category_seen_gap",
 }
 #: Those that are told whether or not there is a value, and over what they are taken.
 FIXED: Mapping[str, str] = {
@@ -46,10 +46,10 @@ CUTS: Mapping[str, str] = {
     "recall by hazard": "recall_by_hazard",
     "recall by group": "recall_by_group",
     "recall by label": "recall_by_label",
-    "recall by how well the best view shows it": "recall_by_visibility",
+    "recall by pixels of the best view": "recall_by_visibility",
     "recall by split": "recall_by_split",
-    "recall by way to be wrong, outside train": "recall_by_seen",
-    "recall by category of the hazard, outside train": "recall_by_category_seen",
+    "recall by way, outside train": "recall_by_seen",
+    "recall by category, outside train": "recall_by_category_seen",
     "lookalikes reported, by hazard": "lookalikes_reported_by_hazard",
 }
 

@@ -136,7 +136,7 @@ class _Scene:
                 wanted = "not to be told" if anomaly.notify == "silent" else anomaly.notify
                 true.append(f"{anomaly.label}, {wanted}: {anomaly.reason}")
         for near in self._item.anomalies.lookalikes:
-            if key in one.near_miss_of or near.object_id == key and one.near_miss_of:
+            if near.object_id == key and one.near_miss_of:
                 true.append(f"Lookalike: nearly {self._title(near.near_miss_of)}.")
                 evidence = (*evidence, *measured(near.evidence, self._name))
         thing = self._things.get(key)

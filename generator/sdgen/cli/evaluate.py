@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from sdgen.cli.quiet import QUIET, hint
+
 if TYPE_CHECKING:
-    from sdgen.benchmark import BaseRates, Comparison, Evaluation, Score
+    from sdgen.benchmark import BaseRates
     from sdgen.dataset import Dataset
     from sdgen.dataset.records import Predictions
 
@@ -83,6 +85,7 @@ if TYPE_CHECKING:
     help="Scenes that the report shows.",
 )
 @click.option("--gallery", metavar="FOLDER", help="The gallery that the report's scenes link to.")
+@QUIET
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def evaluate(
     dataset: Path,
@@ -115,6 +118,7 @@ def evaluate(
     from sdgen.benchmark.collect import collect, opened
     from sdgen.benchmark.compare import comparisons
     from sdgen.benchmark.metrics import evaluation
+    from sdgen.cli.evaluation_tables import echo_evaluations
     from sdgen.dataset import Dataset
     from sdgen.errors import UsageError
 
@@ -143,17 +147,17 @@ def evaluate(
         from sdgen.benchmark.items import write_items
 
         count = write_items(items, found)
-        click.echo(f"{items}: {count} rows", err=True)
+        hint(f"{items}: {count} rows")
     if plot is not None:
         from sdgen.benchmark.plot import write_plot
 
         write_plot(plot, scores, rates)
-        click.echo(f"{plot}", err=True)
+        hint(f"{plot}")
     if report is not None:
         from sdgen.benchmark.report import ReportOptions, write_report
 
         options = ReportOptions(worst=worst, gallery=gallery, notes=tuple(notes))
-        click.echo(f"{write_report(found, rates, report, options)}", err=True)
+        hint(f"{write_report(found, rates, report, options)}")
     told = rates if base_rate is not None or costs is not None else {}
     if as_json:
         parts = {
@@ -168,7 +172,7 @@ def evaluate(
             parts[one.detector]["compared"] = one.model_dump(mode="json")
         click.echo(json.dumps(parts if len(parts) > 1 else next(iter(parts.values())), indent=1))
         return
-    _echo(scores, compared, told)
+    echo_evaluations(scores, compared, told)
 
 
 def _names(files: Sequence[Path], names: Sequence[str]) -> dict[str, Path]:
@@ -209,103 +213,3 @@ def _read(
         return {name: read_predictions(path, data) for name, path in called.items()}, {}
     found = {name: read_leniently(path, data) for name, path in called.items()}
     return {name: one.predictions for name, one in found.items()}, found
-
-
-def _echo(
-    scores: Mapping[str, Evaluation],
-    compared: Sequence[Comparison],
-    rates: Mapping[str, BaseRates],
-) -> None:
-    """The tables."""
-    from rich.table import Table
-
-    from sdgen.benchmark.tables import ROWS, in_words, p_in_words
-    from sdgen.cli.table import echo_table
-
-    several = len(scores) > 1
-    columns = list(scores) if several else ["mean ± se", "95 % interval"]
-    table = Table("score", *columns, "over")
-    for title, over, found in _rows(list(scores.values())):
-        if title is None:
-            table.add_section()
-            continue
-        cells = [_shown(one) for one in found] if several else [_shown(found[0]), _ends(found[0])]
-        table.add_row(title, *cells, f"{found[0].n} {over}".strip())
-    echo_table(table)
-    for one in compared:
-        titles = {name: title for title, name in ROWS.items()}
-        table = Table(f"{one.detector} less {one.baseline}", "difference", "p", "over")
-        for name, difference in one.differences.items():
-            p, over = p_in_words(difference.p), f"{difference.n} scenes"
-            table.add_row(titles[name], in_words(difference), p, over)
-        echo_table(table)
-    if rates:
-        first = next(iter(rates.values()))
-        share = f"{100 * first.hazard_share:.3g} % of homes with a hazard"
-        table = Table(share, *rates)
-        for title, row in _rate_rows(first):
-            table.add_row(title, *(row(one) for one in rates.values()))
-        echo_table(table)
-
-
-def _rows(found: Sequence[Evaluation]) -> Iterator[tuple[str | None, str, list[Score]]]:
-    """Rows of the table: title, of what there are so many, scores; a title of None: a line."""
-    from sdgen.benchmark.tables import CUTS, FIXED, MICRO, ROWS
-
-    for title, name in ROWS.items():
-        scores: list[Score] = [getattr(one, name) for one in found]
-        if name in FIXED or any(one.n for one in scores):
-            yield title, FIXED.get(name, ""), scores
-    for title, key in MICRO.items():
-        yield title, "", [one.micro[key] for one in found]
-    for title, field in CUTS.items():
-        keys = list(getattr(found[0], field))
-        rows = [(key, [getattr(one, field)[key] for one in found]) for key in keys]
-        if field != "recall_by_hazard":
-            rows = [(key, scores) for key, scores in rows if any(one.n for one in scores)]
-        if rows:
-            yield None, "", []
-        for key, scores in rows:
-            over = "anomalies" if field.startswith("recall") else "lookalikes"
-            short = "recall" if field == "recall_by_hazard" else title
-            yield f"{short}, {key}", over, scores
-
-
-def _rate_rows(first: BaseRates) -> Iterator[tuple[str, Any]]:
-    """Rows of the table of base rates: a title, and what a detector's cell says."""
-    from sdgen.benchmark.tables import in_words
-
-    yield "recall of all that was said", lambda one: in_words(one.recall)
-    yield "precision", lambda one: in_words(one.precision)
-    yield "false alarms a home-day", lambda one: in_words(one.false_alarms_per_home_day)
-    yield "unwanted a home-day", lambda one: in_words(one.unwanted_per_home_day)
-    for level in first.at_recall:
-
-        def cell(one: BaseRates, level: str = level) -> str:
-            score = one.at_recall[level]
-            return "never reached" if score.mean is None else in_words(score)
-
-        yield f"false alarms a home-day at recall {level}", cell
-    costs = {
-        "detector": "cost a home-day",
-        "best_threshold": "cost at its best threshold",
-        "never": "cost of silence",
-    }
-    for key, title in costs.items():
-
-        def cost(one: BaseRates, key: str = key) -> str:
-            return in_words(one.cost_per_home_day[key])
-
-        yield title, cost
-
-
-def _shown(value: Score) -> str:
-    if value.mean is None:
-        return "-"
-    return f"{value.mean:.3f}" + (f" ± {value.se:.3f}" if value.se is not None else "")
-
-
-def _ends(value: Score) -> str:
-    if value.low is None or value.high is None:
-        return "-"
-    return f"{value.low:.3f} to {value.high:.3f}"

@@ -7,7 +7,7 @@ is taken over scenes that have an anomaly, CAS over those that have one to repor
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 from sdgen.benchmark.collect import Collected, collect, opened, predicted
@@ -68,9 +68,7 @@ def evaluation(found: Collected, name: str) -> Evaluation:
     outcomes = found.outcomes[name]
     info = found.data.info
     nested: dict[str, dict[str, Column]] = {"": _plain(outcomes), "micro": _micro(outcomes)}
-    rows = [
-        (k, wrong, yes) for k, one in enumerate(outcomes) for wrong, yes in one.anomalies()
-    ]
+    rows = [(k, wrong, yes) for k, one in enumerate(outcomes) for wrong, yes in one.anomalies()]
     splits = [one.split for one in outcomes]
     hazards = tuple(info.hazards_enabled)
     present = set(splits)
@@ -159,7 +157,9 @@ def _plain(outcomes: Sequence[Outcome]) -> dict[str, Column]:
         ),
         "lookalikes_reported": ratio(reported, near),
         "twins_told_apart": ratio(apart, pairs),
-        "twin_false_alarms": means([t.scores.false_alarms if t is not None else None for t in twins]),
+        "twin_false_alarms": means(
+            [t.scores.false_alarms if t is not None else None for t in twins]
+        ),
     }
 
 
@@ -176,7 +176,7 @@ def _micro(outcomes: Sequence[Outcome]) -> dict[str, Column]:
     }
 
 
-def _lookalikes(outcomes: Sequence[Outcome], hazards: Sequence[str]) -> Mapping[str, Column]:
+def _lookalikes(outcomes: Sequence[Outcome], hazards: Sequence[str]) -> dict[str, Column]:
     found: dict[str, list[tuple[int, bool]]] = {hazard: [] for hazard in hazards}
     for k, one in enumerate(outcomes):
         for item in one.items:

@@ -135,9 +135,7 @@ def _items(truth: Truth, reports: Sequence[Report]) -> Iterable[Item]:
         told = said.get(one.object_id)
         kind: ItemKind = "miss" if told is None else "hit"
         category = one.way.category
-        yield Item(
-            truth.id, truth.split, kind, one.object_id, category, one.room, told, wrong=one
-        )
+        yield Item(truth.id, truth.split, kind, one.object_id, category, one.room, told, wrong=one)
     for key in sorted({*said, *truth.lookalikes} - bad):
         told = said.get(key)
         thing = truth.things.get(key)

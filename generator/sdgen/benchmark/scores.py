@@ -151,7 +151,9 @@ def scores_of(
         ends = interval(drawn[:, place[name]]) if column.spread else (None, None)
         out[name] = column.score.model_copy(update={"low": ends[0], "high": ends[1]})
     for name, (one, other) in (gaps or {}).items():
-        out[name] = _gap(columns[one], columns[other], drawn[:, place[one]] - drawn[:, place[other]])
+        out[name] = _gap(
+            columns[one], columns[other], drawn[:, place[one]] - drawn[:, place[other]]
+        )
     return out
 
 

@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from pydantic_core import from_json
+from pydantic import BaseModel, ConfigDict, ValidationError
 
 from sdgen.dataset import Dataset, SceneItem
+from sdgen.dataset.records import VISIBILITY_FILE
 from sdgen.dataset.text import read_bytes
 from sdgen.errors import InputError, did_you_mean
-from sdgen.scene import Anomaly, Notify, Visibility
+from sdgen.scene import Anomaly, Notify, Scene, Visibility
 from sdgen.truth.visibility import evidence_pixels, evidence_pixels_needed, shows
 
 #: How well the best view shows an anomaly: its evidence's pixels there by those that are needed. In
@@ -50,6 +51,45 @@ class Wrong(NamedTuple):
     shown: str | None
     way: Way
     in_twin: bool
+
+
+class _Light(BaseModel):
+    """Of a file that is written by us only what is needed, three times as fast."""
+
+    model_config = ConfigDict(extra="ignore", strict=True)
+
+
+class _Room(_Light):
+    id: int
+    type: str
+
+
+class _Node(_Light):
+    id: int
+    category: str
+    room_id: int
+
+
+class _Home(_Light):
+    rooms: tuple[_Room, ...]
+    structures: tuple[_Node, ...]
+
+
+class _Scene(_Light):
+    home: _Home
+    objects: tuple[_Node, ...]
+
+
+class _Shown(_Light):
+    object_id: int
+
+
+class _View(_Light):
+    objects: tuple[_Shown, ...]
+
+
+class _Views(_Light):
+    views: tuple[_View, ...]
 
 
 class Thing(NamedTuple):
@@ -102,17 +142,15 @@ def unknown_objects(item: SceneItem, ids: Iterable[int]) -> frozenset[int]:
 
 def things_of(item: SceneItem) -> Mapping[int, Thing]:
     """The nodes of a scene by id. InputError for a broken file."""
+    scene: _Scene | Scene
     try:
-        return _things(from_json(_content(item, "scene.json")))
-    except (ValueError, LookupError, TypeError, AttributeError):
-        return _things(item.scene.model_dump())  # or it says what is wrong
-
-
-def _things(scene: Any) -> Mapping[int, Thing]:
-    types: dict[int, str] = {room["id"]: str(room["type"]) for room in scene["home"]["rooms"]}
+        scene = _Scene.model_validate_json(_content(item, "scene.json"))
+    except ValidationError:
+        scene = item.scene  # or it says what is wrong
+    types = {room.id: room.type for room in scene.home.rooms}
     out = {key: Thing(kind, None) for key, kind in types.items()}
-    for one in (*scene["home"]["structures"], *scene["objects"]):
-        out[one["id"]] = Thing(str(one["category"]), types.get(one["room_id"]))
+    for one in (*scene.home.structures, *scene.objects):
+        out[one.id] = Thing(one.category, types.get(one.room_id))
     return out
 
 
@@ -121,8 +159,8 @@ def _content(item: SceneItem, name: str) -> bytes:
 
 
 def truths(data: Dataset, predicted: Collection[str]) -> Iterator[Truth]:
-    """The truth of every scene, and of its benign twin where that is among the ``predicted``. Raises
-    InputError for broken files."""
+    """The truth of every scene, and of its benign twin where that is among the ``predicted``.
+    Raises InputError for broken files."""
     for item in data:
         twin = item.twin
         if twin is not None and twin.id not in predicted:
@@ -154,13 +192,13 @@ def _truth(
     things = things_of(item) if labels or item.id in predicted else {}
     size = (data.info.options.width, data.info.options.height)
     seen = item.visibility if labels else None
-    here = _seen_objects(seen) if seen is not None else set()
+    here = _seen_objects(seen) if seen is not None else frozenset()
     gone: set[int] = set()
-    there: set[int] = set()
+    there: frozenset[int] = frozenset()
     benign = None
     if twin is not None:
         gone = {one.object_id for one in twin.anomalies.undone if one.removed}
-        there = _seen_objects(twin.visibility) if labels else set()
+        there = _objects_of(twin) if labels else frozenset()
         benign = _truth(data, twin, None, predicted)
     no_views = not data.info.options.sensors or not item.entry.views
     wrong = tuple(
@@ -199,8 +237,15 @@ def shown_by(seen: Visibility, anomaly: Anomaly, size: tuple[int, int]) -> str:
     return next(name for end, name in BINS if times < end)
 
 
-def _seen_objects(seen: Visibility) -> set[int]:
-    return {thing.object_id for view in seen.views for thing in view.objects}
+def _seen_objects(seen: Visibility | _Views) -> frozenset[int]:
+    return frozenset(thing.object_id for view in seen.views for thing in view.objects)
+
+
+def _objects_of(item: SceneItem) -> frozenset[int]:
+    try:
+        return _seen_objects(_Views.model_validate_json(_content(item, VISIBILITY_FILE)))
+    except ValidationError:
+        return _seen_objects(item.visibility)
 
 
 def _way(anomaly: Anomaly, things: Mapping[int, Thing]) -> Way:

@@ -64,6 +64,9 @@ class Shown:
     no_states: bool = False
 
     def __post_init__(self) -> None:
+        for name, share in (("--missed", self.missed), ("--confused", self.confused)):
+            if not 0.0 <= share <= 1.0:  # nor is nan
+                raise UsageError(f"{name}: {share} is not in the range 0 to 1")
         noise = self.missed or self.confused or self.coarse or self.no_states
         if noise and self.graph_view != "perceived":
             raise UsageError(

@@ -144,7 +144,10 @@ def _hollows(models: list[AssetInfo]) -> tuple[Hollow, ...]:
     usual = []
     for (name, shut), ends in sorted(found.items()):
         if len(ends) >= USUAL * len(models):
-            low, high = np.mean(ends, axis=0)
+            # Of what stands open all that is seen in it is in it, however deep its model reaches.
+            lows, highs = np.swapaxes(ends, 0, 1)
+            low = lows.min(axis=0) if shut else lows.mean(axis=0)
+            high = highs.max(axis=0) if shut else highs.mean(axis=0)
             usual.append(Hollow(name, low, high, shut))
     return tuple(usual)
 

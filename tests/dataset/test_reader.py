@@ -100,12 +100,18 @@ def test_neutral_graph_gives_no_state_or_tag_away(path: Path) -> None:
     assert relations <= {"ON", "INSIDE", "BETWEEN", "CLOSE", "FACING"}
 
 
-def test_perceived_graph_has_rooms_and_what_views_show(path: Path) -> None:
+def test_perceived_graph_has_the_home_and_what_views_show(path: Path) -> None:
     made = Dataset(path)
     graph = made.graph(3, graph_view="perceived")
-    seen = {item.object_id for view in made[3].visibility.views for item in view.objects}
-    assert set(graph.nodes) == seen | {100, 101}
-    assert 200 not in graph.nodes
+    needed = 100 * 160 * 120 / (640 * 480)
+    shown = (thing for view in made[3].visibility.views for thing in view.objects)
+    seen = {thing.object_id for thing in shown if thing.pixels >= needed}
+    home = {100, 101, 200, 201, 202, 210, 211, 212}
+    assert set(graph.nodes) == seen | home
+    assert set(made.graph(3)) - seen - home == {65535}
+    assert graph.nodes[11]["states"] == ("ON",)
+    assert "prefab_name" not in graph.nodes[11]
+    assert graph.has_edge(600, 77, key="ON")
 
 
 def test_unknown_graph_view_is_an_error(path: Path) -> None:

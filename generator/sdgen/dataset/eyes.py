@@ -9,6 +9,7 @@ from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
+from shapely.errors import ShapelyError
 
 from sdgen.dataset.knowledge import Knowledge
 from sdgen.dataset.scene_folder import view_folder
@@ -72,12 +73,18 @@ class Eyes:
         """What is made out of a scene. InputError where its pictures are not there, or its files
         disagree; UsageError for views that it does not have."""
         views = list(self._views(item))
+        infos, kinds = self.knowledge.infos, self._kinds
         try:
-            return perceive(item.scene, self.knowledge.infos, self._kinds, views, self.perception)
-        except KeyError as error:
+            perceived = perceive(item.scene, infos, kinds, views, self.perception)
+            # At once: what disagrees is then told here, with its file.
+            _ = perceived.graph
+            return perceived
+        except (LookupError, ValueError, ArithmeticError, ShapelyError) as error:
+            found = isinstance(error, KeyError)
+            reason = f"it names {error}, which is not there" if found else error
             where = f"scenes/{item.id}/scene.json"
             raise InputError(
-                [f"{where}: it names {error}, which is not there (see sdgen validate)"]
+                [f"{where}: cannot be perceived: {reason} (see sdgen validate)"]
             ) from None
 
     def _views(self, item: Pictured) -> Iterator[View]:
@@ -86,6 +93,9 @@ class Eyes:
             missing = [name for name in _NEEDED if not item.has(k, name)]
             if missing:
                 raise InputError([f"scenes/{item.id}/{view_folder(k)}: no {missing[0]}{_MEND}"])
+            if not (camera.K[0][0] > 0 and camera.K[1][1] > 0):
+                where = f"scenes/{item.id}/{view_folder(k)}/view.json"
+                raise InputError([f"{where}: K: its focal lengths are not positive"])
             part = item.part(k) if item.has(k, "part.png") else None
             yield View(camera, item.instance(k), item.depth_mm(k), part)
 

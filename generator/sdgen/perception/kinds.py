@@ -43,8 +43,8 @@ class Hollow:
 @dataclass(frozen=True)
 class Kind:
     """What is known of a class: ``largest`` (3,) and ``usual`` (3,) extents of its models, metres;
-    it ``carries`` what stands on it, on its very top if that is ``flat``; it is ``hung`` on walls or
-    ceilings; from above it is a rectangle (``boxy``); and its hollows."""
+    it ``carries`` what stands on it, on its very top if that is ``flat``; it is ``hung`` on a wall
+    or a ceiling; from above it is a rectangle (``boxy``); and its hollows."""
 
     largest: Array
     usual: Array
@@ -141,11 +141,15 @@ def _hollows(models: list[AssetInfo]) -> tuple[Hollow, ...]:
         for key, mine in boxes.items():
             low, high = np.min(mine, axis=0)[0], np.max(mine, axis=0)[1]
             found.setdefault(key, []).append(np.stack([low, high]))
-    return tuple(
-        Hollow(name, *np.mean(boxes, axis=0), shut)
-        for (name, shut), boxes in sorted(found.items())
-        if len(boxes) >= USUAL * len(models)
-    )
+    usual = []
+    for (name, shut), ends in sorted(found.items()):
+        if len(ends) >= USUAL * len(models):
+            # Of what stands open all that is seen in it is in it, however deep its model reaches.
+            lows, highs = np.swapaxes(ends, 0, 1)
+            low = lows.min(axis=0) if shut else lows.mean(axis=0)
+            high = highs.max(axis=0) if shut else highs.mean(axis=0)
+            usual.append(Hollow(name, low, high, shut))
+    return tuple(usual)
 
 
 def _in_shares(model: AssetInfo, container: Container) -> Array:

@@ -88,11 +88,15 @@ def tried(
     if {one.scene for one in scenes} != ids:
         row.wrong.append("scenes without an account")
     failed = {one.scene for one in scenes if one.status == "failed"}
+    if any(one.spent.questions < 1 for one in scenes):
+        row.wrong.append("a scene that nobody was asked about")
     if set(found) != ids - failed:
         row.wrong.append("predictions and account disagree")
     if any(one.status == "failed" and not one.why for one in scenes):
         row.wrong.append("a failure without a reason")
-    if any(found[scene] != again.get(scene) for scene in found):
+    # Where the second model did not answer, it is asked again.
+    whole = [one.scene for one in scenes if not one.why]
+    if any(found[scene] != again.get(scene) for scene in whole):
         row.wrong.append("another prediction the second time")
     twice = [
         key for key, count in fake.answered.items() if key in answers and count != answers[key]

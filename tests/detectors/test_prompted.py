@@ -142,6 +142,14 @@ def test_the_second_model_reads_the_first_ones_lines(data: Dataset) -> None:
     assert detector.settings(data).parser == "scripted"
 
 
+def test_a_second_model_that_does_not_answer_leaves_strings_without_a_class(data: Dataset) -> None:
+    parser = Scripted(lambda q: None if "knife" in q.text else "normal")
+    looked = prompted("cot-sg-c", parser=parser)[0].look(data, data[2])
+    assert looked.reports == ()
+    assert (looked.account.status, looked.account.unlabelled) == ("partly", 2)
+    assert looked.account.why == ("503: gone",)
+
+
 @pytest.mark.parametrize(
     ("says", "status", "unlabelled", "invented"),
     [

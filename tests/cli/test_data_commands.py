@@ -226,9 +226,9 @@ def test_a_split_is_shown_alone(sound: Path, tmp_path: Path, capsys: Captured) -
 
 def test_choices_of_the_commands_are_those_of_the_registries() -> None:
     from sdgen.benchmark import DETECTORS
-    from sdgen.cli.detect import METHODS
+    from sdgen.cli.detect import PLAIN
     from sdgen.cli.export import FORMATS as OFFERED
     from sdgen.export import FORMATS
 
-    assert tuple(METHODS) == tuple(DETECTORS)
+    assert tuple(PLAIN) == tuple(DETECTORS)
     assert tuple(OFFERED) == tuple(FORMATS)

@@ -63,9 +63,7 @@ METHODS = (*PLAIN, *ASKING)
 )
 @asking_options
 @QUIET
-@click.pass_context
 def detect(
-    context: click.Context,
     dataset: Path,
     method: str | None,
     trained: Path | None,
@@ -91,6 +89,7 @@ def detect(
     from sdgen.dataset import Dataset
     from sdgen.dataset.output_file import check_output
 
+    context = click.get_current_context()
     if method is None and trained is None:
         raise _missing(context, "method")
     if method is not None and trained is not None:

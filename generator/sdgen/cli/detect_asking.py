@@ -263,33 +263,33 @@ def _in_words(account: Account) -> str:
 
 def _lost(account: Account) -> list[str]:
     """Which scenes could not be asked, and why; nothing where all could."""
-    failed = [one for one in account.scenes if one.status == "failed"]
-    if not failed:
+    lost = [one for one in account.scenes if one.why]
+    if not lost:
         return []
-    why = Counter(one.why[0] if one.why else "no reason" for one in failed)
+    failed = sum(one.status == "failed" for one in lost)
+    some = f", {len(lost) - failed} only in part" if len(lost) > failed else ""
+    why = Counter(one.why[0] for one in lost)
     reasons = ", ".join(f"{text} ({count})" for text, count in why.most_common(3))
     return [
-        f"model {account.settings.model!r}: {len(failed)} of {len(account.scenes)} scenes could "
-        f"not be asked: {reasons}; the same command asks them again"
+        f"model {account.settings.model!r}: {failed} of {len(account.scenes)} scenes could "
+        f"not be asked{some}: {reasons}; the same command asks them again"
     ]
 
 
 def _table(accounts: dict[str, Account]) -> None:
     """How it went with each model."""
-    from rich.table import Table
+    from rich.table import Column, Table
 
     from sdgen.cli.table import echo_table
     from sdgen.detectors.account import STATUSES
 
-    table = Table("model", *STATUSES, "invented", "questions", "retries", "tokens", "cost")
+    table = Table(Column("model", no_wrap=True), *STATUSES, "invented", "tokens", "cost")
     for model, account in accounts.items():
         spent = account.spent
         table.add_row(
             model,
             *(str(account.scenes_by_status[status]) for status in STATUSES),
             f"{account.invented:,}",
-            f"{spent.questions:,}",
-            f"{spent.retries:,}",
             f"{spent.tokens_in + spent.tokens_out:,}",
             "-" if account.cost is None else f"{account.cost:,.2f}",
         )

@@ -129,9 +129,11 @@ def run(args: Sequence[str] | None = None) -> int:
 
 
 def _resumable(args: Sequence[str] | None) -> bool:
-    """True for a command that goes on where it was stopped: a build, a download."""
-    words = [word for word in (sys.argv[1:] if args is None else args) if word[:1] != "-"]
-    return words[:1] == ["build"] or words[:2] == ["assets", "fetch"]
+    """True for a command that goes on where it was stopped: a build, a download, questions."""
+    args = sys.argv[1:] if args is None else args
+    words = [word for word in args if word[:1] != "-"]
+    asks = words[:1] == ["detect"] and any(word.split("=")[0] == "--model" for word in args)
+    return words[:1] == ["build"] or words[:2] == ["assets", "fetch"] or asks
 
 
 def describe(error: Exception) -> str:

@@ -13,8 +13,9 @@ from sdgen.detectors.who import Entry
 from sdgen.errors import SdgenError, one_line
 from sdgen.scene import Record
 
-#: ``answered``: in full; ``partly``: some of it has no label or cannot be read; ``unparsable``:
-#: nothing of it can be read; ``failed``: a question of it got no answer, and ``why``.
+#: ``answered``: in full; ``partly``: some of it has no label or cannot be read (or the second model
+#: did not answer, and ``why``); ``unparsable``: nothing of it can be read; ``failed``: a question
+#: of it got no answer, and ``why``: it has no line among the predictions.
 Status = Literal["answered", "partly", "unparsable", "failed"]
 STATUSES: tuple[Status, ...] = ("answered", "partly", "unparsable", "failed")
 

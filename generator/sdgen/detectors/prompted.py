@@ -72,19 +72,17 @@ class Prompted:
         if (lost := failed(item.id, outcomes)) is not None:
             return lost
         readings = [self._read(o, pieces) for o, pieces in zip(outcomes, batches, strict=True)]
+        first = tuple(outcomes)
         if self.parser is not None:
             readings, more = self._simplified(self.parser, readings, item)
             outcomes += more
-            if (lost := failed(item.id, more)) is not None:
-                account = lost.account.model_copy(update={"spent": spent(outcomes)})
-                return Looked(None, account)
         tell = Told(data.catalog)
         reports: dict[int, Report] = {}
         for reading, pieces in zip(readings, batches, strict=True):
             for piece in pieces:
                 for report in self._reports(piece, reading.said.get(piece.text), tell, item):
                     reports.setdefault(report.object_id, report)
-        account = self._account(item, batches, readings, outcomes)
+        account = self._account(item, batches, readings, outcomes, any(o.cut for o in first))
         return Looked(tuple(reports[key] for key in sorted(reports)), account)
 
     def settings(self, data: Dataset) -> Settings:
@@ -139,7 +137,7 @@ class Prompted:
         self, parser: Asker, readings: Sequence[Reading], item: SceneItem
     ) -> tuple[list[Reading], list[Outcome]]:
         """The classes that the second model reads from the lines of the first one's answers. A line
-        that it cannot make a class of has none."""
+        that it makes no class of, or that it does not answer about, has none."""
         out: list[Reading] = []
         outcomes: list[Outcome] = []
         for reading in readings:
@@ -147,10 +145,7 @@ class Prompted:
             for string, one in reading.said.items():
                 name = f"scene {item.id}, the class of {string!r}"
                 outcomes.append(parser.ask(_simplify(one), name))
-                text = outcomes[-1].text
-                if text is None:
-                    return out, outcomes
-                said[string] = replace(one, verdict=verdict_in(text))
+                said[string] = replace(one, verdict=verdict_in(outcomes[-1].text or ""))
             out.append(replace(reading, said=said))
         return out, outcomes
 
@@ -177,13 +172,13 @@ class Prompted:
         batches: Sequence[Sequence[Piece]],
         readings: Sequence[Reading],
         outcomes: Sequence[Outcome],
+        cut: bool,
     ) -> SceneAccount:
         asked = sum(map(len, batches))
         named = [said for reading in readings for said in reading.said.values()]
         labelled = sum(said.verdict is not None or not self.prompt.categories for said in named)
         unreadable = sum(not reading.readable for reading in readings)
         unlabelled = (asked if self.prompt.every else len(named)) - labelled
-        cut = any(outcome.cut for outcome in outcomes)
         status = "partly" if unlabelled or unreadable or cut else "answered"
         if readings and unreadable == len(readings):
             status = "unparsable"
@@ -191,6 +186,7 @@ class Prompted:
         return SceneAccount(
             scene=item.id,
             status=status,
+            why=told(one.why for one in outcomes if one.text is None),
             asked=asked,
             labelled=labelled,
             unlabelled=unlabelled,

@@ -162,7 +162,8 @@ def _article(text: str) -> str:
 
 
 def plain_word(word: str, gap: str = "") -> str:
-    """A stranger's word for a string: no underscores, and nothing that ends a line, a quotation or a list."""
+    """A stranger's word for a string: no underscores, and nothing that ends a line, a quotation or
+    a list."""
     kept = "".join(
         letter if letter.isprintable() and letter not in "'\"`[](){}<>,:;*#\\|" else " "
         for letter in word[: 4 * _LONGEST]

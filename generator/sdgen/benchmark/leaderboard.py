@@ -40,26 +40,29 @@ class Row(Record):
 
 
 class Board(Record):
-    """A leaderboard: the scenes it is of, and its rows."""
+    """A leaderboard: the scenes it is of, the share of homes with a hazard that its table of clean
+    homes takes, and its rows."""
 
     command: str
     split: str
     scenes: int
     anomalies: int
     twins: int
+    base_rate: float
     catalogue_sha256: str
     versions: dict[str, str]
     rows: tuple[Row, ...]
 
 
-def board(data: Dataset, rows: Iterable[Row], twins: bool) -> Board:
+def board(data: Dataset, rows: Iterable[Row], base_rate: float) -> Board:
     """The leaderboard of a data set (one split of it, or all)."""
     return Board(
         command=command_of(data.info.options),
         split=data.split or "all",
         scenes=len(data),
         anomalies=sum(entry.anomalies for entry in data.shown),
-        twins=sum(item.twin is not None for item in data) if twins else 0,
+        twins=sum(item.twin is not None for item in data),
+        base_rate=base_rate,
         catalogue_sha256=data.info.catalogue_sha256,
         versions=dict(data.info.versions),
         rows=tuple(rows),

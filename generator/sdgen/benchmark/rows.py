@@ -61,10 +61,22 @@ def offline_rows(
                 graph_view=data.graph_view,
                 household=_HOUSEHOLD.get(name, "filter"),
                 evaluation=evaluate(data, sure),
-                base_rates=base_rates(data, said, base_rate, own=sure),
+                base_rates=_rates(data, said, sure, base_rate),
             )
         )
     return rows
+
+
+def _rates(data: Dataset, said: Predictions, sure: Predictions, base_rate: float) -> BaseRates:
+    """The curve of all that a detector could say, and where on it its own threshold lies."""
+    curve = base_rates(data, said, base_rate)
+    if sure is said:
+        return curve
+    own = base_rates(data, sure, base_rate)
+    names = ("recall", "precision", "false_alarms_per_home_day", "unwanted_per_home_day")
+    costs = {**curve.cost_per_home_day, "detector": own.cost_per_home_day["detector"]}
+    update = {name: getattr(own, name) for name in names} | {"cost_per_home_day": costs}
+    return curve.model_copy(update=update)
 
 
 def _at_least(found: Predictions, threshold: float) -> Predictions:

@@ -91,7 +91,9 @@ def run(
     rows = []
     for view in views:
         with bar(f"{view} graph") as on_scene:
-            rows += offline_rows(Dataset(dataset, data.split, graph_view=view), models, base_rate, on_scene)
+            rows += offline_rows(
+                Dataset(dataset, data.split, graph_view=view), models, base_rate, on_scene
+            )
     rows += [row for folder in runs for row in rows_of_runs(data, folder, base_rate)]
     made = board(data, rows, base_rate)
     if output is not None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdgen.cli.asking_options import asking_options, given
+from sdgen.cli.perception_options import Shown, shown_options
 from sdgen.cli.quiet import QUIET, hint
 from sdgen.errors import UsageError
 
@@ -55,12 +56,12 @@ METHODS = (*PLAIN, *ASKING)
 @click.option("--split", help="Only the scenes of train, val or test.")
 @click.option("--twins", is_flag=True, help="Also the benign twins, to tell pairs apart.")
 @click.option(
-    "--graph-view",
-    type=click.Choice(["full", "neutral", "perceived"]),
-    default="full",
-    show_default=True,
-    help="What of the scene graphs detectors are shown.",
+    "--threshold",
+    type=click.FloatRange(0.0, 1.0),
+    metavar="T",
+    help="Of --trained: report what it is at least so sure of [default: as it was trained].",
 )
+@shown_options
 @asking_options
 @QUIET
 def detect(
@@ -70,7 +71,8 @@ def detect(
     output: Path | None,
     split: str | None,
     twins: bool,
-    graph_view: Any,
+    threshold: float | None,
+    shown: Shown,
     **asking: Any,
 ) -> None:
     """Run a detector over a data set and write its predictions.
@@ -86,7 +88,6 @@ def detect(
     Example: sdgen detect homes --method cot-sg-c --model MODEL -o cot.jsonl
     """
     from sdgen.cli.bar import bar
-    from sdgen.dataset import Dataset
     from sdgen.dataset.output_file import check_output
 
     context = click.get_current_context()
@@ -94,6 +95,8 @@ def detect(
         raise _missing(context, "method")
     if method is not None and trained is not None:
         raise UsageError("--method and --trained: name one of them")
+    if threshold is not None and trained is None:
+        raise UsageError("--threshold goes with --trained")
     estimate_only = asking["estimate_only"]
     if output is None and not estimate_only:
         raise _missing(context, "output")
@@ -104,7 +107,7 @@ def detect(
 
         wanted = Asking(**asking)
         wanted.check(output)  # before the work
-        data = Dataset(dataset, split=split, graph_view=graph_view)
+        data = shown.open(dataset, split=split)
         detect_asking(data, str(method), output, twins, wanted)
         return
     from sdgen.benchmark import detect as run
@@ -114,9 +117,9 @@ def detect(
     to_stdout = output == Path("-")
     if not to_stdout:
         check_output(output)  # before the work
-    data = Dataset(dataset, split=split, graph_view=graph_view)
+    data = shown.open(dataset, split=split)
     with bar("detecting") as on_scene:
-        found = run(data, _trained(trained) if trained else str(method), on_scene, twins)
+        found = run(data, _trained(trained, threshold) if trained else str(method), on_scene, twins)
     if to_stdout:
         click.echo(prediction_bytes(found), nl=False)
         return
@@ -136,10 +139,8 @@ def _listed() -> str:
     return ", ".join(ASKING)
 
 
-def _trained(folder: Path) -> Detector:
+def _trained(folder: Path, threshold: float | None) -> Detector:
     """A trained detector from its folder. Raises InputError."""
-    from importlib import import_module
+    from sdgen.detectors.trained import load_trained
 
-    load: Any = import_module("sdgen.detectors.trained").load_trained
-    detector: Detector = load(folder)
-    return detector
+    return load_trained(folder, threshold)

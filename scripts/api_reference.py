@@ -22,8 +22,9 @@ typed (`py.typed`). The records of files (`Scene`, `Anomalies`, `Camera`, ...) a
 #: What is public: a heading, and names by the module to import them from.
 SECTIONS: dict[str, dict[str, tuple[str, ...]]] = {
     "Reading a data set": {
-        "sdgen": ("Dataset",),
+        "sdgen": ("Dataset", "Perception"),
         "sdgen.dataset": ("SceneItem", "Frames", "Table"),
+        "sdgen.perception": ("Perceived",),
     },
     "Building": {
         "sdgen": ("build", "make_scene", "BuildOptions", "load_catalog", "load_library"),

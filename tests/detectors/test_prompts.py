@@ -6,7 +6,10 @@ import re
 from pathlib import Path
 
 import pytest
+from sdgen.detectors.prompted import SIMPLIFY
 from sdgen.detectors.prompts import PROMPTS
+
+from tests.by_path import ROOT
 
 DATA = Path(__file__).parent / "data"
 
@@ -58,3 +61,11 @@ def test_a_prompt_holds_what_its_row_says(name: str) -> None:
 
 def test_what_is_asked_about_may_hold_our_own_marks() -> None:
     assert PROMPTS["sg"].filled("[CONTENT] x").count("[CONTENT] x") == 1
+
+
+def test_the_guide_shows_the_prompts_that_are_asked() -> None:
+    page = (ROOT / "docs" / "prompts.md").read_text(encoding="utf-8")
+    for name, prompt in PROMPTS.items():
+        assert f"```text\n{prompt.template}\n```" in page, name
+        assert f"| `{name}` |" in page
+    assert f"```text\n{SIMPLIFY}\n```" in page

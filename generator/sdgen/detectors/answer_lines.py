@@ -13,7 +13,8 @@ _DEEPEST = 8
 #: A number beyond it is no pixel of a picture.
 _FAR = 1e6
 
-_THOUGHT = re.compile(r"<think(?:ing)?>.*?</think(?:ing)?>", re.S)
+#: What ends the part of an answer that a model thinks aloud.
+_THOUGHT = ("</think>", "</thinking>")
 _FENCE = re.compile(r"```[a-zA-Z]*\n(.*?)```", re.S)
 #: Keys of an object of JSON that answers for one thing.
 _LABEL_KEYS = frozenset({"label", "class", "classification", "category", "verdict", "type"})
@@ -25,8 +26,9 @@ _REASONS = frozenset({"reason", "explanation", "reasoning", "why", "description"
 def lines_of_answer(text: str) -> tuple[str, ...]:
     """The lines of an answer that hold anything, without fences. JSON that holds nothing is the
     line ``none``."""
-    text = _THOUGHT.sub("", text[:LONGEST])
-    text = text.rpartition("</think>")[2] or text
+    text = text[:LONGEST]
+    for end in _THOUGHT:
+        text = text.rpartition(end)[2]
     for block in (*_FENCE.findall(text), text):
         stripped = block.strip()
         if stripped[:1] in ("[", "{"):

@@ -30,6 +30,7 @@ COMMANDS = {
     "view": "Make a page that shows a data set.",
     "export": "Write a data set for other tools.",
     "import": "Make a data set of others' scene graphs.",
+    "train": "Train the offline baselines.",
     "detect": "Run a detector over a data set.",
     "evaluate": "Score predictions against a data set.",
     "benchmark": "Print the tables of detectors; seal and open secret tests.",
@@ -57,6 +58,8 @@ EXTRAS = {
     "ray": "ray",
     "rerun": "rerun",
     "scipy": "assets",
+    "sklearn": "learn",
+    "torch": "torch",
 }
 #: Packages that pip calls otherwise than Python does.
 DISTRIBUTIONS = {"pxr": "usd-core", "rerun": "rerun-sdk", "sklearn": "scikit-learn"}

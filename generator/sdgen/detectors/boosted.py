@@ -134,9 +134,14 @@ def grow(
     seed: int,
     weights: npt.NDArray[np.floating] | None = None,
 ) -> Boosted:
-    """Trees that tell the classes 0 to ``classes - 1``, of which each is in ``y``. ModuleNotFoundError without scikit-learn."""
+    """Trees that tell the classes 0 to ``classes - 1``, of which each is in ``y``.
+
+    They grow in one thread: threads that wait for each other on a busy machine took ten times as
+    long. ModuleNotFoundError without scikit-learn.
+    """
     import sklearn
     from sklearn.ensemble import HistGradientBoostingClassifier
+    from threadpoolctl import threadpool_limits
 
     if classes < 2:
         none = np.zeros(0, dtype=np.int64)
@@ -153,7 +158,8 @@ def grow(
         early_stopping=False,
         random_state=seed,
     )
-    model.fit(x, y, sample_weight=weights)
+    with threadpool_limits(limits=1):
+        model.fit(x, y, sample_weight=weights)
     made = _as_arrays(model)
     few = x[:: max(1, len(x) // _CHECKED)]
     theirs = np.asarray(model.predict_proba(few))

@@ -40,8 +40,13 @@ SEES: Mapping[str, tuple[str, ...]] = {
         "count",
     ),
 }
-#: Whether something is wrong, and what.
-FINDING = Growth(rounds=250)
+#: Whether something is wrong: chosen on val, the more the more there is to see.
+FINDING: Mapping[str, Growth] = {
+    "objects": Growth(rounds=60, rate=0.05, leaves=4),
+    "description": Growth(rounds=100, rate=0.15),
+    "graph": Growth(rounds=200, rate=0.1),
+}
+#: And what.
 NAMING = Growth(rounds=40, leaves=8, leaf_rows=5)
 #: A column that is other than its commonest value in fewer rows than this tells nothing.
 _FEWEST = 5
@@ -150,7 +155,7 @@ def fit(examples: Examples, hazards: Hazards, kind: str, seed: int) -> GraphClas
         columns=tuple(columns),
         bagged=tuple(bagged),
         named=tuple(named),
-        finding=grow(shown, wrong.astype(np.int64), 2, FINDING, start),
+        finding=grow(shown, wrong.astype(np.int64), 2, FINDING[kind], start),
         naming=grow(shown[wrong], which, len(named), NAMING, start + 1),
     )
 

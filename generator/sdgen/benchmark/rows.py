@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from sdgen.benchmark.base_rates import BaseRates, base_rates
@@ -14,6 +15,7 @@ from sdgen.dataset.records import Predictions
 from sdgen.dataset.text import read_record
 from sdgen.detectors import DETECTORS, Detector, detect_all
 from sdgen.detectors.account import Account
+from sdgen.detectors.model_file import RECORD, read_model
 from sdgen.detectors.trained import Trained, load_trained
 from sdgen.errors import InputError
 
@@ -31,14 +33,10 @@ def pictured(data: Dataset) -> bool:
 
 def trained_in(folder: Path) -> dict[str, Trained]:
     """The model in a folder, or those in its folders, by kind. Raises InputError."""
-    if (folder / "model.json").exists():
-        one = load_trained(folder)
-        return {one.card.kind: one}
-    found = [sub for sub in sorted(folder.iterdir()) if (sub / "model.json").exists()]
+    found = [sub for sub in (folder, *sorted(folder.iterdir())) if (sub / RECORD).exists()]
     if not found:
         raise InputError([f"{folder}: no model of 'sdgen train' in it, nor in its folders"])
-    models = [load_trained(sub) for sub in found]
-    return {one.card.kind: one for one in models}
+    return {read_model(sub)[0].kind: load_trained(sub) for sub in found}
 
 
 def offline_rows(
@@ -48,7 +46,7 @@ def offline_rows(
     on_scene: Callable[[int, int], None] | None = None,
 ) -> list[Row]:
     """Rows of all that needs no key, on the data set's view of the graph."""
-    low = {name: model.above(_LEAST_SCORE) for name, model in trained.items()}
+    low = {name: replace(model, threshold=_LEAST_SCORE) for name, model in trained.items()}
     detectors: dict[str, Detector] = {**DETECTORS, **low}
     found = detect_all(data, detectors, on_scene, twins=True)
     rows = []

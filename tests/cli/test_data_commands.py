@@ -116,7 +116,7 @@ def test_detect_then_evaluate(sound: Path, tmp_path: Path, capsys: Captured) -> 
         "label_accuracy",
         "recall_by_hazard",
     }
-    assert told["AS"] == {"mean": 1.0, "se": 0.0, "n": 3}
+    assert told["AS"] == {"mean": 1.0, "se": 0.0, "n": 3, "low": 1.0, "high": 1.0}
     assert told["CAS"]["mean"] == 1.0
 
 

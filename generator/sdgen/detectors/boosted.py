@@ -100,7 +100,7 @@ class Boosted:
             raise ValueError(f"{prefix}: trees of another size than the model says")
         if any(len(a) != nodes for a in (self.threshold, self.left, self.right, self.value)):
             raise ValueError(f"{prefix}: nodes that lack something")
-        if self.roots.size and not (0 <= self.roots.min() and self.roots.max() < nodes):
+        if self.roots.size and not (self.roots.min() >= 0 and self.roots.max() < nodes):
             raise ValueError(f"{prefix}: a tree that begins nowhere")
         inner = self.feature >= 0
         number = np.arange(nodes)[inner]

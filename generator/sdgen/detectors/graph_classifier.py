@@ -134,9 +134,7 @@ def fit(examples: Examples, hazards: Hazards, kind: str, seed: int) -> GraphClas
     it learns from scenes alone."""
     layout, sees = examples.layout, SEES[kind]
     rows = ~examples.twin if "bag" in sees else np.full(len(examples.twin), True)
-    columns = [
-        k for k in layout.columns_of(sees) if _varies(examples.x[rows, k])
-    ]
+    columns = [k for k in layout.columns_of(sees) if _varies(examples.x[rows, k])]
     bagged = [k for k in range(len(layout.categories)) if _varies(examples.bags[:, k])]
     bagged = bagged if "bag" in sees else []
     shown = _matrix(

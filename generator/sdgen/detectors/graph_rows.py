@@ -60,9 +60,7 @@ def rows_of(graph: Graph, layout: Layout) -> Rows:
     )
 
 
-def _slice(
-    columns: Mapping[tuple[str, str], int], block: str, names: Sequence[str]
-) -> slice:
+def _slice(columns: Mapping[tuple[str, str], int], block: str, names: Sequence[str]) -> slice:
     first = columns[block, names[0]]
     return slice(first, first + len(names))
 
@@ -141,8 +139,7 @@ def _shapes(nodes: Sequence[GraphNode]) -> npt.NDArray[np.float64]:
     box = _boxes(nodes)
     size = box[:, 3:] - box[:, :3]
     tilt = [
-        1 - 2 * (n.obj_transform.rotation[0] ** 2 + n.obj_transform.rotation[1] ** 2)
-        for n in nodes
+        1 - 2 * (n.obj_transform.rotation[0] ** 2 + n.obj_transform.rotation[1] ** 2) for n in nodes
     ]
     across = np.sort(size[:, :2], axis=1)
     return np.column_stack(
@@ -229,4 +226,3 @@ def _counts(nodes: Sequence[GraphNode], held: _Held) -> npt.NDArray[np.float64]:
         for room, n in zip(rooms, nodes, strict=True)
     ]
     return np.array(rows, dtype=np.float64).reshape(len(nodes), len(COUNTS))
-

@@ -47,9 +47,7 @@ class Hazards:
     names: tuple[str, ...]
     labels: tuple[Label, ...]
 
-    def scored(
-        self, ids: Sequence[int], scores: Floats, shares: Floats
-    ) -> tuple[Scored, ...]:
+    def scored(self, ids: Sequence[int], scores: Floats, shares: Floats) -> tuple[Scored, ...]:
         """Of things with these ids and scores (n,): the label with most of the ``shares`` (n,
         hazards), and the hazard of that label with most."""
         out = []

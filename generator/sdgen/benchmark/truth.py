@@ -17,13 +17,15 @@ from sdgen.dataset import Dataset, SceneItem
 from sdgen.dataset.records import VISIBILITY_FILE
 from sdgen.dataset.text import read_bytes
 from sdgen.errors import InputError, did_you_mean
-from sdgen.scene import Anomaly, Notify, Scene, Visibility
+from sdgen.scene import Anomaly, Graph, Notify, Scene, Visibility
 from sdgen.truth.visibility import evidence_pixels, evidence_pixels_needed, shows
 
 #: How well the best view shows an anomaly: its evidence's pixels there by those that are needed. In
 #: steps of four, as an object half as far away, whose picture is four times as large.
 NOT_SHOWN = "not shown"
 BINS = ((4.0, "1 to 4 times"), (16.0, "4 to 16 times"), (float("inf"), "more than 16 times"))
+#: So many ids are looked for in a text one by one.
+_FEW = 100
 SHOWN_BY = (NOT_SHOWN, *(name for _, name in BINS))
 
 
@@ -80,6 +82,14 @@ class _Scene(_Light):
     objects: tuple[_Node, ...]
 
 
+class _GraphNode(_Light):
+    id: int
+
+
+class _Graph(_Light):
+    nodes: tuple[_GraphNode, ...]
+
+
 class _Shown(_Light):
     object_id: int
 
@@ -130,14 +140,23 @@ class Ways(NamedTuple):
 
 
 def unknown_objects(item: SceneItem, ids: Iterable[int]) -> frozenset[int]:
-    """Those of ``ids`` that are no nodes of a scene. They are looked for in the text of
-    ``scene.json``, whose ids are all the graph's; only for those not there the graph is read."""
-    asked = frozenset(ids)
-    if not asked:
-        return asked
-    content = _content(item, "scene.json")
-    rest = frozenset(key for key in asked if b'"id": %d,' % key not in content)
-    return rest - {node.id for node in item.scene_graph.nodes} if rest else rest
+    """Those of ``ids`` that are no nodes of a scene. A few are looked for in the text of
+    ``scene.json``, whose ids are all the graph's; for those not there, or many, the graph is
+    read."""
+    rest = frozenset(ids)
+    if 0 < len(rest) <= _FEW:
+        content = _content(item, "scene.json")
+        rest = frozenset(key for key in rest if b'"id": %d,' % key not in content)
+    return rest - _nodes_of(item) if rest else rest
+
+
+def _nodes_of(item: SceneItem) -> frozenset[int]:
+    graph: _Graph | Graph
+    try:
+        graph = _Graph.model_validate_json(_content(item, "graph.json"))
+    except ValidationError:
+        graph = item.scene_graph  # or it says what is wrong
+    return frozenset(node.id for node in graph.nodes)
 
 
 def things_of(item: SceneItem) -> Mapping[int, Thing]:

@@ -108,7 +108,9 @@ class _Scene:
             for item in one.items:
                 rows.setdefault(item.object_id, {}).setdefault(name, []).append(item)
         bad = {key: some for key, some in rows.items() if any(map(_is_wrong, _all(some)))}
-        order = sorted(bad, key=lambda key: (min(map(_rank, _all(bad[key]))), key))
+        order = sorted(
+            bad, key=lambda key: (min(map(_rank, _all(bad[key]))), key not in self._boxes, key)
+        )
         return SceneOnPage(
             id=self._item.id,
             home=plain(self._item.entry.home),
@@ -194,7 +196,7 @@ def _is_wrong(item: Item) -> bool:
 
 def _rank(item: Item) -> int:
     """In which order things are shown: misses, told lookalikes, other false alarms, the unwanted,
-    and last what was done right by."""
+    and last what was done right by; of each first what some view shows."""
     if item.kind == "miss":
         return 0
     if item.kind == "false_alarm":

@@ -28,7 +28,7 @@ def echo_evaluations(
             table.add_row(title)
             continue
         cells = [_shown(one) for one in found] if several else [_shown(found[0]), _ends(found[0])]
-        table.add_row(title, *cells, f"{found[0].n} {over}".strip())
+        table.add_row(title, *cells, f"{_over(found)} {over}".strip())
     echo_table(table)
     for one in compared:
         titles = {name: title for title, name in ROWS.items()}
@@ -107,3 +107,8 @@ def _ends(value: Score) -> str:
     if value.low is None or value.high is None:
         return "-"
     return f"{value.low:.3f} to {value.high:.3f}"
+
+
+def _over(found: Sequence[Score]) -> str:
+    """How many values the scores of a row are taken over: once where that is the same for all."""
+    return "/".join(dict.fromkeys(str(one.n) for one in found))

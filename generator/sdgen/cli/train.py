@@ -40,7 +40,10 @@ KINDS = ("prior", "objects", "description", "graph", "image", "cnn")
     help="What it is shown of each scene graph.",
 )
 @click.option(
-    "--seed", type=click.IntRange(min=0, max=2**31 - 1), default=0, show_default=True,
+    "--seed",
+    type=click.IntRange(min=0, max=2**31 - 1),
+    default=0,
+    show_default=True,
     help="Seed of what is drawn in training.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one array of objects, one a detector.")

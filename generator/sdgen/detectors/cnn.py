@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -47,7 +48,7 @@ _ASKED = 256
 def _shapes(outputs: int) -> dict[str, tuple[int, ...]]:
     """The arrays of a net with so many outputs."""
     shapes: dict[str, tuple[int, ...]] = {}
-    for k, (before, after) in enumerate(zip(CHANNELS, CHANNELS[1:], strict=False)):
+    for k, (before, after) in enumerate(pairwise(CHANNELS)):
         side = 5 if k == 0 else 3
         shapes[f"conv{k}.weight"] = (after, before, side, side)
         shapes[f"norm{k}.scale"] = shapes[f"norm{k}.shift"] = (after,)
@@ -79,12 +80,12 @@ def _forward(weights: Mapping[str, Any], pixels: torch.Tensor, place: torch.Tens
         # By groups, not by lots: an answer does not hang on what is asked beside it.
         x = f.group_norm(x, 8, weights[f"norm{k}.scale"], weights[f"norm{k}.shift"])
         x = f.relu(x)
-    x = torch_cat([x.mean(dim=(2, 3)), x.amax(dim=(2, 3)), place])
+    x = _beside([x.mean(dim=(2, 3)), x.amax(dim=(2, 3)), place])
     x = f.relu(f.linear(x, weights["hidden.weight"], weights["hidden.bias"]))
     return f.linear(x, weights["out.weight"], weights["out.bias"])
 
 
-def torch_cat(parts: list[torch.Tensor]) -> torch.Tensor:
+def _beside(parts: list[torch.Tensor]) -> torch.Tensor:
     """Columns side by side."""
     import torch
 

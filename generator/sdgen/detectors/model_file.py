@@ -1,4 +1,4 @@
-"""A trained detector in a folder: ``model.json``, ``model.npz`` and a card; read as strangers' data.
+"""A trained detector in a folder: ``model.json``, ``model.npz``, a card; strangers' data.
 
 Nothing in it is run: the arrays are numbers, read without pickle and checked one by one.
 """

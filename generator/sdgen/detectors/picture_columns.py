@@ -16,12 +16,7 @@ CELLS, DIRECTIONS = 6, 8
 BINS, SMALL = 8, 8
 #: Columns: edges of all and of the thing alone, colours twice, moments, small picture and mask.
 WIDTH = (
-    CELLS * CELLS * DIRECTIONS
-    + DIRECTIONS
-    + 2 * 3 * BINS
-    + 2 * 6
-    + SMALL * SMALL * 4
-    + len(PLACE)
+    CELLS * CELLS * DIRECTIONS + DIRECTIONS + 2 * 3 * BINS + 2 * 6 + SMALL * SMALL * 4 + len(PLACE)
 )
 #: Crops at once.
 _LOT = 512

@@ -101,7 +101,12 @@ def _cut(
             continue
         side = max(CONTEXT * max(w, h), LEAST_SIDE * width / 640)
         middle = (x + w / 2, y + h / 2)
-        box = (middle[0] - side / 2, middle[1] - side / 2, middle[0] + side / 2, middle[1] + side / 2)
+        box = (
+            middle[0] - side / 2,
+            middle[1] - side / 2,
+            middle[0] + side / 2,
+            middle[1] + side / 2,
+        )
         crop = np.zeros((SIDE, SIDE, 4), dtype=np.uint8)
         crop[..., :3] = np.asarray(_resized(picture, box))
         alone = Image.fromarray((mask == object_id).astype(np.uint8) * 255)
@@ -122,7 +127,10 @@ def _resized(picture: Image.Image, box: tuple[float, float, float, float]) -> Im
     """A square of a picture at the size of crops; black where it reaches beyond it."""
     whole = tuple(round(v) for v in box)
     # First cut, so that no more than this is averaged; nothing is beside a picture.
-    return picture.crop(whole).resize((SIDE, SIDE), Image.Resampling.BOX if whole[2] - whole[0] > SIDE else Image.Resampling.BILINEAR)
+    return picture.crop(whole).resize(
+        (SIDE, SIDE),
+        Image.Resampling.BOX if whole[2] - whole[0] > SIDE else Image.Resampling.BILINEAR,
+    )
 
 
 @dataclass(frozen=True)
@@ -170,7 +178,9 @@ def _worth(item: SceneItem, suspects: set[int], seed: int) -> set[int]:
     return (suspects | near | {rest[k] for k in some}) & set(every)
 
 
-def by_thing(ids: Ints, values: npt.NDArray[np.float64]) -> tuple[list[int], npt.NDArray[np.float64]]:
+def by_thing(
+    ids: Ints, values: npt.NDArray[np.float64]
+) -> tuple[list[int], npt.NDArray[np.float64]]:
     """Means over the crops of each thing, sorted by id."""
     every, place = np.unique(ids, return_inverse=True)
     out = np.zeros((len(every), values.shape[1]))

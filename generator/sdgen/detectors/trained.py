@@ -66,6 +66,7 @@ def load_trained(folder: Path, threshold: float | None = None) -> Trained:
     try:
         scorer = LOADERS[model.kind](arrays, model.words, hazards)
     except ValueError as error:
-        raise InputError([f"{folder / ARRAYS}: no detector of kind {model.kind} ({error})"]) from None
+        raise InputError(
+            [f"{folder / ARRAYS}: no detector of kind {model.kind} ({error})"]
+        ) from None
     return Trained(scorer, model.threshold if threshold is None else threshold)
-

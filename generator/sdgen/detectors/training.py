@@ -67,7 +67,9 @@ class Lessons:
     @cached_property
     def crops(self) -> PictureExamples:
         """Crops of pictures."""
-        return gather_crops(self.data, self.hazards.names, self.seed, self._told("reading pictures"))
+        return gather_crops(
+            self.data, self.hazards.names, self.seed, self._told("reading pictures")
+        )
 
     def _told(self, what: str) -> Callable[[int, int], None] | None:
         told = self.told

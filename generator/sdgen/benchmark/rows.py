@@ -106,13 +106,34 @@ def _row(data: Dataset, path: Path, base_rate: float) -> Row:
             base_rates=rates,
         )
     account = read_record(Account, beside, str(beside))
-    failed = account.scenes_by_status.get("failed", 0)
     return Row(
         detector=account.settings.method,
         graph_view=account.settings.graph_view,
         household=account.settings.household,
         model=account.settings.model,
-        note=f"{failed} scenes got no answer" if failed else "",
+        note=_note(account),
         evaluation=evaluate(data, said),
         base_rates=rates,
+    )
+
+
+def _note(account: Account) -> str:
+    """What a reader must know of a run beside its scores."""
+    seen = account.settings.perception
+    odd = seen.model_dump(exclude_defaults=True) if seen else {}
+    said = [f"{key} {value}" for key, value in odd.items()]
+    return "; ".join(
+        [
+            *([f"perceived with {', '.join(said)}"] if said else []),
+            *(
+                f"{count} {what}"
+                for count, what in (
+                    (account.scenes_by_status.get("failed", 0), "scenes got no answer"),
+                    (account.scenes_by_status.get("partly", 0), "scenes were answered in part"),
+                    (account.invented, "answers were for things that are not there"),
+                    (account.unmatched, "boxes were on nothing"),
+                )
+                if count
+            ),
+        ]
     )

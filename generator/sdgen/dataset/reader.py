@@ -76,7 +76,8 @@ class Dataset(Sequence[SceneItem]):
         self.info = open_info(self.path)
         expected = None if partial else self.info.catalogue_sha256
         self._knowledge = Knowledge(self.path, self.info.format_version, expected)
-        self._eyes = Eyes(self._knowledge, perception or Perception())
+        self.perception = perception or Perception()
+        self._eyes = Eyes(self._knowledge, self.perception)
         if split is not None:
             self._refuse_split(split)
         self.entries = read_manifest(self.path)

@@ -9,8 +9,10 @@ from pydantic import Field
 
 from sdgen.chat.asker import Outcome
 from sdgen.chat.tokens import Price
+from sdgen.dataset.graph_views import GraphView
 from sdgen.detectors.who import Entry
 from sdgen.errors import SdgenError, one_line
+from sdgen.perception import Perception
 from sdgen.scene import Record
 
 #: ``answered``: in full; ``partly``: some of it has no label or cannot be read (or the second model
@@ -98,7 +100,8 @@ class Settings(Record):
     model: str
     parser: str | None = None
     household: Entry
-    graph_view: str
+    graph_view: GraphView
+    perception: Perception | None = None
     batch: int | None = None
     plain_names: bool | None = None
     more_relations: bool | None = None

@@ -128,6 +128,7 @@ class Pictured:
             model=self.asker.endpoint.model,
             household=self.household,
             graph_view=data.graph_view,
+            perception=data.perception if data.graph_view == "perceived" else None,
             plain_names=not self.wording.states if self.with_graph else None,
             more_relations=self.wording.more if self.with_graph else None,
             per=self.per,

@@ -95,6 +95,7 @@ class Prompted:
             parser=self.parser.endpoint.model if self.parser else None,
             household=self.household,
             graph_view=data.graph_view,
+            perception=data.perception if data.graph_view == "perceived" else None,
             batch=self.batch,
             plain_names=not self.wording.states,
             more_relations=self.wording.more,

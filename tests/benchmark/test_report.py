@@ -81,7 +81,7 @@ def test_the_plot_shows_a_dot_for_every_hazard_there_is(data: Dataset, tmp_path:
     for panel in (recall_panel(scores), curve_panel(rates)):
         assert all(0 <= mark.x <= panel.width and 0 <= mark.y <= panel.low for mark in panel.marks)
     assert svg([recall_panel(scores)]) == svg([recall_panel(scores)])
-    with pytest.raises(UsageError, match="name it .svg"):
+    with pytest.raises(UsageError, match=r"name it \.svg"):
         write_plot(tmp_path / "p.png", scores, rates)
 
 

@@ -56,16 +56,20 @@ def write_report(
     changes.
     """
     check_report(out)
+    out = Path(os.path.abspath(out))  # "." has no name of its own
     options = options or ReportOptions()
     out.parent.mkdir(parents=True, exist_ok=True)
-    partial = out.with_name(f".{out.name}.partial")
+    partial, old = (out.with_name(f".{out.name}.{word}") for word in ("partial", "old"))
     remove_tree(partial)  # of a run that was killed
     try:
         begin_page(partial, MARK)
         _write(found, rates, partial, out, options)
         check_report(out)
-        remove_tree(out)
+        if out.exists():
+            remove_tree(old)
+            os.replace(out, old)
         os.replace(partial, out)
+        remove_tree(old)
     finally:
         remove_tree(partial)
     return out / INDEX

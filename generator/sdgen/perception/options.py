@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from sdgen.scene import Record
 from sdgen.vocabulary import EVIDENCE_PIXELS
@@ -27,5 +27,12 @@ class Perception(Record):
     confused: float = Field(default=0.0, ge=0.0, le=1.0)
     coarse: bool = False
     states: bool = True
-    views: Literal["room"] | tuple[Annotated[int, Field(ge=0)], ...] | None = None
+    views: Literal["room"] | tuple[int, ...] | None = None
     seed: int = Field(default=0, ge=0)
+
+    @field_validator("views")
+    @classmethod
+    def _from_zero(cls, views: str | tuple[int, ...] | None) -> str | tuple[int, ...] | None:
+        if isinstance(views, tuple) and min(views, default=0) < 0:
+            raise ValueError("views are counted from 0")
+        return views

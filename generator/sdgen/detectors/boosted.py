@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -80,7 +81,7 @@ class Boosted:
         cls, arrays: Mapping[str, Array], prefix: str, features: int, classes: int
     ) -> Boosted:
         """Trees out of a file. ValueError for what is missing, or leads astray."""
-        found = {}
+        found: dict[str, Any] = {}
         for name in cls.__dataclass_fields__:
             array = arrays.get(f"{prefix}.{name}")
             if array is None:
@@ -172,7 +173,8 @@ def _as_arrays(model: object) -> Boosted:
     """What scikit-learn keeps of its trees: names with an underscore, so answers are compared."""
     rounds = model._predictors  # type: ignore[attr-defined]
     start = np.asarray(model._baseline_prediction, dtype=np.float64)  # type: ignore[attr-defined]
-    roots, parts, size = [], [], 0
+    roots: list[list[int]] = []
+    parts, size = [], 0
     for trees in rounds:
         roots.append([])
         for tree in trees:

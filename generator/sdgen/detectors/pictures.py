@@ -125,12 +125,10 @@ def _cut(
 
 def _resized(picture: Image.Image, box: tuple[float, float, float, float]) -> Image.Image:
     """A square of a picture at the size of crops; black where it reaches beyond it."""
-    whole = tuple(round(v) for v in box)
-    # First cut, so that no more than this is averaged; nothing is beside a picture.
-    return picture.crop(whole).resize(
-        (SIDE, SIDE),
-        Image.Resampling.BOX if whole[2] - whole[0] > SIDE else Image.Resampling.BILINEAR,
-    )
+    left, top, right, bottom = (round(value) for value in box)
+    # Large ones are averaged, small ones smoothed.
+    how = Image.Resampling.BOX if right - left > SIDE else Image.Resampling.BILINEAR
+    return picture.crop((left, top, right, bottom)).resize((SIDE, SIDE), how)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """A small convolutional net over crops: the one detector here that needs torch.
 
-Four convolutions on 64 x 64 pixels of colour and mask, one or two million multiplications each: minutes
-on a CPU. Its weights are arrays as those of the trees are.
+Four convolutions on 64 x 64 pixels of colour and mask, a million or two multiplications each:
+minutes on a CPU. Its weights are arrays as those of the trees are.
 """
 
 from __future__ import annotations

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from sdgen.cli.quiet import QUIET, hint
 
+if TYPE_CHECKING:
+    from sdgen.dataset.graph_views import GraphView
+    from sdgen.detectors.model_file import Kind
+
 #: As ``sdgen.detectors.training`` has them.
-KINDS = ("prior", "objects", "description", "graph", "image", "cnn")
+KINDS: tuple[Kind, ...] = ("prior", "objects", "description", "graph", "image", "cnn")
 
 
 @click.command(short_help="Train the offline baselines.")
@@ -49,7 +54,12 @@ KINDS = ("prior", "objects", "description", "graph", "image", "cnn")
 @click.option("--json", "as_json", is_flag=True, help="Print one array of objects, one a detector.")
 @QUIET
 def train(
-    dataset: Path, asked: tuple[str, ...], output: Path, graph_view: str, seed: int, as_json: bool
+    dataset: Path,
+    asked: tuple[str, ...],
+    output: Path,
+    graph_view: GraphView,
+    seed: int,
+    as_json: bool,
 ) -> None:
     """Train detectors on the train split, with the threshold that is best on val.
 
@@ -69,7 +79,7 @@ def train(
     places = {kind: output if len(kinds) == 1 else output / kind for kind in kinds}
     for place in places.values():
         check_output_folder(place)  # before the work
-    data = Dataset(dataset, graph_view=graph_view)  # type: ignore[arg-type]
+    data = Dataset(dataset, graph_view=graph_view)
     check_needs(data, kinds)
     said = []
     with steps() as told:

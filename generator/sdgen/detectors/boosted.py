@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -29,7 +30,8 @@ class Boosted:
 
     ``roots`` (rounds, outputs): where each tree begins; nodes have a ``feature`` (-1: a leaf), a
     ``threshold`` (at most that: ``left``, else ``right``) and a ``value``. ``start`` (outputs,) is
-    what is added. One output is the log odds of the second of two classes, more are one a class.
+    what is added. One output is the log odds of the second of two classes, more are one a class;
+    a single class needs none.
     """
 
     start: Floats
@@ -65,6 +67,8 @@ class Boosted:
     def probabilities(self, x: npt.NDArray[np.floating]) -> Floats:
         """Of each class, (n, classes)."""
         raw = self.raw(x)
+        if raw.shape[1] == 0:
+            return np.ones((len(x), 1))
         if raw.shape[1] == 1:
             odds = 1.0 / (1.0 + np.exp(-np.clip(raw, -500, 500)))
             return np.hstack([1.0 - odds, odds])
@@ -80,7 +84,7 @@ class Boosted:
         cls, arrays: Mapping[str, Array], prefix: str, features: int, classes: int
     ) -> Boosted:
         """Trees out of a file. ValueError for what is missing, or leads astray."""
-        found = {}
+        found: dict[str, Any] = {}
         for name in cls.__dataclass_fields__:
             array = arrays.get(f"{prefix}.{name}")
             if array is None:
@@ -95,7 +99,7 @@ class Boosted:
 
     def _check(self, prefix: str, features: int, classes: int) -> None:
         nodes = len(self.feature)
-        outputs = 1 if classes == 2 else classes
+        outputs = max(0, classes - 1) if classes <= 2 else classes
         if len(self.start) != outputs or self.roots.shape[1] != outputs or nodes > _MOST_NODES:
             raise ValueError(f"{prefix}: trees of another size than the model says")
         if any(len(a) != nodes for a in (self.threshold, self.left, self.right, self.value)):
@@ -145,8 +149,8 @@ def grow(
 
     if classes < 2:
         none = np.zeros(0, dtype=np.int64)
-        roots = np.zeros((0, classes), dtype=np.int64)
-        return Boosted(np.zeros(classes), roots, none, np.zeros(0), none, none, np.zeros(0))
+        roots = np.zeros((0, 0), dtype=np.int64)
+        return Boosted(np.zeros(0), roots, none, np.zeros(0), none, none, np.zeros(0))
     model = HistGradientBoostingClassifier(
         max_iter=growth.rounds,
         learning_rate=growth.rate,
@@ -172,7 +176,8 @@ def _as_arrays(model: object) -> Boosted:
     """What scikit-learn keeps of its trees: names with an underscore, so answers are compared."""
     rounds = model._predictors  # type: ignore[attr-defined]
     start = np.asarray(model._baseline_prediction, dtype=np.float64)  # type: ignore[attr-defined]
-    roots, parts, size = [], [], 0
+    roots: list[list[int]] = []
+    parts, size = [], 0
     for trees in rounds:
         roots.append([])
         for tree in trees:

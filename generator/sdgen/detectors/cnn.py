@@ -1,7 +1,7 @@
 """A small convolutional net over crops: the one detector here that needs torch.
 
-Four convolutions on 64 x 64 pixels of colour and mask, a million multiplications a layer: minutes
-on a CPU. Its weights are arrays as those of the trees are.
+Four convolutions on 64 x 64 pixels of colour and mask, a million or two multiplications each:
+minutes on a CPU. Its weights are arrays as those of the trees are.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ Floats = npt.NDArray[np.float32]
 Progress = Callable[[int, int], None]
 
 #: Channels of the convolutions, after colour and mask; and of the layer before the answer.
-CHANNELS = (4, 24, 48, 96, 128)
+CHANNELS = (4, 16, 32, 64, 128)
 HIDDEN = 128
-EPOCHS, LOT = 10, 64
+EPOCHS, LOT = 6, 64
 #: Of the learning rate that falls in a cosine to nothing, the highest; and the decay of weights.
 RATE, DECAY = 2e-3, 1e-2
 #: Answers are drawn so far towards doubt, or rare examples would be learned by heart.

@@ -45,10 +45,10 @@ def rows_of(graph: Graph, layout: Layout) -> Rows:
     for row, node in zip(x, nodes, strict=True):
         for column, value in _words(node, held, layout):
             row[column] += value
-    column = layout.columns
-    x[:, _slice(column, "shape", SHAPE)] = _shapes(nodes)
-    x[:, _slice(column, "around", AROUND)] = _around(nodes, graph)
-    x[:, _slice(column, "count", COUNTS)] = _counts(nodes, held)
+    columns = layout.columns
+    x[:, _slice(columns, "shape", SHAPE)] = _shapes(nodes)
+    x[:, _slice(columns, "around", AROUND)] = _around(nodes, graph)
+    x[:, _slice(columns, "count", COUNTS)] = _counts(nodes, held)
     none, other = len(layout.categories), len(layout.kinds)
     return Rows(
         ids=tuple(node.id for node in nodes),
@@ -172,7 +172,7 @@ def _around(nodes: Sequence[GraphNode], graph: Graph) -> npt.NDArray[np.float64]
     np.fill_diagonal(gaps, FAR_M)
 
     def least(which: npt.NDArray[np.bool_]) -> npt.NDArray[np.float64]:
-        return np.min(gaps[:, which], axis=1, initial=FAR_M)
+        return np.asarray(np.min(gaps[:, which], axis=1, initial=FAR_M))
 
     bounds = np.vstack([box[furniture & ~doors], _boxes(walls)])
     free = _free(box, bounds)
@@ -193,7 +193,8 @@ def _around(nodes: Sequence[GraphNode], graph: Graph) -> npt.NDArray[np.float64]
 def _gaps(a: npt.NDArray[np.float64], b: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """Gaps between boxes as seen from above, (len(a), len(b)) metres, at most ``FAR_M``."""
     apart = np.maximum(a[:, None, :2] - b[None, :, 3:5], b[None, :, :2] - a[:, None, 3:5])
-    return np.minimum(np.hypot(*np.moveaxis(np.maximum(apart, 0.0), -1, 0)), FAR_M)
+    apart = np.maximum(apart, 0.0)
+    return np.asarray(np.minimum(np.hypot(apart[..., 0], apart[..., 1]), FAR_M))
 
 
 def _free(box: npt.NDArray[np.float64], bounds: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:

@@ -18,6 +18,7 @@ BINS, SMALL = 8, 8
 WIDTH = (
     CELLS * CELLS * DIRECTIONS + DIRECTIONS + 2 * 3 * BINS + 2 * 6 + SMALL * SMALL * 4 + len(PLACE)
 )
+Real = npt.NDArray[np.floating]
 #: Crops at once.
 _LOT = 512
 
@@ -50,7 +51,7 @@ def _columns(pixels: Bytes, place: Floats) -> Floats:
     ).astype(np.float32)
 
 
-def _edges(gray: Floats, mask: Floats) -> Floats:
+def _edges(gray: Real, mask: Real) -> Floats:
     """Oriented gradients by cell, each cell's scaled by the crop's, and those of the thing."""
     n = len(gray)
     dx, dy = np.zeros_like(gray), np.zeros_like(gray)
@@ -65,12 +66,12 @@ def _edges(gray: Floats, mask: Floats) -> Floats:
     by_cell = np.bincount(place, strength.reshape(-1), n * bins).reshape(n, bins)
     own = (np.arange(n)[:, None, None] * DIRECTIONS + direction).reshape(-1)
     inside = np.bincount(own, (strength * mask).reshape(-1), n * DIRECTIONS).reshape(n, -1)
-    inside /= np.maximum(mask.sum(axis=(1, 2)), 1.0)[:, None]
+    inside = inside / np.maximum(mask.sum(axis=(1, 2)), 1.0)[:, None]
     norm = np.sqrt((by_cell**2).sum(axis=1, keepdims=True)) + 1.0
     return np.hstack([by_cell / norm, inside]).astype(np.float32)
 
 
-def _colours(colours: npt.NDArray[np.float32], weight: Floats) -> Floats:
+def _colours(colours: Real, weight: Real) -> Floats:
     """Histograms, means and deviations of three channels, by weight."""
     n = len(colours)
     total = np.maximum(weight.sum(axis=(1, 2)), 1e-6)

@@ -14,7 +14,6 @@ from PIL import Image
 
 from sdgen.dataset import Dataset, SceneItem
 from sdgen.detectors.examples import Ints, Progress, hazards_of, pairs
-from sdgen.detectors.told import things
 from sdgen.errors import InputError
 from sdgen.seeding import lane
 
@@ -101,16 +100,13 @@ def _cut(
             continue
         side = max(CONTEXT * max(w, h), LEAST_SIDE * width / 640)
         middle = (x + w / 2, y + h / 2)
-        box = (
-            middle[0] - side / 2,
-            middle[1] - side / 2,
-            middle[0] + side / 2,
-            middle[1] + side / 2,
-        )
+        left, top = round(middle[0] - side / 2), round(middle[1] - side / 2)
+        size = max(1, round(side))
         crop = np.zeros((SIDE, SIDE, 4), dtype=np.uint8)
-        crop[..., :3] = np.asarray(_resized(picture, box))
-        alone = Image.fromarray((mask == object_id).astype(np.uint8) * 255)
-        crop[..., 3] = np.asarray(_resized(alone, box))
+        crop[..., :3] = _resized(picture, left, top, size)
+        # The mask of its own box alone, seen from there: whole ones take most of the time.
+        alone = Image.fromarray(own.astype(np.uint8) * 255)
+        crop[..., 3] = _resized(alone, left - x, top - y, size)
         cut = x == 0 or y == 0 or x + w == width or y + h == height
         place = (
             middle[0] / width,
@@ -123,14 +119,12 @@ def _cut(
         yield object_id, crop, place
 
 
-def _resized(picture: Image.Image, box: tuple[float, float, float, float]) -> Image.Image:
+def _resized(picture: Image.Image, left: int, top: int, size: int) -> Bytes:
     """A square of a picture at the size of crops; black where it reaches beyond it."""
-    whole = tuple(round(v) for v in box)
-    # First cut, so that no more than this is averaged; nothing is beside a picture.
-    return picture.crop(whole).resize(
-        (SIDE, SIDE),
-        Image.Resampling.BOX if whole[2] - whole[0] > SIDE else Image.Resampling.BILINEAR,
-    )
+    # Large ones are averaged, small ones smoothed.
+    how = Image.Resampling.BOX if size > SIDE else Image.Resampling.BILINEAR
+    square = picture.crop((left, top, left + size, top + size))
+    return np.asarray(square.resize((SIDE, SIDE), how))
 
 
 @dataclass(frozen=True)
@@ -170,7 +164,7 @@ def gather_crops(
 def _worth(item: SceneItem, suspects: set[int], seed: int) -> set[int]:
     """Things of a scene that are learned from."""
     near = {one.object_id for one in item.anomalies.lookalikes}
-    every = sorted(node.id for node in things(item.shown_graph))
+    every = sorted(thing.id for thing in item.scene.objects)
     shown = {o.object_id for view in item.visibility.views for o in view.objects}
     rest = [k for k in every if k in shown and k not in near and k not in suspects]
     rng = lane(seed, item.entry.index, f"train:crops:{item.id}")

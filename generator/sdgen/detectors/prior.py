@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -59,7 +60,7 @@ class Rates:
     def from_arrays(cls, arrays: Mapping[str, Array], layout: Layout, hazards: int) -> Rates:
         """Rates out of a file. ValueError for what is missing or of another shape."""
         shapes = {"by_category": len(layout.categories), "by_kind": len(layout.kinds) + 1}
-        found = {}
+        found: dict[str, Any] = {}
         for name, rows in shapes.items():
             array = arrays.get(f"rates.{name}")
             if array is None or array.dtype != np.float64 or array.shape != (rows, 1 + hazards):

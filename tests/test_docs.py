@@ -143,7 +143,7 @@ def test_every_option_a_page_shows_is_understood(page: Path) -> None:
             words = shlex.split(part, comments=True)[1:]
             command, context = cli, click.Context(cli, info_name="sdgen")
             while isinstance(command, click.Group) and words:
-                found = command.get_command(context, words.pop(0))
+                _, found, words = command.resolve_command(context, words)
                 assert found is not None, line
                 command = found
                 context = click.Context(command, context, command.name)

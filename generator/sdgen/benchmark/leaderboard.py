@@ -157,7 +157,7 @@ def _percent(score: Score | None) -> str:
     mean = f"{100 * score.mean:.1f}"
     if score.low is None or score.high is None:
         return mean
-    return f"{mean} ({100 * score.low:.0f} to {100 * score.high:.0f})"
+    return f"{mean} ({100 * score.low:.1f} to {100 * score.high:.1f})"
 
 
 def _number(score: Score | float | None) -> str:

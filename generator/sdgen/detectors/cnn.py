@@ -36,7 +36,7 @@ Progress = Callable[[int, int], None]
 #: Channels of the convolutions, after colour and mask; and of the layer before the answer.
 CHANNELS = (4, 16, 32, 64, 128)
 HIDDEN = 128
-EPOCHS, LOT = 6, 64
+EPOCHS, LOT = 12, 64
 #: Of the learning rate that falls in a cosine to nothing, the highest; and the decay of weights.
 RATE, DECAY = 2e-3, 1e-2
 #: Answers are drawn so far towards doubt, or rare examples would be learned by heart.

@@ -170,7 +170,7 @@ def fit_cnn(
             logits = _forward(weights, pixels, torch.from_numpy(place))
             loss = f.cross_entropy(logits, answers[lot], label_smoothing=_SMOOTHED)
             optimizer.zero_grad()
-            loss.backward()  # type: ignore[no-untyped-call]
+            loss.backward()
             optimizer.step()
             step += 1
             if on_step is not None:

@@ -57,9 +57,8 @@ def test_the_tables_are_printed_written_and_told_to_programs(
     homes = toy.build(tmp_path / "homes", toy.small(n=12, twins=True))
     prior = tmp_path / "models" / "prior"
     assert run(["train", str(homes), "--kind", "prior", "-o", str(prior)]) == 0
-    assert (
-        run(["detect", str(homes), "--method", "rules", "-o", str(tmp_path / "r/mine.jsonl")]) == 0
-    )
+    mine = tmp_path / "r" / "mine.jsonl"
+    assert run(["detect", str(homes), "--method", "rules", "-o", str(mine)]) == 0
     capsys.readouterr()
     words = ["benchmark", str(homes), "--split", "all", "--trained", str(prior.parent)]
     words += ["--runs", str(mine.parent)]

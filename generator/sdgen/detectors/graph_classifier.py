@@ -48,6 +48,8 @@ FINDING: Mapping[str, Growth] = {
 }
 #: And what.
 NAMING = Growth(rounds=40, leaves=8, leaf_rows=5)
+#: Rarer is as good as never.
+_LEAST_RATE = 1e-4
 #: A column that is other than its commonest value in fewer rows than this tells nothing.
 _FEWEST = 5
 
@@ -126,7 +128,10 @@ def numbers(arrays: Mapping[str, Array], name: str, below: int) -> tuple[int, ..
 
 
 def _matrix(rates: npt.NDArray[np.float64], x: Floats, bags: npt.NDArray[np.generic]) -> Floats:
-    return np.hstack([rates, x, bags]).astype(np.float32)
+    # Rates in half octaves: those of the folds differ a little from those of all, and trees that
+    # may look closer tell the folds apart, and know no stove when they meet it with all rates.
+    steps = np.round(2 * np.log2(np.maximum(rates, _LEAST_RATE)))
+    return np.hstack([steps, x, bags]).astype(np.float32)
 
 
 def fit(examples: Examples, hazards: Hazards, kind: str, seed: int) -> GraphClassifier:

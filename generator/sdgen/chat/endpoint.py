@@ -53,7 +53,7 @@ class AskFailed(SdgenError):
     def __init__(
         self,
         text: str,
-        why: str,
+        why: str = "",
         status: int | None = None,
         retry_after_s: float | None = None,
         final: bool = False,

@@ -96,17 +96,17 @@ class Lessons:
 
 
 def check_needs(data: Dataset, kinds: tuple[Kind, ...]) -> None:
-    """Before any work: ModuleNotFoundError for a package that is missing, InputError for a data
-    set without a train split, or without the pictures some kind wants."""
-    for kind in kinds:
-        for name in NEEDS[kind]:
-            importlib.import_module(name)
+    """Before any work: InputError for a data set without a train split, or without the pictures
+    some kind wants, ModuleNotFoundError for a package that is missing."""
     if not len(data.filter(split="train")):
         raise InputError(
             [f"{data.path}: no scene of the split 'train' to learn from; build more (--n)"]
         )
     if any(kind in PICTURES for kind in kinds):
         need_pictures(data)
+    for kind in kinds:
+        for name in NEEDS[kind]:
+            importlib.import_module(name)
 
 
 def train(lessons: Lessons, kind: Kind, folder: Path) -> Model:

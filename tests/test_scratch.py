@@ -2,13 +2,16 @@
 
 import errno
 import os
+import subprocess
+import sys
 import tempfile
+import threading
 from pathlib import Path
 
 import pytest
 from sdgen import locks
 from sdgen.locks import FileLock
-from sdgen.scratch import PREFIX, clear_dead, scratch_folder
+from sdgen.scratch import PREFIX, clear_all_of, clear_dead, scratch_folder
 
 
 @pytest.fixture(autouse=True)
@@ -115,3 +118,27 @@ def test_a_lock_is_held_by_one_until_it_is_let_go(tmp_path: Path) -> None:
     second = FileLock.take(tmp_path / "lock")
     assert second is not None
     second.release()
+
+
+def test_those_of_a_killed_owner_go_when_it_is_dead(place: Path) -> None:
+    code = (
+        "import time; from sdgen.scratch import scratch_folder\n"
+        "with scratch_folder(of='mine-'): print('ready', flush=True); time.sleep(60)"
+    )
+    env = {**os.environ, "TMPDIR": str(place)}
+    with (
+        subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, env=env) as owner,
+        scratch_folder(of="other-") as other,
+    ):
+        assert owner.stdout is not None
+        owner.stdout.readline()
+        dying = threading.Timer(0.3, owner.kill)
+        dying.start()
+        clear_all_of("mine-", quiet_s=0.2, patience_s=20)
+        assert [path.name for path in place.iterdir()] == [other.name]
+
+
+def test_a_folder_held_on_does_not_keep_the_sweep_for_ever(place: Path) -> None:
+    with scratch_folder(of="mine-") as held:
+        clear_all_of("mine-", quiet_s=0.2, patience_s=0.3)
+        assert held.is_dir()

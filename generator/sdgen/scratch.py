@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,16 +20,19 @@ from sdgen.locks import FileLock
 
 PREFIX = "sdgen-scratch-"
 _LOCK = "lock"
+#: Seconds between two looks for what is left.
+_LOOK_S = 0.05
 
 
 @contextmanager
-def scratch_folder(within: Path | None = None) -> Iterator[Path]:
+def scratch_folder(within: Path | None = None, of: str = "") -> Iterator[Path]:
     """A folder that is there inside ``with`` and gone after it, whatever happened.
 
-    It lies in ``within``; None is the system's folder for temporary files.
+    It lies in ``within``; None is the system's folder for temporary files. ``of`` names the
+    owner, for :func:`clear_all_of`.
     """
     clear_dead(within)
-    folder, lock = _make(within)
+    folder, lock = _make(within, of)
     try:
         yield folder
     finally:
@@ -36,9 +40,9 @@ def scratch_folder(within: Path | None = None) -> Iterator[Path]:
         lock.release()
 
 
-def _make(within: Path | None) -> tuple[Path, FileLock]:
+def _make(within: Path | None, of: str) -> tuple[Path, FileLock]:
     while True:
-        folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=within))
+        folder = Path(tempfile.mkdtemp(prefix=f"{PREFIX}{of}", dir=within))
         try:
             lock = FileLock.take(folder / _LOCK)
         except FileNotFoundError:
@@ -62,3 +66,17 @@ def clear_dead(within: Path | None = None) -> None:
             if lock.kept:
                 shutil.rmtree(folder, ignore_errors=True)
             lock.release()
+
+
+def clear_all_of(of: str, quiet_s: float, patience_s: float) -> None:
+    """Take away what owners named ``of`` leave behind that were killed but may not be dead yet.
+
+    Done when there has been none of theirs for ``quiet_s``, or after ``patience_s``.
+    """
+    end = time.monotonic() + patience_s
+    since = time.monotonic()
+    while time.monotonic() < end and time.monotonic() - since < quiet_s:
+        clear_dead()
+        if any(Path(tempfile.gettempdir()).glob(f"{PREFIX}{of}*")):
+            since = time.monotonic()
+        time.sleep(_LOOK_S)

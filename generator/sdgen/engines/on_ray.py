@@ -27,7 +27,7 @@ from sdgen.engines.worker import WorkerSetup
 from sdgen.errors import SdgenError
 from sdgen.library.cache import usable_cache
 from sdgen.resources import data_path
-from sdgen.scratch import clear_dead, scratch_folder
+from sdgen.scratch import clear_all_of, scratch_folder
 
 #: Seconds between two looks at how many cores the cluster has: machines come and go.
 LOOK_S = 5.0
@@ -35,17 +35,18 @@ LOOK_S = 5.0
 SOCKET_ROOM = 107 - 68
 #: Seconds in which a cluster must take a connection.
 REACH_S = 10.0
-#: Seconds for killed actors to be gone before their scratch folders are taken away.
-GONE_S = 0.5
+#: Killed actors end when their machine comes to it, and one may just be starting: their scratch
+#: folders are gone for good when there has been none for QUIET_S. Busy machines get PATIENCE_S.
+QUIET_S, PATIENCE_S = 0.5, 30.0
 
 
 class Actor:
     """What runs on the cluster: a :class:`RemoteWorker` with a scratch folder of its own."""
 
-    def __init__(self) -> None:
+    def __init__(self, build: str) -> None:
         self._stack = ExitStack()
         # For all that is made here, by whatever library.
-        tempfile.tempdir = str(self._stack.enter_context(scratch_folder()))
+        tempfile.tempdir = str(self._stack.enter_context(scratch_folder(of=build)))
         self._stack.enter_context(usable_cache())
 
     def start(self, order: Order) -> Ready | Broken:
@@ -96,6 +97,7 @@ class Cluster:
         self._root = setup.writer.root
         self._workers = workers
         self._cores, self._looked = 1, float("-inf")
+        self._name = f"{os.urandom(4).hex()}-"
         self._stack = ExitStack()
         try:
             self._ray = self._stack.enter_context(_session(address, workers))
@@ -116,7 +118,7 @@ class Cluster:
 
     def launch(self) -> ActorWorker:
         """Ask for an actor; it starts where a core is free."""
-        return ActorWorker(self._ray, self._actor.remote(), self._order)
+        return ActorWorker(self._ray, self._actor.remote(self._name), self._order)
 
     def wait(self, workers: Sequence[Worker], timeout_s: float) -> list[tuple[Worker, Message]]:
         """Messages that have come; a lost actor is one too. Scenes sent home are put in place."""
@@ -149,14 +151,16 @@ class Cluster:
 
     def _sweep(self) -> None:
         ray = self._ray
-        time.sleep(GONE_S)
-        clear = ray.remote(num_cpus=0, max_retries=0)(clear_dead)
+        clear = ray.remote(num_cpus=0, max_retries=0)(clear_all_of)
         strategy = ray.util.scheduling_strategies.NodeAffinitySchedulingStrategy
         nodes = [node["NodeID"] for node in ray.nodes() if node["Alive"]]
         asked = [
-            clear.options(scheduling_strategy=strategy(node, soft=False)).remote() for node in nodes
+            clear.options(scheduling_strategy=strategy(node, soft=False)).remote(
+                self._name, QUIET_S, PATIENCE_S
+            )
+            for node in nodes
         ]
-        ray.wait(asked, num_returns=len(asked), timeout=10)
+        ray.wait(asked, num_returns=len(asked), timeout=2 * PATIENCE_S)
 
 
 def _workers_here(asked: int | None) -> int:

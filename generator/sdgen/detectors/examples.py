@@ -46,14 +46,14 @@ class Examples:
     wrong: npt.NDArray[np.float64]
 
 
-def pairs(data: Dataset, split: str) -> tuple[Dataset, list[tuple[SceneItem, SceneItem | None]]]:
-    """The scenes of a split with their twins. InputError where it has none."""
-    kept = data.filter(split=split)
+def train_split(data: Dataset) -> Dataset:
+    """The scenes that are learned from. InputError where there are none."""
+    kept = data.filter(split="train")
     if not len(kept):
         raise InputError(
-            [f"{data.path}: no scene of the split {split!r} to learn from; build more (--n)"]
+            [f"{data.path}: no scene of the split 'train' to learn from; build more (--n)"]
         )
-    return kept, [(item, item.twin) for item in kept]
+    return kept
 
 
 def hazards_of(item: SceneItem) -> dict[int, list[str]]:
@@ -68,7 +68,7 @@ def gather(
     data: Dataset, hazards: tuple[str, ...], seed: int, on_scene: Progress | None = None
 ) -> Examples:
     """Rows of the train split. InputError where there is none, or nothing is wrong in it."""
-    kept, both = pairs(data, "train")
+    kept = train_split(data)
     layout = Layout.of(data)
     suspects = {a.category for item in kept for a in item.anomalies.anomalies}
     if not suspects:
@@ -79,7 +79,7 @@ def gather(
     seen, wrong = np.zeros(shape), np.zeros((*shape, 1 + len(hazards)))
     parts: list[tuple[Floats, Ints, Ints, Ints, int, int, bool]] = []
     bags: list[Floats] = []
-    for place, (item, is_twin) in enumerate(_flat(both)):
+    for done, (item, is_twin) in _with_twins(kept):
         rows = rows_of(item.shown_graph, layout)
         found = hazards_of(item)
         fold = item.entry.index % FOLDS
@@ -108,7 +108,7 @@ def gather(
         )
         bags.append(bag[:-1])
         if on_scene is not None:
-            on_scene(place + 1, sum(1 + (twin is not None) for _, twin in both))
+            on_scene(done, len(kept))
     sizes = [len(part[0]) for part in parts]
     return Examples(
         layout=layout,
@@ -125,8 +125,11 @@ def gather(
     )
 
 
-def _flat(both: list[tuple[SceneItem, SceneItem | None]]) -> Iterator[tuple[SceneItem, bool]]:
-    for item, twin in both:
-        yield item, False
+def _with_twins(kept: Dataset) -> Iterator[tuple[int, tuple[SceneItem, bool]]]:
+    """How many scenes there were, a scene or twin, and whether it is a twin. One after another:
+    what an item has read is gone with it."""
+    for done, item in enumerate(kept, start=1):
+        yield done, (item, False)
+        twin = item.twin
         if twin is not None:
-            yield twin, True
+            yield done, (twin, True)

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from PIL import Image
 
 from sdgen.dataset import Dataset, SceneItem
-from sdgen.detectors.examples import Ints, Progress, hazards_of, pairs
+from sdgen.detectors.examples import Ints, Progress, hazards_of, train_split
 from sdgen.errors import InputError
 from sdgen.seeding import lane
 
@@ -142,10 +142,11 @@ def gather_crops(
     """Crops of the train split: of what is wrong, of what nearly is, of what was wrong before it
     was put right (in twins), and of some of the rest. InputError where there is nothing."""
     need_pictures(data)
-    _, both = pairs(data, "train")
+    kept = train_split(data)
     number = {name: k for k, name in enumerate(hazards)}
     parts: list[tuple[Bytes, Floats, Ints]] = []
-    for place, (item, twin) in enumerate(both):
+    for done, item in enumerate(kept, start=1):
+        twin = item.twin
         found = hazards_of(item)
         for one in (item, *(() if twin is None else (twin,))):
             wanted = _worth(one, set(found), seed)
@@ -154,7 +155,7 @@ def gather_crops(
             hazard = [number[wrong[k][0]] if k in wrong else -1 for k in crops.ids.tolist()]
             parts.append((crops.pixels, crops.place, np.array(hazard, dtype=np.int64)))
         if on_scene is not None:
-            on_scene(place + 1, len(both))
+            on_scene(done, len(kept))
     made = PictureExamples(*(np.concatenate([part[k] for part in parts]) for k in range(3)))
     if not (made.hazard >= 0).any():
         raise InputError([f"{data.path}: no view of the split 'train' shows an anomaly"])

@@ -165,7 +165,15 @@ def settings(kind: Kind) -> dict[str, dict[str, float]]:
     if kind == "prior":
         return {}
     if kind == "cnn":
-        return {"net": {"epochs": cnn.EPOCHS, "lot": cnn.LOT, "rate": cnn.RATE, "decay": cnn.DECAY}}
+        return {
+            "net": {
+                "epochs": cnn.EPOCHS,
+                "lot": cnn.LOT,
+                "rate": cnn.RATE,
+                "decay": cnn.DECAY,
+                "right_a_wrong": cnn.RIGHT_A_WRONG,
+            }
+        }
     if kind == "image":
         growth = {"finding": image_classifier.FINDING, "naming": image_classifier.NAMING}
     else:

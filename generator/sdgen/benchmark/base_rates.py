@@ -32,6 +32,10 @@ RECALLS = (0.5, 0.8, 0.9, 0.95)
 POINTS = 200
 
 
+class NoHomes(UsageError):
+    """There is no home with a hazard, or none without one, that a detector looked at."""
+
+
 class OperatingPoint(Record):
     """A detector that says only what it is at least so sure of (``threshold``; None: nothing)."""
 
@@ -77,7 +81,7 @@ def base_rates(
     costs: Costs | None = None,
 ) -> BaseRates:
     """Predictions (or their file) at a base rate. Raises UsageError where the numbers make no
-    sense or there is no home of one of the two kinds, InputError as ``evaluate``."""
+    sense, NoHomes where there is no home of one of the two kinds, InputError as ``evaluate``."""
     data = opened(data)
     found = collect(data, {"": predicted(data, predictions)})
     return rates_of(found, "", hazard_share, inspections_a_day, costs)
@@ -122,10 +126,13 @@ def rates_of(
     bad, clean = (int(value) for value in homes.sums[:, :2].sum(axis=0))
     if not bad or not clean:
         lacking = "with a hazard" if clean else "without a hazard"
-        raise UsageError(
-            f"base rates need homes with and without hazards: none here is {lacking} "
-            "(hazard-free scenes come with --hazards 0-5, benign twins with --twins of build "
-            "and of detect)"
+        raise NoHomes(
+            f"base rates need homes with and without hazards: none here is {lacking}"
+            + (
+                ""
+                if clean
+                else " (build with --twins, and say with detect --twins what is in them)"
+            )
         )
     setting = _Setting(hazard_share, inspections_a_day, homes)
     return setting.rates(lane(found.data.info.seed, 0, "evaluate:homes"), costs)
@@ -240,10 +247,15 @@ class _Setting:
         draws = [self.at(drawn[:, k * width : (k + 1) * width]) for k in range(len(wanted))]
         bad, clean, objects, _ = self.homes.sums.sum(axis=0)
         homes = round(bad + clean)
+        # One home of a kind is all there is of it, however often it is drawn.
+        spread = bool((np.count_nonzero(self.homes.sums[:, :2], axis=0) > 1).all())
 
         def score(which: int, key: str, n: int = homes) -> Score:
             value = float(told[key][wanted[which]])
-            return spread_score(value if math.isfinite(value) else None, n, draws[which][key])
+            mean = value if math.isfinite(value) else None
+            if not spread:
+                return Score(mean=mean, se=None, n=n)
+            return spread_score(mean, n, draws[which][key])
 
         nothing = Score(mean=None, se=None, n=homes)
         places = {level: 3 + k for k, level in enumerate(reached)}

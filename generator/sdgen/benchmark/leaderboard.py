@@ -23,7 +23,7 @@ BEST = "cot-sg-c"
 
 
 class Row(Record):
-    """One detector, what it was shown, and how it did.
+    """One detector, what it was shown (``graph_view`` None: its author knows), and how it did.
 
     ``household``: how who lives there enters (``own``: by the catalogue's rule; ``filter``: after
     the labels; ``prompt``; ``none``). ``model`` is that of a prompt method; ``note`` says what else
@@ -31,7 +31,7 @@ class Row(Record):
     """
 
     detector: str
-    graph_view: GraphView
+    graph_view: GraphView | None
     household: str
     model: str | None = None
     note: str = ""
@@ -179,5 +179,6 @@ def _environment() -> jinja2.Environment:
         lstrip_blocks=True,
         autoescape=False,
     )
+    made.filters |= {"view": lambda row: row.graph_view or "not said"}
     made.filters |= {"percent": _percent, "number": _number, "cell": _cell, "called": title}
     return made

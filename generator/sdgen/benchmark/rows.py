@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from sdgen.benchmark.base_rates import BaseRates, base_rates
+from sdgen.benchmark.base_rates import BaseRates, NoHomes, base_rates
 from sdgen.benchmark.leaderboard import Row
 from sdgen.benchmark.metrics import evaluate
 from sdgen.benchmark.predictions import read_predictions
@@ -15,12 +15,10 @@ from sdgen.dataset.records import Predictions
 from sdgen.dataset.text import read_record
 from sdgen.detectors import DETECTORS, Detector, detect_all
 from sdgen.detectors.account import Account
-from sdgen.detectors.model_file import RECORD, read_model
+from sdgen.detectors.model_file import RECORD
 from sdgen.detectors.trained import Trained, load_trained
-from sdgen.errors import InputError
+from sdgen.errors import InputError, UsageError
 
-#: What a trained detector reports, at least this sure, decides the curve; its threshold the rest.
-_LEAST_SCORE = 0.01
 #: How a household enters what the untrained say.
 _HOUSEHOLD = {"rules": "own", "chance": "a coin", "always": "none", "never": "none"}
 
@@ -31,12 +29,26 @@ def pictured(data: Dataset) -> bool:
     return options.views > 0 and {"depth", "instance"} <= set(options.sensors)
 
 
-def trained_in(folder: Path) -> dict[str, Trained]:
-    """The model in a folder, or those in its folders, by kind. Raises InputError."""
-    found = [sub for sub in (folder, *sorted(folder.iterdir())) if (sub / RECORD).exists()]
-    if not found:
-        raise InputError([f"{folder}: no model of 'sdgen train' in it, nor in its folders"])
-    return {read_model(sub)[0].kind: load_trained(sub) for sub in found}
+def trained_in(folders: Iterable[Path]) -> dict[str, Trained]:
+    """The models in folders, or in the folders in them, by what tables call them: their kind, and
+    the graphs they learned from unless these were full.
+
+    Raises InputError for a folder without one, UsageError for two of one name.
+    """
+    out: dict[str, Trained] = {}
+    places: dict[str, Path] = {}
+    for folder in folders:
+        found = [sub for sub in (folder, *sorted(folder.iterdir())) if (sub / RECORD).exists()]
+        if not found:
+            raise InputError([f"{folder}: no model of 'sdgen train' in it, nor in its folders"])
+        for sub in found:
+            model = load_trained(sub)
+            view = "" if model.graph_view == "full" else f" (of {model.graph_view} graphs)"
+            name = f"{model.kind}{view}"
+            if name in out:
+                raise UsageError(f"{sub}: a second model {name!r} beside {places[name]}")
+            out[name], places[name] = model, sub
+    return out
 
 
 def offline_rows(
@@ -46,35 +58,44 @@ def offline_rows(
     on_scene: Callable[[int, int], None] | None = None,
 ) -> list[Row]:
     """Rows of all that needs no key, on the data set's view of the graph."""
-    low = {name: replace(model, threshold=_LEAST_SCORE) for name, model in trained.items()}
+    # All that a detector could say decides its curve, its own threshold the rest.
+    low = {name: replace(model, threshold=0.0) for name, model in trained.items()}
     detectors: dict[str, Detector] = {**DETECTORS, **low}
     found = detect_all(data, detectors, on_scene, twins=True)
     rows = []
     for name, said in found.items():
         model = trained.get(name)
         sure = said if model is None else _at_least(said, model.threshold)
+        rates, lacking = _rates(data, said, sure, base_rate)
         rows.append(
             Row(
                 detector=name,
                 graph_view=data.graph_view,
                 household=_HOUSEHOLD.get(name, "filter"),
+                note=lacking,
                 evaluation=evaluate(data, sure),
-                base_rates=_rates(data, said, sure, base_rate),
+                base_rates=rates,
             )
         )
     return rows
 
 
-def _rates(data: Dataset, said: Predictions, sure: Predictions, base_rate: float) -> BaseRates:
-    """The curve of all that a detector could say, and where on it its own threshold lies."""
-    curve = base_rates(data, said, base_rate)
+def _rates(
+    data: Dataset, said: Predictions, sure: Predictions, base_rate: float
+) -> tuple[BaseRates | None, str]:
+    """The curve of all that a detector could say, and where on it its own threshold lies; None,
+    and why, where it looked at no home of one of the two kinds."""
+    try:
+        curve = base_rates(data, said, base_rate)
+    except NoHomes as error:
+        return None, str(error)
     if sure is said:
-        return curve
+        return curve, ""
     own = base_rates(data, sure, base_rate)
     names = ("recall", "precision", "false_alarms_per_home_day", "unwanted_per_home_day")
     costs = {**curve.cost_per_home_day, "detector": own.cost_per_home_day["detector"]}
     update = {name: getattr(own, name) for name in names} | {"cost_per_home_day": costs}
-    return curve.model_copy(update=update)
+    return curve.model_copy(update=update), ""
 
 
 def _at_least(found: Predictions, threshold: float) -> Predictions:
@@ -95,13 +116,14 @@ def rows_of_runs(data: Dataset, folder: Path, base_rate: float) -> list[Row]:
 
 def _row(data: Dataset, path: Path, base_rate: float) -> Row:
     said = read_predictions(path, data)
-    rates: BaseRates = base_rates(data, said, base_rate)
+    rates, lacking = _rates(data, said, said, base_rate)
     beside = path.with_name(f"{path.name}.account.json")
     if not beside.exists():
         return Row(
             detector=path.stem,
-            graph_view="full",
+            graph_view=None,
             household="unknown",
+            note=lacking,
             evaluation=evaluate(data, said),
             base_rates=rates,
         )
@@ -111,7 +133,7 @@ def _row(data: Dataset, path: Path, base_rate: float) -> Row:
         graph_view=account.settings.graph_view,
         household=account.settings.household,
         model=account.settings.model,
-        note=_note(account),
+        note="; ".join(part for part in (_note(account), lacking) if part),
         evaluation=evaluate(data, said),
         base_rates=rates,
     )

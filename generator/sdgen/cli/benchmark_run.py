@@ -35,8 +35,9 @@ FOLDER = click.Path(path_type=Path, file_okay=False, exists=True)
     "--graph-view",
     "views",
     multiple=True,
-    type=click.Choice(("full", "perceived")),
-    help="What of the graph detectors see [default: both, where there are pictures]; repeatable.",
+    type=click.Choice(("full", "neutral", "perceived")),
+    help="What of the graph detectors see [default: full, and perceived where there are pictures]; "
+    "repeatable.",
 )
 @click.option(
     "--base-rate",
@@ -87,7 +88,7 @@ def run(
         views = ("full", "perceived") if pictured(data) else ("full",)
         if len(views) == 1:
             hint("without depth and instance pictures there is no perceived graph to score")
-    models = {name: model for folder in trained for name, model in trained_in(folder).items()}
+    models = trained_in(trained)
     rows = []
     for view in views:
         with bar(f"{view} graph") as on_scene:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from sdgen.dataset import Dataset, SceneItem
+from sdgen.dataset.graph_views import GraphView
 from sdgen.dataset.records import Report
 from sdgen.detectors.cnn import Cnn
 from sdgen.detectors.graph_classifier import GraphClassifier
@@ -31,10 +32,12 @@ LOADERS: Mapping[Kind, FromFile] = {
 
 @dataclass(frozen=True)
 class Trained:
-    """A detector: a scorer and the least score that is reported."""
+    """A detector: a scorer, the least score that is reported, and what it learned from."""
 
-    scorer: Scorer
+    scorer: Scorer = field(repr=False)
     threshold: float
+    kind: Kind
+    graph_view: GraphView
 
     def __call__(self, data: Dataset, item: SceneItem) -> tuple[Report, ...]:
         """Reports of a scene, sorted by id; the score says how sure it is."""
@@ -69,4 +72,5 @@ def load_trained(folder: Path, threshold: float | None = None) -> Trained:
         raise InputError(
             [f"{folder / ARRAYS}: no detector of kind {model.kind} ({error})"]
         ) from None
-    return Trained(scorer, model.threshold if threshold is None else threshold)
+    least = model.threshold if threshold is None else threshold
+    return Trained(scorer, least, model.kind, model.graph_view)

@@ -120,6 +120,16 @@ def test_homes_of_one_kind_alone_have_no_base_rate(data: Dataset) -> None:
         rated(data, [truth("0", wrong(1)), truth("1")], {}, inspections_a_day=0)
 
 
+def test_of_one_home_of_a_kind_there_is_no_interval(data: Dataset) -> None:
+    many = [truth("0", wrong(1)), truth("1", wrong(1)), truth("2"), truth("3")]
+    few = many[:-1]
+    for truths, spread in ((many, True), (few, False)):
+        found = rated(data, truths, {"0": said(1), "2": said(9)})
+        assert found.recall.mean == 0.5
+        assert (found.recall.low is not None) is spread
+        assert (found.false_alarms_per_home_day.se is not None) is spread
+
+
 SURE = st.dictionaries(st.integers(1, 12), st.floats(0, 1), max_size=8)
 
 

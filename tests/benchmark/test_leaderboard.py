@@ -118,7 +118,7 @@ def test_the_page_has_every_row_and_no_strangers_markup(path: Path, rows: list[R
 
 def test_folders_without_models_or_runs_are_refused(path: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no model of 'sdgen train'"):
-        trained_in(tmp_path)
+        trained_in([tmp_path])
     with pytest.raises(InputError, match="no predictions"):
         rows_of_runs(Dataset(path), tmp_path, 0.05)
 

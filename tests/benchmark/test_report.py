@@ -95,10 +95,10 @@ def test_the_worst_scenes_come_first_and_say_what_is_true(found: Collected) -> N
     assert missed.picture is not None
     assert [(v.detector, v.text, v.wrong) for v in missed.said] == [
         ("a", "nothing", True),
-        ("b", "unsafe, now, sure by 1.00", False),
+        ("b", "unsafe, now, score 1.00", False),
     ]
-    knife = next(thing for thing in things if thing.kind == "told lookalike")
-    assert any("Lookalike: nearly" in line for line in knife.true)
+    knife = next(thing for thing in things if thing.kind == "reported lookalike")
+    assert any("Lookalike of" in line for line in knife.true)
     assert list(worst_scenes(found, 0)) == []
 
 

@@ -76,6 +76,54 @@ def test_missing_and_further_scenes_are_named(data: Dataset, tmp_path: Path) -> 
     assert "scenes/000004: was not sealed" in list(opened(sealed, SECRET, many))
 
 
+def change(path: Path, old: str, new: str) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+def test_what_readers_go_by_beside_the_scenes_is_sealed_too(data: Dataset, tmp_path: Path) -> None:
+    sealed = seal(data, SECRET)
+    again = made(tmp_path / "again")
+    entry = again.entries[0]
+    to = "train" if entry.split != "train" else "test"
+    change(again.path / "manifest.jsonl", f'"split": "{entry.split}"', f'"split": "{to}"')
+    change(again.path / "dataset.json", '"licence"', '"licence" ')
+    (again.path / "scenes" / entry.id / "extra.txt").write_text("x")
+    (again.path / "scenes" / "000009").mkdir()
+    table = again.path / "assets.jsonl"
+    table.write_bytes(table.read_bytes() + b"\n")
+    assert set(opened(sealed, SECRET, Dataset(again.path, partial=True))) == {
+        f"manifest.jsonl: {entry.id}: not what was sealed (its split, what it holds)",
+        f"scenes/{entry.id}/extra.txt: was not sealed",
+        "scenes/000009: was not sealed",
+        "assets.jsonl: not the one that was sealed",
+    }
+    info = again.info.model_copy(update={"hazards_enabled": again.info.hazards_enabled[1:]})
+    (again.path / "dataset.json").write_bytes(record_bytes(info))
+    problems = list(opened(sealed, SECRET, Dataset(again.path, partial=True)))
+    assert "dataset.json: not the one that was sealed (its splits, counts or words)" in problems
+
+
+def test_a_seal_has_each_scene_once_and_one_at_least(data: Dataset, tmp_path: Path) -> None:
+    sealed = seal(data, SECRET)
+    path = tmp_path / "seal.json"
+    for scenes in ((), (sealed.scenes[0], sealed.scenes[0])):
+        path.write_bytes(record_bytes(sealed.model_copy(update={"scenes": scenes})))
+        with pytest.raises(InputError, match="scenes"):
+            read_seal(path)
+
+
+def test_what_a_bad_secret_holds_is_not_told(tmp_path: Path) -> None:
+    path = tmp_path / "secret.json"
+    path.write_text('{"seed": 987654321, "nonce": "MYSECRETWORD"}')
+    with pytest.raises(InputError) as caught:
+        secret_of(path)
+    assert "nonce" in str(caught.value)
+    assert "MYSECRETWORD" not in str(caught.value)
+    assert "987654321" not in str(caught.value)
+
+
 def test_another_secret_opens_nothing(data: Dataset) -> None:
     sealed = seal(data, SECRET)
     with pytest.raises(SdgenError, match="not the secret that the seal commits to"):

@@ -64,7 +64,12 @@ def test_the_tables_are_printed_written_and_told_to_programs(
     words += ["--runs", str(mine.parent)]
     assert run(words) == 0
     page = capsys.readouterr().out
-    for row in ("| rules | full |", "| prior | full |", "| prior | perceived |", "| mine | full |"):
+    for row in (
+        "| rules | full |",
+        "| prior | full |",
+        "| prior | perceived |",
+        "| mine | not said |",
+    ):
         assert f"\n{row}" in page
     assert run([*words, "-o", str(tmp_path / "board.md")]) == 0
     assert (tmp_path / "board.md").read_text(encoding="utf-8") == page
@@ -76,6 +81,83 @@ def test_the_tables_are_printed_written_and_told_to_programs(
         "mine",
     ]
     assert told["base_rate"] == 0.05
+
+
+def test_runs_are_not_written_over_and_want_no_clean_homes(
+    tmp_path: Path, capsys: Captured
+) -> None:
+    homes = toy.build_with_twins(tmp_path / "homes", n=3)
+    mine = tmp_path / "r" / "mine.jsonl"
+    assert run(["detect", str(homes), "--method", "rules", "-o", str(mine)]) == 0
+    before = mine.read_bytes()
+    words = ["benchmark", str(homes), "--split", "test", "--runs", str(mine.parent)]
+    words += ["--graph-view", "full"]
+    assert run([*words, "-o", str(mine)]) == 1
+    assert "choose another place" in capsys.readouterr().err
+    assert mine.read_bytes() == before
+    assert run(words) == 0
+    page = capsys.readouterr().out
+    assert "mine (not said): base rates need homes with and without hazards" in page
+    assert page.count("\n| mine |") == 1
+    assert page.count("\n| rules |") == 2
+
+
+def test_two_models_of_one_name_are_refused_and_views_tell_them_apart(
+    tmp_path: Path, capsys: Captured
+) -> None:
+    homes = toy.build(tmp_path / "homes", toy.small(n=12, twins=True))
+    for place, view in (("a", "full"), ("b", "full"), ("c", "neutral")):
+        words = ["train", str(homes), "--kind", "prior", "--graph-view", view]
+        assert run([*words, "-o", str(tmp_path / place)]) == 0
+    words = ["benchmark", str(homes), "--split", "all", "--graph-view", "neutral"]
+    words += ["--trained", str(tmp_path / "a")]
+    capsys.readouterr()
+    assert run([*words, "--trained", str(tmp_path / "b")]) == 2
+    assert f"{tmp_path / 'b'}: a second model 'prior'" in capsys.readouterr().err
+    assert run([*words, "--trained", str(tmp_path / "c")]) == 0
+    page = capsys.readouterr().out
+    assert "\n| prior | neutral |" in page
+    assert "\n| prior (of neutral graphs) | neutral |" in page
+
+
+def test_a_trained_row_scores_as_its_predictions_do(tmp_path: Path, capsys: Captured) -> None:
+    homes = toy.build(tmp_path / "homes", toy.small(n=12, twins=True))
+    model, said = tmp_path / "prior", tmp_path / "p.jsonl"
+    assert run(["train", str(homes), "--kind", "prior", "-o", str(model)]) == 0
+    words = ["detect", str(homes), "--trained", str(model), "--twins", "-o", str(said)]
+    assert run(words) == 0
+    capsys.readouterr()
+    assert run(["evaluate", str(homes), str(said), "--json"]) == 0
+    alone = json.loads(capsys.readouterr().out)
+    words = ["benchmark", str(homes), "--split", "all", "--trained", str(model), "--json"]
+    assert run([*words, "--graph-view", "full"]) == 0
+    row = json.loads(capsys.readouterr().out)["rows"][-1]
+    assert row["detector"] == "prior"
+    assert {key: row["evaluation"][key] for key in alone} == alone
+    # Its curve goes on where it says nothing any more: to all that there is to find.
+    assert row["base_rates"]["curve"][-1]["recall"] == 1
+
+
+def test_a_secret_is_neither_written_over_nor_made_in_vain(
+    tmp_path: Path, capsys: Captured
+) -> None:
+    secret, sealed = tmp_path / "s.json", tmp_path / "d"
+    words = ["benchmark", "seal", "--seed-file", str(secret), "--dataset", str(sealed)]
+    seal = str(tmp_path / "seal.json")
+    for more, told in (
+        (["-o", str(secret), "--", "--n", "1"], "choose another place"),
+        (["-o", str(sealed / "seal.json"), "--", "--n", "1"], "choose another place"),
+        (["-o", seal, "--", "--width", "64"], "--width"),
+        (["-o", seal, "--", "--n", "0"], "a test of no scenes"),
+    ):
+        assert run([*words, *more]) in (1, 2)
+        assert told in capsys.readouterr().err
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "notes.txt").write_text("x")
+    words[-1] = str(tmp_path / "mine")
+    assert run([*words, "-o", seal, "--", "--n", "1"]) == 1
+    assert "no data set" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["mine"]
 
 
 def test_a_split_without_scenes_is_named(tmp_path: Path, capsys: Captured) -> None:

@@ -176,12 +176,42 @@ def test_scenes_that_could_not_be_asked_are_named_and_the_exit_is_3(
         assert "6 of 6 scenes could not be asked: 429: slow down (6)" in line
         assert "the same command asks them again" in line
         assert account(out)["scenes_by_status"]["failed"] == 6
-        assert out.read_bytes() == b""
+        assert not out.exists()
         # And it does.
         fake.status = 200
         fake.says("none")
         assert run(words(homes, out, fake.url)) == 0
-    assert len(out.read_text().splitlines()) == 6
+    good = out.read_bytes()
+    assert len(good.splitlines()) == 6
+    # What went well stays, whatever a later run comes to.
+    with endpoint(Fake(b"no", 500)) as fake:
+        again = [*words(homes, out, fake.url, "--retries", "0"), "--cache", str(tmp_path / "c")]
+        assert run(again) == 3
+    assert "is not written" in capsys.readouterr().err
+    assert out.read_bytes() == good
+
+
+@pytest.mark.parametrize("status", [200, 401])
+def test_a_key_that_an_endpoint_repeats_is_kept_nowhere(
+    homes: Path,
+    tmp_path: Path,
+    capsys: Captured,
+    monkeypatch: pytest.MonkeyPatch,
+    status: int,
+) -> None:
+    key = "sk-SECRET-xyzzy"
+    monkeypatch.setenv("OPENAI_API_KEY", key)
+    said = {"error": {"message": f"bad key {key}"}}
+    if status == 200:
+        said = {"choices": [{"message": {"content": f"'{key}': 'unsafe'"}}]}
+    with endpoint(Fake(json.dumps(said).encode(), status)) as fake:
+        run(words(homes, tmp_path / "p.jsonl", fake.url))
+    assert fake.asked
+    told = capsys.readouterr()
+    assert key not in told.out + told.err
+    kept = [path for path in tmp_path.rglob("*") if path.is_file()]
+    assert status == 401 or kept
+    assert not [path for path in kept if key.encode() in path.read_bytes()]
 
 
 def test_an_endpoint_that_refuses_the_key_is_asked_three_times(
@@ -219,6 +249,11 @@ def test_an_unreliable_endpoint_leaves_no_scene_without_an_account(tmp_path: Pat
         (["--method", "sg", "--model", "m", "--parser", "m"], "--parser is for"),
         (["--method", "sg-c", "--model", "m", "--temperature", "hot"], "is no number, nor none"),
         (["--method", "sg-c", "--trained", "x"], "name one of them"),
+        (["--method", "sg-c", "--model", "m", "--base-url", "nonsense"], "no address of an"),
+        (["--method", "sg-c", "--model", "m", "--base-url", "file:///etc"], "no address of an"),
+        (["--method", "sg-c", "--model", "m", "--base-url", "http://h:99999"], "no address of an"),
+        (["--method", "sg-c", "--model", "m", "--base-url", ""], "no address of an"),
+        (["--method", "sg-c", "--model", "m", "--timeout", "nan"], "--timeout: nan is no number"),
     ],
 )
 def test_options_that_make_no_sense_are_one_line(

@@ -30,7 +30,7 @@ def call(sound: Path, *words: str) -> int:
 def test_several_files_are_columns_and_compared(sound: Path, capsys: Captured) -> None:
     assert call(sound, "rules.jsonl", "always.jsonl", "--base-rate", "0.05") == 0
     out = capsys.readouterr().out
-    assert "always less rules" in out
+    assert "always minus rules" in out
     assert "5 % of homes with a hazard" in out
     assert "twins told apart" in out
 
@@ -80,7 +80,43 @@ def test_lenient_counts_what_it_skips(sound: Path, capsys: Captured) -> None:
     assert told.err.splitlines() == [
         f"{path}: 1 line that is no prediction was skipped",
         f"{path}: 1 report of an object that does not exist counts as false alarm",
+        f"{path}: no line for 3 of 4 scenes, which counts as silence",
     ]
+
+
+def test_a_number_that_is_none_costs_its_report_alone(sound: Path, capsys: Captured) -> None:
+    path = sound.parent / "nan.jsonl"
+    bad = '{"object_id": 8, "label": "unsafe", "score": NaN}'
+    good = '{"object_id": 9, "label": "unsafe"}'
+    path.write_text(f'{{"scene": "000001", "reports": [{bad}, {good}]}}\n')
+    assert call(sound, "nan.jsonl") == 1
+    assert "nan.jsonl:1" in capsys.readouterr().err
+    assert call(sound, "nan.jsonl", "--lenient", "--json") == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["skipped"]["bad_reports"] == 1
+    assert told["skipped"]["broken_lines"] == 0
+    assert told["false_alarms_per_scene"]["mean"] == 0.25
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--items", "in.jsonl"],
+        ["--plot", "one.svg", "--report", "one.svg"],
+        ["--report", "folder", "--items", "folder/items.csv"],
+        ["--costs", "costs.csv", "--items", "costs.csv"],
+    ],
+)
+def test_nothing_is_written_over_what_is_read_or_within_another(
+    sound: Path, tmp_path: Path, capsys: Captured, words: list[str]
+) -> None:
+    (tmp_path / "in.jsonl").write_bytes((sound.parent / "rules.jsonl").read_bytes())
+    (tmp_path / "costs.csv").write_text("late: 3")
+    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    told = [word if word.startswith("--") else str(tmp_path / word) for word in words]
+    assert run(["evaluate", str(sound), str(tmp_path / "in.jsonl"), *told]) == 1
+    assert "choose another place" in capsys.readouterr().err
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
 @pytest.mark.parametrize(
@@ -92,6 +128,10 @@ def test_lenient_counts_what_it_skips(sound: Path, capsys: Captured) -> None:
         (["rules.jsonl", "--items", "i.txt"], 2, "items are written as .jsonl or .csv"),
         (["rules.jsonl", "--plot", "p.png"], 2, "the picture is an SVG"),
         (["rules.jsonl", "--base-rate", "0.1", "--inspections", "nan"], 2, "nan inspections a day"),
+        (["rules.jsonl", "--inspections", "2"], 2, "--inspections goes with --base-rate"),
+        (["rules.jsonl", "--worst", "2"], 2, "--worst goes with --report"),
+        (["rules.jsonl", "--report", "r", "--gallery", "nowhere"], 2, "nowhere: no such folder"),
+        (["rules.jsonl", "--name", " "], 2, "a name of nothing"),
         ([], 2, "Missing argument"),
     ],
 )

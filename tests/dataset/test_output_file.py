@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from sdgen.dataset.output_file import output_file, write_output
+from sdgen.dataset.output_file import output_file, refuse_mixed, write_output
 from sdgen.errors import SdgenError
 
 from tests import toy
@@ -93,6 +93,14 @@ def test_whole_or_not_at_all(tmp_path: Path) -> None:
     write_output(place, b"new")
     assert place.read_bytes() == b"new"
     assert os.listdir(place.parent) == ["o"]
+
+
+def test_an_output_is_no_input_and_no_part_of_another(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to(tmp_path / "in")
+    refuse_mixed([tmp_path / "a", tmp_path / "b" / "c"], [tmp_path / "in", tmp_path / "b"])
+    for outputs in (["in"], ["link"], ["x/../in"], ["a", "a"], ["a", "a/b"], ["a/b/c", "a"]):
+        with pytest.raises(SdgenError, match="choose another place"):
+            refuse_mixed([tmp_path / name for name in outputs], [tmp_path / "in"])
 
 
 def test_standard_output_is_no_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

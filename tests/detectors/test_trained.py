@@ -17,6 +17,7 @@ import pytest
 from sdgen.cli.main import run
 from sdgen.dataset import Dataset
 from sdgen.detectors import cnn
+from sdgen.detectors.boosted import Boosted
 from sdgen.detectors.layout import Layout
 from sdgen.detectors.model_file import Kind, arrays_from
 from sdgen.detectors.run import detect
@@ -304,6 +305,21 @@ def test_a_net_answers_for_a_crop_whatever_is_asked_beside_it() -> None:
     both = cnn._forward(weights, pixels, place)
     alone = cnn._forward(weights, pixels[:1], place[:1])
     assert torch.allclose(both[:1], alone, atol=1e-5)
+
+
+def test_more_trees_than_any_model_has_are_refused() -> None:
+    trees = {
+        "t.start": np.zeros(1),
+        "t.roots": np.zeros((60_000, 1), dtype=np.int64),
+        "t.feature": np.full(1, -1, dtype=np.int64),
+        "t.threshold": np.zeros(1),
+        "t.left": np.zeros(1, dtype=np.int64),
+        "t.right": np.zeros(1, dtype=np.int64),
+        "t.value": np.zeros(1),
+    }
+    with pytest.raises(ValueError, match="another size"):
+        Boosted.from_arrays(trees, "t", 1, 2)
+    Boosted.from_arrays({**trees, "t.roots": trees["t.roots"][:5]}, "t", 1, 2)
 
 
 def test_a_foreign_folder_is_left_alone(homes: Path, tmp_path: Path) -> None:

@@ -57,7 +57,11 @@ class Mark:
 
 def recall_panel(found: Mapping[str, Evaluation]) -> Panel:
     """Recall by hazard, a dot and a 95 % interval for each detector."""
-    hazards = list(dict.fromkeys(key for one in found.values() for key in one.recall_by_hazard))
+    counts: dict[str, int] = {}
+    for one in found.values():
+        for key, told in one.recall_by_hazard.items():
+            counts[key] = max(told.n, counts.get(key, 0))
+    hazards = [key for key, count in counts.items() if count]
     named = _named(found)
     top = HEAD + _legend(named)
     row = LANE * len(found) + GAP
@@ -87,11 +91,13 @@ def recall_panel(found: Mapping[str, Evaluation]) -> Panel:
     low = top + row * len(hazards)
     return Panel(
         kind="rows",
-        title="Recall by hazard, with 95 % intervals",
+        title="Recall by hazard (anomalies), with 95 % intervals",
         height=low + FOOT,
         names=named,
         x_ticks=tuple((x(k / 5), f"{k / 5:g}") for k in range(6)),
-        y_ticks=tuple((top + (j + 0.5) * row, _plain(h)) for j, h in enumerate(hazards)),
+        y_ticks=tuple(
+            (top + (j + 0.5) * row, f"{_plain(h)} ({counts[h]})") for j, h in enumerate(hazards)
+        ),
         marks=tuple(marks),
         left=LABEL,
         right=right,
@@ -140,11 +146,11 @@ def curve_panel(found: Mapping[str, BaseRates]) -> Panel:
     setting = next(iter(found.values()), None)
     where = "false alarms a home-day"
     if setting is not None:
-        where += f" ({100 * setting.hazard_share:.3g} % of homes have a hazard)"
+        where += f", {100 * setting.hazard_share:.3g} % of homes with a hazard, log scale"
     ticks = [(zero, "0"), *((x(10.0**k), f"{10.0**k:g}") for k in range(first, last + 1))]
     return Panel(
         kind="field",
-        title="Recall against false alarms at this base rate",
+        title="Recall (upwards) against false alarms",
         height=low + FOOT,
         names=named,
         x_ticks=tuple(ticks),

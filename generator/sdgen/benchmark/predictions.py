@@ -121,7 +121,7 @@ def read_leniently(path: str | Path, data: Dataset) -> Lenient:
     out: dict[str, tuple[Report, ...]] = {}
     for number, line in numbered_lines(path, str(path)):
         try:
-            value = parse(line, f"{path}:{number}")
+            value = parse(line, f"{path}:{number}", any_number=True)
         except InputError:
             value = None
         scene = value.get("scene") if isinstance(value, dict) else None

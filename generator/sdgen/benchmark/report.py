@@ -18,7 +18,7 @@ from sdgen.benchmark.compare import comparisons
 from sdgen.benchmark.metrics import Evaluation, evaluation
 from sdgen.benchmark.plot import curve_panel, recall_panel, svg
 from sdgen.benchmark.scores import Score
-from sdgen.benchmark.tables import CUTS, MICRO, ROWS, in_words, p_in_words
+from sdgen.benchmark.tables import CUTS, MICRO, ROWS, in_words, over_in_words, p_in_words
 from sdgen.benchmark.worst import SceneOnPage, worst_scenes
 from sdgen.dataset.disk import remove_tree
 from sdgen.dataset.output_file import write_output
@@ -178,5 +178,5 @@ def _templates() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(score=in_words, p=p_in_words, words=plain)
+    environment.filters.update(score=in_words, over=over_in_words, p=p_in_words, words=plain)
     return environment

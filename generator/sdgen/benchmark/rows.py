@@ -60,7 +60,9 @@ def offline_rows(
     """Rows of all that needs no key, on the data set's view of the graph."""
     # All that a detector could say decides its curve, its own threshold the rest.
     low = {name: replace(model, threshold=0.0) for name, model in trained.items()}
-    detectors: dict[str, Detector] = {**DETECTORS, **low}
+    # Rules ask for states, which a neutral graph has none of.
+    plain = {k: one for k, one in DETECTORS.items() if k != "rules" or data.graph_view != "neutral"}
+    detectors: dict[str, Detector] = {**plain, **low}
     found = detect_all(data, detectors, on_scene, twins=True)
     rows = []
     for name, said in found.items():

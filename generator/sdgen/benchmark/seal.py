@@ -10,24 +10,28 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import secrets
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from sdgen.dataset import Dataset
 from sdgen.dataset.disk import sha256_hex
 from sdgen.dataset.output_file import check_output
-from sdgen.dataset.records import CONTENT_FILES, SHA256, ManifestEntry
+from sdgen.dataset.records import CONTENT_FILES, SHA256, DatasetInfo, ManifestEntry
 from sdgen.dataset.scene_folder import content_sha256
-from sdgen.dataset.text import compact, plain, read_record, record_bytes
+from sdgen.dataset.text import compact, plain, read_bytes, read_record, record_bytes
 from sdgen.errors import InputError, SdgenError
 from sdgen.options import MAX_SEED, BuildOptions
 from sdgen.scene import Record
 
 FORMAT: Literal["sdgen seal 1"] = "sdgen seal 1"
+
+#: Files beside the scenes that readers go by, and that are the same whatever drew the pictures.
+TABLES = ("catalogue.json", "assets.jsonl")
 
 #: A smaller seed could be found by building the first scene of each.
 LEAST_SEED = 2**48
@@ -49,15 +53,19 @@ class Secret(Record):
 
 
 class SealedScene(Record):
-    """What a scene is bound to: the digest of its content, and that of all of its files."""
+    """What a scene is bound to: the digest of its content, that of all of its files, and that of
+    what the manifest says of it besides (its split, what it is the twin of, what it holds)."""
 
     id: str
     content_sha256: Digest
     files_sha256: Digest
+    entry_sha256: Digest
 
 
 class Seal(Record):
-    """What is published of a test set that nobody is to see. ``options`` has 0 for the seed."""
+    """What is published of a test set that nobody is to see. ``options`` has 0 for the seed;
+    ``record_sha256`` is the digest of ``dataset.json`` without seed, renderers and versions,
+    ``tables`` has those of TABLES."""
 
     format: Literal["sdgen seal 1"] = FORMAT
     commitment: Digest
@@ -66,7 +74,16 @@ class Seal(Record):
     renderers: tuple[str, ...]
     catalogue_sha256: Digest
     assets_sha256: Digest
-    scenes: tuple[SealedScene, ...]
+    record_sha256: Digest
+    tables: dict[str, Digest]
+    scenes: tuple[SealedScene, ...] = Field(min_length=1)
+
+    @field_validator("scenes")
+    @classmethod
+    def _once(cls, scenes: tuple[SealedScene, ...]) -> tuple[SealedScene, ...]:
+        if len({scene.id for scene in scenes}) < len(scenes):
+            raise ValueError("a scene appears twice")
+        return scenes
 
     @property
     def digest(self) -> str:
@@ -89,7 +106,12 @@ def secret_of(path: Path, make: bool = False) -> Secret:
         path.parent.mkdir(parents=True, exist_ok=True)
         with os.fdopen(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "wb") as file:
             file.write(record_bytes(new_secret()))
-    return read_record(Secret, path, str(path))
+    try:
+        return read_record(Secret, path, str(path))
+    except InputError as error:
+        # Without what it holds: it may be nearly right, and errors end in logs.
+        told = [re.split(r"[ (]got ", problem)[0].rstrip(" ,(") for problem in error.problems]
+        raise InputError(told) from None
 
 
 def seal(data: Dataset, secret: Secret) -> Seal:
@@ -106,19 +128,39 @@ def seal(data: Dataset, secret: Secret) -> Seal:
         renderers=data.info.renderers,
         catalogue_sha256=data.info.catalogue_sha256,
         assets_sha256=data.info.assets_sha256,
+        record_sha256=_record_digest(data.info),
+        tables={name: _table_digest(data, name) for name in TABLES},
         scenes=tuple(
             SealedScene(
                 id=entry.id,
                 content_sha256=entry.content_sha256,
                 files_sha256=_digest(entry.files),
+                entry_sha256=_entry_digest(entry),
             )
             for entry in sorted(data.entries, key=lambda one: one.id)
         ),
     )
 
 
-def _digest(files: dict[str, str]) -> str:
-    return sha256_hex(compact(dict(sorted(files.items()))).encode("utf-8"))
+def _digest(value: dict[str, Any]) -> str:
+    return sha256_hex(compact(dict(sorted(value.items()))).encode("utf-8"))
+
+
+def _entry_digest(entry: ManifestEntry) -> str:
+    return _digest(entry.model_dump(mode="json", exclude={"files"}))
+
+
+def _record_digest(info: DatasetInfo) -> str:
+    """Of all but the seed, and what another machine may have other: renderers, and versions, which
+    scenes tell by their bytes."""
+    options = info.options.model_copy(update={"seed": 0, "renderer": "auto"})
+    other = {"seed": 0, "renderers": (), "versions": {}, "options": options}
+    same = info.model_copy(update=other)
+    return _digest(plain(same))
+
+
+def _table_digest(data: Dataset, name: str) -> str:
+    return sha256_hex(read_bytes(data.path / name, f"{data.path / name}"))
 
 
 def read_seal(path: Path) -> Seal:
@@ -152,9 +194,19 @@ def opened(
     for name in ("catalogue_sha256", "assets_sha256"):
         if getattr(data.info, name) != getattr(sealed, name):
             yield f"dataset.json: {name}: not that of the seal"
+    if _record_digest(data.info) != sealed.record_sha256:
+        yield "dataset.json: not the one that was sealed (its splits, counts or words)"
+    for name, digest in sealed.tables.items():
+        if name in TABLES and _table_digest(data, name) != digest:
+            yield f"{name}: not the one that was sealed"
+    yield from _strays(data)
     there = {entry.id: entry for entry in data.entries}
-    for name in sorted(there.keys() - {scene.id for scene in sealed.scenes}):
-        yield f"scenes/{name}: was not sealed"
+    known = {scene.id for scene in sealed.scenes}
+    for name in sorted(there.keys() - known):
+        if (data.path / "scenes" / name).exists():
+            yield f"scenes/{name}: was not sealed"
+        else:
+            yield f"manifest.jsonl: {name}: was not sealed"
     pictures = same_pictures(sealed, data)
     for done, scene in enumerate(sealed.scenes, start=1):
         entry = there.get(scene.id)
@@ -164,6 +216,19 @@ def opened(
             yield from _differs(scene, entry, data, pictures)
         if on_scene is not None:
             on_scene(done, len(sealed.scenes))
+
+
+def _strays(data: Dataset) -> Iterator[str]:
+    """What lies among the scenes and is in no manifest."""
+    files = {entry.id: set(entry.files) for entry in data.entries}
+    for folder in sorted((data.path / "scenes").iterdir()):
+        if folder.name not in files:
+            yield f"scenes/{folder.name}: was not sealed"
+            continue
+        for path in sorted(folder.rglob("*")):
+            name = path.relative_to(folder).as_posix()
+            if name not in files[folder.name] and not path.is_dir():
+                yield f"scenes/{folder.name}/{name}: was not sealed"
 
 
 def _as_asked(sealed: Seal, data: Dataset) -> BuildOptions:
@@ -193,5 +258,7 @@ def _differs(
             content[name] = read
     if content.keys() < set(CONTENT_FILES) or content_sha256(content) != scene.content_sha256:
         yield f"{where}: another scene than the one sealed"
+    elif _entry_digest(entry) != scene.entry_sha256:
+        yield f"manifest.jsonl: {entry.id}: not what was sealed (its split, what it holds)"
     elif pictures and _digest(entry.files) != scene.files_sha256:
         yield f"{where}: the scene that was sealed, with other views"

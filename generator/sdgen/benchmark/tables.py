@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from sdgen.benchmark.compare import Difference
 from sdgen.benchmark.scores import Score
@@ -21,8 +21,8 @@ ROWS: Mapping[str, str] = {
     "lookalikes reported": "lookalikes_reported",
     "twins told apart": "twins_told_apart",
     "false alarms a twin": "twin_false_alarms",
-    "recall, seen - unseen ways": "seen_gap",
-    "recall, seen - unseen kinds": "category_seen_gap",
+    "recall, seen minus unseen ways": "seen_gap",
+    "recall, seen minus unseen categories": "category_seen_gap",
 }
 #: Those that are told whether or not there is a value, and over what they are taken.
 FIXED: Mapping[str, str] = {
@@ -52,6 +52,11 @@ CUTS: Mapping[str, str] = {
     "recall by category, outside train": "recall_by_category_seen",
     "lookalikes reported, by hazard": "lookalikes_reported_by_hazard",
 }
+
+
+def over_in_words(counts: Sequence[int]) -> str:
+    """Over how many values scores of several detectors are taken: once where it is the same."""
+    return str(counts[0]) if len(set(counts)) == 1 else ", ".join(map(str, counts))
 
 
 def in_words(score: Score | Difference) -> str:

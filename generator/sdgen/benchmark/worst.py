@@ -139,7 +139,9 @@ class _Scene:
                 true.append(f"{anomaly.label}, {wanted}: {anomaly.reason}")
         for near in self._item.anomalies.lookalikes:
             if near.object_id == key and one.near_miss_of:
-                true.append(f"Lookalike: nearly {self._title(near.near_miss_of)}.")
+                true.append(
+                    f"Lookalike of “{self._title(near.near_miss_of)}”, which it just is not."
+                )
                 evidence = (*evidence, *measured(near.evidence, self._name))
         thing = self._things.get(key)
         if not true and thing is None and one.category is None:
@@ -149,7 +151,7 @@ class _Scene:
         if thing is not None and thing.states:
             evidence = (*evidence, ("states", ", ".join(map(plain, thing.states)).lower()))
         kinds = {"miss": "missed", "hit": "told wrongly", "false_alarm": "false alarm"}
-        kind = "told lookalike" if one.near_miss_of else kinds[one.kind]
+        kind = "reported lookalike" if one.near_miss_of else kinds[one.kind]
         verdicts = (self._verdict(name, some.get(name, ())) for name in detectors)
         return ThingOnPage(
             kind=kind,
@@ -207,5 +209,5 @@ def _rank(item: Item) -> int:
 def _in_words(said: Report | None) -> str:
     if said is None:
         return "nothing"
-    sure = "" if said.score is None else f", sure by {said.score:.2f}"
+    sure = "" if said.score is None else f", score {said.score:.2f}"
     return f"{said.label}, {said.notify}{sure}"

@@ -17,6 +17,9 @@ _MAX_BYTES = 1_500_000
 #: More tokens than any answer or question has: a count beyond it is nonsense.
 _MAX_TOKENS = 10_000_000
 
+#: What is shorter is no key.
+_LEAST_KEY = 8
+
 #: A message as the protocol has it: its role, its content (text, or parts with pictures).
 Message = dict[str, Any]
 
@@ -146,7 +149,7 @@ def _answer(endpoint: Endpoint, body: bytes) -> Answer:
     usage = reply.get("usage")
     return Answer(
         # Half of a pair of surrogates is no text: a model may say it, a file cannot.
-        text=content.encode("utf-8", "replace").decode("utf-8"),
+        text=_masked(content.encode("utf-8", "replace").decode("utf-8"), endpoint.key),
         tokens_in=_count(usage, "prompt_tokens"),
         tokens_out=_count(usage, "completion_tokens"),
         cut=choice.get("finish_reason") == "length",
@@ -190,7 +193,14 @@ def _refused(endpoint: Endpoint, error: Any) -> AskFailed:
     )
 
 
+def _masked(text: str, key: str) -> str:
+    """What an endpoint says, without the key that it was sent: it may be kept, and shown. (Any
+    short word may stand for a key where none is wanted.)"""
+    return text.replace(key, "***") if len(key) >= _LEAST_KEY else text
+
+
 def _failed(endpoint: Endpoint, why: str, **more: Any) -> AskFailed:
-    where, why = endpoint.base_url or "the default endpoint", one_line(why)
+    where = endpoint.base_url or "the default endpoint"
+    why = one_line(_masked(why, endpoint.key))
     text = f"{one_line(where)}: model {one_line(endpoint.model)!r}: {why}"
     return AskFailed(text, why, **more)

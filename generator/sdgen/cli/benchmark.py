@@ -78,7 +78,12 @@ def seal(seed_file: Path, dataset: Path, output: Path, build_options: tuple[str,
     from sdgen.benchmark.seal import secret_of
     from sdgen.cli.build import build
     from sdgen.dataset import Dataset
-    from sdgen.dataset.output_file import check_output, write_output
+    from sdgen.dataset.output_file import (
+        check_output,
+        is_data_set,
+        refuse_mixed,
+        write_output,
+    )
     from sdgen.dataset.text import record_bytes
 
     for word in build_options:
@@ -87,6 +92,13 @@ def seal(seed_file: Path, dataset: Path, output: Path, build_options: tuple[str,
         if word.endswith((".yaml", ".yml")):
             raise UsageError(f"{word}: whoever opens the test has no such file")
     check_output(output)
+    refuse_mixed([output, seed_file, dataset])
+    # What build would refuse is refused before a secret is made.
+    with build.make_context("sdgen build", [*build_options, "--out", str(dataset)]) as context:
+        if not context.params["n"]:
+            raise UsageError("--n 0: a test of no scenes")
+    if dataset.is_dir() and any(dataset.iterdir()) and not is_data_set(dataset):
+        raise SdgenError(f"{dataset}: is not empty, and no data set; name a new folder")
     secret = secret_of(seed_file, make=True)
     words = [*build_options, "--seed", str(secret.seed), "--out", str(dataset)]
     with build.make_context("sdgen build", words) as context:
@@ -144,7 +156,7 @@ def open_(
     from sdgen.errors import InputError
 
     sealed = read_seal(seal_file)
-    if digest is not None and digest != sealed.digest:
+    if digest is not None and digest.strip().lower() != sealed.digest:
         raise SdgenError(f"{seal_file}: its digest is {sealed.digest}, not the one published")
     secret = secret_of(seed_file)
     check_secret(sealed, secret)
@@ -160,6 +172,10 @@ def open_(
     compared = "every byte" if same_pictures(sealed, data) else "all but pictures"
     click.echo(f"seed {secret.seed}: {len(sealed.scenes)} scenes are what was sealed, {compared}")
     click.echo(f"digest {sealed.digest}")
+    for name in sorted({*sealed.versions, *data.info.versions}):
+        then, now = sealed.versions.get(name), data.info.versions.get(name)
+        if then != now:
+            hint(f"{name} was {then or 'not there'} then, {now or 'not there'} now")
     if not same_pictures(sealed, data):
         drawn = " and ".join(sealed.renderers)
         hint(

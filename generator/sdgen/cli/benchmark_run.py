@@ -77,10 +77,11 @@ def run(
     from sdgen.benchmark.rows import offline_rows, pictured, rows_of_runs, trained_in
     from sdgen.cli.bar import bar
     from sdgen.dataset import Dataset
-    from sdgen.dataset.output_file import check_output, write_output
+    from sdgen.dataset.output_file import check_output, refuse_mixed, write_output
 
     if output is not None:
         check_output(output)
+        refuse_mixed([output], [path for folder in runs for path in folder.iterdir()])
     data = Dataset(dataset, split=None if split == "all" else split)
     if not len(data):
         raise UsageError(f"{dataset}: no scene of the split {split!r}; say --split all")

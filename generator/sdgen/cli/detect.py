@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from sdgen.cli.quiet import QUIET, hint
 from sdgen.errors import UsageError
 
 if TYPE_CHECKING:
+    from sdgen.dataset import Dataset
     from sdgen.detectors import Detector
 
 #: Those that need no model of anybody's.
@@ -118,15 +120,22 @@ def detect(
     if not to_stdout:
         check_output(output)  # before the work
     data = shown.open(dataset, split=split)
+    detector = _trained(trained, threshold, data) if trained else str(method)
     with bar("detecting") as on_scene:
-        found = run(data, _trained(trained, threshold) if trained else str(method), on_scene, twins)
+        found = run(data, detector, on_scene, twins)
     if to_stdout:
         click.echo(prediction_bytes(found), nl=False)
         return
     write_predictions(output, found)
     reports = sum(len(said) for said in found.values())
     hint(f"{output}: {reports} reports in {len(found)} scenes")
-    hint(f"score them: sdgen evaluate {dataset} {output}")
+    hint(f"score them: {scoring(data, output)}")
+
+
+def scoring(data: Dataset, output: Path) -> str:
+    """The command that scores predictions of what was looked at."""
+    split = ["--split", data.split] if data.split else []
+    return shlex.join(["sdgen", "evaluate", str(data.path), str(output), *split])
 
 
 def _missing(context: click.Context, name: str) -> click.MissingParameter:
@@ -139,8 +148,12 @@ def _listed() -> str:
     return ", ".join(ASKING)
 
 
-def _trained(folder: Path, threshold: float | None) -> Detector:
+def _trained(folder: Path, threshold: float | None, data: Dataset) -> Detector:
     """A trained detector from its folder. Raises InputError."""
     from sdgen.detectors.trained import load_trained
 
-    return load_trained(folder, threshold)
+    model = load_trained(folder, threshold)
+    if model.graph_view != data.graph_view:
+        learned, shown = model.graph_view, data.graph_view
+        hint(f"{folder} learned from {learned} graphs, here it sees {shown} ones (--graph-view)")
+    return model

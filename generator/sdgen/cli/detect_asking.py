@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
-import shlex
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
 
 import click
 
@@ -59,6 +60,12 @@ class Asking:
         cannot be."""
         from sdgen.dataset.output_file import check_output
 
+        for name in ("timeout", "longest_wait", "price_in", "price_out"):
+            value = getattr(self, name)
+            if value is not None and not math.isfinite(value):
+                raise UsageError(f"--{name.replace('_', '-')}: {value} is no number")
+        if self.base_url is not None:
+            check_address(self.base_url)
         if not self.models:
             raise UsageError("say which model to ask: --model NAME")
         if (self.price_in is None) != (self.price_out is None):
@@ -101,6 +108,18 @@ class Asking:
             example = f"{output.stem}-{_MODEL}{output.suffix}"
             raise UsageError(f"several models, one file: put {_MODEL} in its name, -o {example}")
         return out
+
+
+def check_address(url: str) -> None:
+    """Raises UsageError for what is no address of an endpoint."""
+    try:
+        parts = urlsplit(url)
+        good = parts.scheme in ("http", "https") and bool(parts.hostname)
+        _ = parts.port  # raises for one beyond 65535
+    except ValueError:
+        good = False
+    if not good:
+        raise UsageError(f"--base-url {url!r}: no address of an endpoint (http://HOST:PORT/v1)")
 
 
 def beside(output: Path, ending: str) -> Path:
@@ -226,6 +245,7 @@ def _one_model(
 ) -> Account:
     from sdgen.benchmark import write_predictions
     from sdgen.cli.bar import bar
+    from sdgen.cli.detect import scoring
     from sdgen.dataset.output_file import write_output
     from sdgen.dataset.text import record_bytes
     from sdgen.detectors.account import account_of
@@ -235,11 +255,15 @@ def _one_model(
         found, scenes = ask_about(data, detector, twins, asking.concurrency, on_scene)
     account = account_of(detector.settings(data), scenes, asking.price)
     path = beside(place, "account.json")
-    write_predictions(place, found)
     write_output(path, record_bytes(account))
     hint(f"{place}: {_in_words(account)}")
     hint(f"how it went, scene by scene: {path}")
-    hint(f"score them: {shlex.join(['sdgen', 'evaluate', str(data.path), str(place)])}")
+    if scenes and not found:
+        # Not over the predictions of a run that went well.
+        hint(f"no scene was answered: {place} is not written")
+        return account
+    write_predictions(place, found)
+    hint(f"score them: {scoring(data, place)}")
     return account
 
 
@@ -251,7 +275,7 @@ def _in_words(account: Account) -> str:
     words += f"{account.invented:,} invented"
     if account.boxes:
         words += f", {account.unmatched:,} of {account.boxes:,} boxes on nothing"
-    words += f"; {spent.questions:,} questions, {spent.cached:,} of them answered before, "
+    words += f"; {spent.questions:,} questions, {spent.cached:,} of them known without asking, "
     words += f"{spent.retries:,} retries, {spent.tokens_in:,} tokens asked and "
     words += f"{spent.tokens_out:,} answered"
     if spent.estimated:

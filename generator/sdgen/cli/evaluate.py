@@ -122,8 +122,10 @@ def evaluate(
     from sdgen.dataset import Dataset
     from sdgen.errors import UsageError
 
+    context = click.get_current_context()
     called = _names(predictions, names)
-    _check_outputs(items, plot, report)  # before the work
+    _check_options(context, base_rate, costs, report, gallery)
+    _check_outputs(items, plot, report, [*predictions, *([costs] if costs else [])])
     table = read_costs(costs) if costs is not None else None
     data = opened(Dataset(dataset, split=split))
     read, skipped = _read(data, called, lenient)
@@ -140,6 +142,11 @@ def evaluate(
     compared = comparisons(found)
     notes = [
         f"{called[name]}: {note}" for name, lenience in skipped.items() for note in lenience.notes()
+    ]
+    notes += [
+        f"{called[name]}: no line for {missing} of {len(data)} scenes, which counts as silence"
+        for name, said in read.items()
+        if (missing := sum(entry.id not in said for entry in data.shown))
     ]
     for note in notes:
         click.echo(note, err=True)
@@ -181,17 +188,46 @@ def _names(files: Sequence[Path], names: Sequence[str]) -> dict[str, Path]:
 
     if names and len(names) != len(files):
         raise UsageError(f"--name was given {len(names)} times for {len(files)} files")
+    if not all(name.strip() for name in names):
+        raise UsageError("--name: a name of nothing")
     called = dict(zip(names or [file.stem for file in files], files, strict=True))
     if len(called) < len(files):
         raise UsageError("several files have one name; give each its --name")
     return called
 
 
-def _check_outputs(items: Path | None, plot: Path | None, report: Path | None) -> None:
+def _check_options(
+    context: click.Context,
+    base_rate: float | None,
+    costs: Path | None,
+    report: Path | None,
+    gallery: str | None,
+) -> None:
+    """Raises UsageError for options that would change nothing."""
+    from sdgen.errors import UsageError
+
+    for name, wanted, there in (
+        ("inspections", "--base-rate, --costs or --report", base_rate or costs or report),
+        ("worst", "--report", report),
+        ("gallery", "--report", report),
+    ):
+        source = context.get_parameter_source(name)
+        if source is click.core.ParameterSource.COMMANDLINE and not there:
+            raise UsageError(f"--{name} goes with {wanted}")
+    address = gallery is not None and gallery.startswith(("http://", "https://"))
+    if gallery is not None and not address and not Path(gallery).is_dir():
+        raise UsageError(f"--gallery {gallery}: no such folder; make it first: sdgen view")
+
+
+def _check_outputs(
+    items: Path | None, plot: Path | None, report: Path | None, inputs: Sequence[Path]
+) -> None:
+    """All of them before the work, so that none is written where another cannot be."""
     from sdgen.benchmark.items import check_items
     from sdgen.benchmark.plot import check_plot
-    from sdgen.dataset.output_file import check_output
+    from sdgen.dataset.output_file import check_output, refuse_mixed
 
+    refuse_mixed([path for path in (items, plot, report) if path is not None], inputs)
     if items is not None:
         check_items(items)
         check_output(items)

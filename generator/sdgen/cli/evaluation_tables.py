@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from rich.table import Table
 
 from sdgen.benchmark import BaseRates, Comparison, Evaluation, Score
-from sdgen.benchmark.tables import CUTS, FIXED, MICRO, ROWS, in_words, p_in_words
+from sdgen.benchmark.tables import CUTS, FIXED, MICRO, ROWS, in_words, over_in_words, p_in_words
 from sdgen.cli.table import echo_table
 
 
@@ -28,11 +28,11 @@ def echo_evaluations(
             table.add_row(title)
             continue
         cells = [_shown(one) for one in found] if several else [_shown(found[0]), _ends(found[0])]
-        table.add_row(title, *cells, f"{_over(found)} {over}".strip())
+        table.add_row(title, *cells, f"{over_in_words([one.n for one in found])} {over}".strip())
     echo_table(table)
     for one in compared:
         titles = {name: title for title, name in ROWS.items()}
-        table = Table(f"{one.detector} less {one.baseline}", "difference", "p", "over")
+        table = Table(f"{one.detector} minus {one.baseline}", "difference", "p", "over")
         for name, difference in one.differences.items():
             p, over = p_in_words(difference.p), f"{difference.n} scenes"
             table.add_row(titles[name], in_words(difference), p, over)
@@ -73,6 +73,8 @@ def _rows(found: Sequence[Evaluation]) -> Iterator[tuple[str | None, str, list[S
 
 def _rate_rows(first: BaseRates) -> Iterator[tuple[str, Callable[[BaseRates], str]]]:
     """Rows of the table of base rates: a title, and what a detector's cell says."""
+    yield "homes with hazards", lambda one: str(one.homes_with_hazards)
+    yield "homes without, that were looked at", lambda one: str(one.clean_homes)
     yield "recall of all that was said", lambda one: in_words(one.recall)
     yield "precision", lambda one: in_words(one.precision)
     yield "false alarms a home-day", lambda one: in_words(one.false_alarms_per_home_day)
@@ -107,8 +109,3 @@ def _ends(value: Score) -> str:
     if value.low is None or value.high is None:
         return "-"
     return f"{value.low:.3f} to {value.high:.3f}"
-
-
-def _over(found: Sequence[Score]) -> str:
-    """How many values the scores of a row are taken over: once where that is the same for all."""
-    return "/".join(dict.fromkeys(str(one.n) for one in found))

@@ -88,7 +88,9 @@ def stats(dataset: Path, split: str | None, plot: Path | None, as_json: bool) ->
         table.add_row(f"anomalies, {hazard}", str(number))
     table.add_section()
     for anomalies, number in sorted(counts.scenes_by_anomalies.items(), key=lambda i: int(i[0])):
-        table.add_row(f"scenes with {anomalies} anomalies", str(number))
+        table.add_row(
+            f"scenes with {anomalies} {'anomaly' if anomalies == '1' else 'anomalies'}", str(number)
+        )
     table.add_section()
     for split, number in counts.scenes_by_split.items():
         homes = len(info.splits.get(split, ()))

@@ -72,13 +72,17 @@ def train(
     from sdgen.cli.steps import steps
     from sdgen.dataset import Dataset
     from sdgen.dataset.output_folder import check_output_folder
+    from sdgen.detectors.model_file import RECORD
     from sdgen.detectors.training import Lessons, check_needs
     from sdgen.detectors.training import train as run
+    from sdgen.errors import SdgenError
 
     kinds = tuple(k for k in KINDS if k in asked or "all" in asked)
     places = {kind: output if len(kinds) == 1 else output / kind for kind in kinds}
     for place in places.values():
         check_output_folder(place)  # before the work
+    if len(kinds) > 1 and (output / RECORD).exists():
+        raise SdgenError(f"{output}: holds a model; name another folder for several")
     data = Dataset(dataset, graph_view=graph_view)
     check_needs(data, kinds)
     said = []
@@ -102,4 +106,5 @@ def train(
         click.echo(json.dumps(said, indent=1))
         return
     last = places[kinds[-1]]
-    hint(f"use it: sdgen detect {dataset} --split test --trained {last} -o predictions.jsonl")
+    view = "" if graph_view == "full" else f" --graph-view {graph_view}"
+    hint(f"use it: sdgen detect {dataset} --split test --trained {last}{view} -o predictions.jsonl")

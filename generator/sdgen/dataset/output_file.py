@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import IO
 
@@ -36,6 +36,23 @@ def check_output(path: Path) -> None:
     refuse_data_set(path)
 
 
+def refuse_mixed(outputs: Iterable[Path], inputs: Iterable[Path] = ()) -> None:
+    """Raises SdgenError where an output is also an input, or two outputs are one, or one lies in
+    another."""
+    read = {path.resolve(): path for path in inputs}
+    written: dict[Path, Path] = {}
+    for output in outputs:
+        place = output.resolve()
+        if place in read:
+            raise SdgenError(f"{output}: is read here; choose another place to write to")
+        for other in written:
+            if place == other or place in other.parents or other in place.parents:
+                raise SdgenError(
+                    f"{output}: is, or is within, another output; choose another place"
+                )
+        written[place] = output
+
+
 def refuse_links(path: Path, what: str) -> None:
     """Raises SdgenError when ``path`` itself is a symbolic link."""
     if path.is_symlink():
@@ -49,8 +66,13 @@ def refuse_data_set(path: Path) -> None:
     for root in target.parents:
         first = target.relative_to(root).parts[0]
         own = first in ("scenes", BUILD_FOLDER) or (target.parent == root and first in TOP_FILES)
-        if own and any((root / name).exists() for name in _MARKS):
+        if own and is_data_set(root):
             raise SdgenError(f"{path}: belongs to the data set {root}; choose another place")
+
+
+def is_data_set(folder: Path) -> bool:
+    """True for the folder of a data set, finished or in the making."""
+    return any((folder / name).exists() for name in _MARKS)
 
 
 @contextlib.contextmanager

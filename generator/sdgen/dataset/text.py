@@ -159,15 +159,17 @@ def _whole(text: str) -> int:
     return int(text)
 
 
-def parse(data: bytes, where: str) -> Any:
-    """JSON from bytes. Raises InputError ``where: line: problem``."""
+def parse(data: bytes, where: str, any_number: bool = False) -> Any:
+    """JSON from bytes; with ``any_number`` those that are none (``NaN``) are text.
+
+    Raises InputError ``where: line: problem``."""
     try:
         text = data.decode("utf-8")
         return json.loads(
             text,
             object_pairs_hook=_refuse_duplicates,
-            parse_constant=_refuse_constant,
-            parse_float=_finite,
+            parse_constant=str if any_number else _refuse_constant,
+            parse_float=float if any_number else _finite,
             parse_int=_whole,
         )
     except UnicodeDecodeError as error:

@@ -18,6 +18,8 @@ Floats = npt.NDArray[np.float64]
 
 #: Nodes of all trees together, at most: what is larger is none of ours.
 _MOST_NODES = 5_000_000
+#: Trees at most: ours have some thousand.
+_MOST_TREES = 50_000
 #: How far scikit-learn's own answers may be from those of the arrays.
 _AGREE = 1e-6
 #: Rows of which this is checked.
@@ -100,7 +102,8 @@ class Boosted:
     def _check(self, prefix: str, features: int, classes: int) -> None:
         nodes = len(self.feature)
         outputs = max(0, classes - 1) if classes <= 2 else classes
-        if len(self.start) != outputs or self.roots.shape[1] != outputs or nodes > _MOST_NODES:
+        large = nodes > _MOST_NODES or self.roots.size > _MOST_TREES
+        if len(self.start) != outputs or self.roots.shape[1] != outputs or large:
             raise ValueError(f"{prefix}: trees of another size than the model says")
         if any(len(a) != nodes for a in (self.threshold, self.left, self.right, self.value)):
             raise ValueError(f"{prefix}: nodes that lack something")

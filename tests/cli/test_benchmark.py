@@ -126,6 +126,10 @@ def test_a_trained_row_scores_as_its_predictions_do(tmp_path: Path, capsys: Capt
     assert run(["train", str(homes), "--kind", "prior", "-o", str(model)]) == 0
     words = ["detect", str(homes), "--trained", str(model), "--twins", "-o", str(said)]
     assert run(words) == 0
+    every, none = tmp_path / "every.jsonl", tmp_path / "none.jsonl"
+    for place, least in ((every, "0"), (none, "1")):
+        assert run([*words[:-2], "--threshold", least, "-o", str(place)]) == 0
+    assert len(every.read_bytes()) > len(said.read_bytes()) > len(none.read_bytes())
     capsys.readouterr()
     assert run(["evaluate", str(homes), str(said), "--json"]) == 0
     alone = json.loads(capsys.readouterr().out)

@@ -249,6 +249,8 @@ def test_an_unreliable_endpoint_leaves_no_scene_without_an_account(tmp_path: Pat
         (["--method", "sg", "--model", "m", "--parser", "m"], "--parser is for"),
         (["--method", "sg-c", "--model", "m", "--temperature", "hot"], "is no number, nor none"),
         (["--method", "sg-c", "--trained", "x"], "name one of them"),
+        (["--method", "rules", "--threshold", "0.5"], "--threshold goes with --trained"),
+        (["--trained", "x", "--threshold", "1.5"], "1.5 is not in the range"),
         (["--method", "sg-c", "--model", "m", "--base-url", "nonsense"], "no address of an"),
         (["--method", "sg-c", "--model", "m", "--base-url", "file:///etc"], "no address of an"),
         (["--method", "sg-c", "--model", "m", "--base-url", "http://h:99999"], "no address of an"),

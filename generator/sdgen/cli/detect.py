@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -90,6 +89,7 @@ def detect(
     Example: sdgen detect homes --method cot-sg-c --model MODEL -o cot.jsonl
     """
     from sdgen.cli.bar import bar
+    from sdgen.cli.scoring import scoring
     from sdgen.dataset.output_file import check_output
 
     context = click.get_current_context()
@@ -130,12 +130,6 @@ def detect(
     reports = sum(len(said) for said in found.values())
     hint(f"{output}: {reports} reports in {len(found)} scenes")
     hint(f"score them: {scoring(data, output)}")
-
-
-def scoring(data: Dataset, output: Path) -> str:
-    """The command that scores predictions of what was looked at."""
-    split = ["--split", data.split] if data.split else []
-    return shlex.join(["sdgen", "evaluate", str(data.path), str(output), *split])
 
 
 def _missing(context: click.Context, name: str) -> click.MissingParameter:

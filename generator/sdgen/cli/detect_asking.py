@@ -245,7 +245,7 @@ def _one_model(
 ) -> Account:
     from sdgen.benchmark import write_predictions
     from sdgen.cli.bar import bar
-    from sdgen.cli.detect import scoring
+    from sdgen.cli.scoring import scoring
     from sdgen.dataset.output_file import write_output
     from sdgen.dataset.text import record_bytes
     from sdgen.detectors.account import account_of

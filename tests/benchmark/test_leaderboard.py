@@ -74,7 +74,7 @@ def test_runs_of_language_models_stand_beside_the_papers(path: Path, tmp_path: P
         "list": settings(method="object-list", title="Object List + E, C", household="prompt"),
     }.items():
         (tmp_path / f"{name}.jsonl").write_bytes(found)
-        account = record_bytes(account_of(said, ()))
+        account = record_bytes(account_of(said, (), predictions=found))
         (tmp_path / f"{name}.jsonl.account.json").write_bytes(account)
     (tmp_path / "mine.jsonl").write_bytes(found)
     ours = rows_of_runs(data, tmp_path, 0.05)
@@ -94,6 +94,25 @@ def test_runs_of_language_models_stand_beside_the_papers(path: Path, tmp_path: P
     assert listed is not None
     assert listed.household == "prompt"
     assert table["SG, no C"] is None
+
+
+def test_an_account_of_other_predictions_is_refused(path: Path, tmp_path: Path) -> None:
+    data = Dataset(path)
+    mine = tmp_path / "mine.jsonl"
+    mine.write_bytes(prediction_bytes(detect(data, "rules")))
+    beside = tmp_path / "mine.jsonl.account.json"
+    for said in (None, b"other"):
+        beside.write_bytes(record_bytes(account_of(settings(), (), predictions=said)))
+        with pytest.raises(InputError, match="the account of other predictions than mine"):
+            rows_of_runs(data, tmp_path, 0.05)
+    beside.unlink()
+    beside.symlink_to(tmp_path / "nowhere")
+    with pytest.raises(InputError, match="account"):
+        rows_of_runs(data, tmp_path, 0.05)
+    beside.unlink()
+    mine.write_bytes(b"")
+    (row,) = rows_of_runs(data, tmp_path, 0.05)
+    assert "no line for 8 of 8 scenes" in row.note
 
 
 def test_the_page_has_every_row_and_no_strangers_markup(path: Path, rows: list[Row]) -> None:

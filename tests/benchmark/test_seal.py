@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 from sdgen.benchmark import seal as sealing
-from sdgen.benchmark.seal import Seal, Secret, opened, read_seal, seal, secret_of
+from sdgen.benchmark.seal import Seal, Secret, opened, read_seal, seal, secret_of, without_seeds
 from sdgen.dataset import Dataset
 from sdgen.dataset.text import record_bytes
-from sdgen.errors import InputError, SdgenError
+from sdgen.errors import InputError, SdgenError, UsageError
 
 from tests import toy
 
@@ -105,6 +105,46 @@ def test_what_readers_go_by_beside_the_scenes_is_sealed_too(data: Dataset, tmp_p
     assert "dataset.json: not the one that was sealed (its splits, counts or words)" in problems
 
 
+def test_another_renderer_excuses_pictures_and_nothing_else(data: Dataset, tmp_path: Path) -> None:
+    sealed = seal(data, SECRET).model_copy(update={"renderers": ("another",)})
+    again = made(tmp_path / "again")
+    assert list(opened(sealed, SECRET, again)) == []
+    folder = again.path / "scenes" / "000002"
+    (folder / "views" / "00" / "rgb.png").write_bytes(b"junk")
+    (problem,) = opened(sealed, SECRET, again)
+    assert problem.startswith("scenes/000002/views/00/rgb.png: changed")
+    # Nor is a file struck from the manifest, or the lines of it in another order.
+    entries = [
+        one.model_copy(update={"files": {k: v for k, v in one.files.items() if "rgb" not in k}})
+        if one.id == "000002"
+        else one
+        for one in again.entries
+    ]
+    lines = [record_bytes(one).replace(b"\n", b"") + b"\n" for one in reversed(entries)]
+    (again.path / "manifest.jsonl").write_bytes(b"".join(lines))
+    problems = list(opened(sealed, SECRET, Dataset(again.path, partial=True)))
+    assert "manifest.jsonl: its scenes stand in another order" in problems
+    assert "manifest.jsonl: 000002: not what was sealed (its split, what it holds)" in problems
+    none = sealed.model_copy(update={"renderers": ()})
+    assert "the seal is of a data set without pictures" in list(opened(none, SECRET, data))
+
+
+def test_a_linked_folder_is_a_stray(data: Dataset, tmp_path: Path) -> None:
+    sealed = seal(data, SECRET)
+    again = made(tmp_path / "again")
+    views = again.path / "scenes" / "000001" / "views"
+    views.rename(tmp_path / "views")
+    views.symlink_to(tmp_path / "views")
+    assert "scenes/000001/views: was not sealed" in list(opened(sealed, SECRET, again))
+
+
+def test_errors_tell_no_seed() -> None:
+    error = UsageError(f"built with seed {SEED} (now {SEED + 1}), --n 4")
+    told = without_seeds(error)
+    assert str(told) == "built with seed (secret) (now (secret)), --n 4"
+    assert told.exit_code == error.exit_code
+
+
 def test_a_seal_has_each_scene_once_and_one_at_least(data: Dataset, tmp_path: Path) -> None:
     sealed = seal(data, SECRET)
     path = tmp_path / "seal.json"
@@ -112,6 +152,9 @@ def test_a_seal_has_each_scene_once_and_one_at_least(data: Dataset, tmp_path: Pa
         path.write_bytes(record_bytes(sealed.model_copy(update={"scenes": scenes})))
         with pytest.raises(InputError, match="scenes"):
             read_seal(path)
+    path.write_bytes(record_bytes(sealed.model_copy(update={"tables": {}})))
+    with pytest.raises(InputError, match="tables"):
+        read_seal(path)
 
 
 def test_what_a_bad_secret_holds_is_not_told(tmp_path: Path) -> None:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
+from sdgen.benchmark.seal import LEAST_SEED
 from sdgen.cli.main import run
 
 from tests import toy
 
+SEED = LEAST_SEED + 1234567
 Captured = pytest.CaptureFixture[str]
 
 
@@ -95,7 +98,9 @@ def test_runs_are_not_written_over_and_want_no_clean_homes(
     assert run([*words, "-o", str(mine)]) == 1
     assert "choose another place" in capsys.readouterr().err
     assert mine.read_bytes() == before
-    assert run(words) == 0
+    assert run([*words, "-o", str(mine.parent / "board.md")]) == 1
+    assert "choose another place" in capsys.readouterr().err
+    assert run([*words, "--runs", str(mine.parent), "--graph-view", "full"]) == 0
     page = capsys.readouterr().out
     assert "mine (not said): base rates need homes with and without hazards" in page
     assert page.count("\n| mine |") == 1
@@ -156,6 +161,20 @@ def test_a_secret_is_neither_written_over_nor_made_in_vain(
     ):
         assert run([*words, *more]) in (1, 2)
         assert told in capsys.readouterr().err
+    # A build that was not begun leaves no secret, one of another seed tells none.
+    assert run([*words, "-o", seal, "--", "--n", "1", "--only", "nothing"]) != 0
+    assert not secret.exists()
+    other = toy.build(tmp_path / "mine", toy.small(n=1, seed=SEED))
+    words[-1] = str(other)
+    assert run([*words, "-o", seal, "--", "--n", "1"]) == 1
+    assert f"{secret} is not there" in capsys.readouterr().err
+    secret.write_text(json.dumps({"seed": SEED + 1, "nonce": "0" * 64}))
+    assert run([*words, "-o", seal, "--", "--n", "1"]) != 0
+    told = capsys.readouterr()
+    assert str(SEED) not in told.err + told.out
+    assert str(SEED + 1) not in told.err + told.out
+    secret.unlink()
+    shutil.rmtree(other)
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "notes.txt").write_text("x")
     words[-1] = str(tmp_path / "mine")

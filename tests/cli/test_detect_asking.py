@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import json
 import os
 import signal
@@ -13,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sdgen.chat.endpoint import _masked
 from sdgen.cli.detect import ASKING
 from sdgen.cli.main import run
 from sdgen.detectors.prompts import PROMPTS
@@ -187,8 +190,24 @@ def test_scenes_that_could_not_be_asked_are_named_and_the_exit_is_3(
     with endpoint(Fake(b"no", 500)) as fake:
         again = [*words(homes, out, fake.url, "--retries", "0"), "--cache", str(tmp_path / "c")]
         assert run(again) == 3
-    assert "is not written" in capsys.readouterr().err
+    assert "stays as it was" in capsys.readouterr().err
     assert out.read_bytes() == good
+    kept = account(out)
+    assert kept["scenes_by_status"]["failed"] == 0
+    assert kept["predictions_sha256"] == hashlib.sha256(good).hexdigest()
+    # Of another detector there is no account.
+    assert run(["detect", str(homes), "--method", "never", "-o", str(out)]) == 0
+    assert not out.with_name("p.jsonl.account.json").exists()
+
+
+def test_a_key_is_masked_in_the_forms_that_gateways_echo() -> None:
+    key = "sk/SECRET+xyzzy="
+    forms = [key, "sk%2FSECRET%2Bxyzzy%3D", "sk\\/SECRET+xyzzy="]
+    forms += [base64.b64encode(one.encode()).decode() for one in (key, f"Bearer {key}")]
+    text = _masked(" and ".join(forms), key)
+    assert "SECRET" not in text
+    assert all(form not in text for form in forms)
+    assert _masked("any word", "any") == "any word"
 
 
 @pytest.mark.parametrize("status", [200, 401])

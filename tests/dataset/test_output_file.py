@@ -97,8 +97,16 @@ def test_whole_or_not_at_all(tmp_path: Path) -> None:
 
 def test_an_output_is_no_input_and_no_part_of_another(tmp_path: Path) -> None:
     (tmp_path / "link").symlink_to(tmp_path / "in")
-    refuse_mixed([tmp_path / "a", tmp_path / "b" / "c"], [tmp_path / "in", tmp_path / "b"])
-    for outputs in (["in"], ["link"], ["x/../in"], ["a", "a"], ["a", "a/b"], ["a/b/c", "a"]):
+    refuse_mixed([tmp_path / "a", tmp_path / "b" / "c"], [tmp_path / "in", tmp_path / "b" / "d"])
+    for outputs in (
+        ["in"],
+        ["link"],
+        ["x/../in"],
+        ["a", "a"],
+        ["a", "a/b"],
+        ["a/b/c", "a"],
+        ["in/x"],
+    ):
         with pytest.raises(SdgenError, match="choose another place"):
             refuse_mixed([tmp_path / name for name in outputs], [tmp_path / "in"])
 

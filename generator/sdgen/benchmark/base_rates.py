@@ -28,6 +28,8 @@ from sdgen.seeding import lane
 
 #: Shares of the hazards that are to be found, for which false alarms are told.
 RECALLS = (0.5, 0.8, 0.9, 0.95)
+#: A look a second.
+MOST_INSPECTIONS = 86_400
 #: Points of an operating curve that are kept.
 POINTS = 200
 
@@ -119,8 +121,10 @@ def rates_of(
     """The base rates of one of several detectors; see ``base_rates``."""
     if not 0 < hazard_share < 1:
         raise UsageError(f"a share of homes lies between 0 and 1, not at {hazard_share:g}")
-    if not (inspections_a_day > 0 and math.isfinite(inspections_a_day)):
-        raise UsageError(f"{inspections_a_day:g} inspections a day are none")
+    if not 0 < inspections_a_day <= MOST_INSPECTIONS:
+        raise UsageError(
+            f"{inspections_a_day:g} inspections a day: more than 0, and {MOST_INSPECTIONS} at most"
+        )
     costs = costs or Costs()
     homes = _homes(found.outcomes[name], costs)
     bad, clean = (int(value) for value in homes.sums[:, :2].sum(axis=0))

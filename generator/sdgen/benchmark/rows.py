@@ -12,9 +12,8 @@ from sdgen.benchmark.metrics import evaluate
 from sdgen.benchmark.predictions import read_predictions
 from sdgen.dataset import Dataset
 from sdgen.dataset.records import Predictions
-from sdgen.dataset.text import read_record
 from sdgen.detectors import DETECTORS, Detector, detect_all
-from sdgen.detectors.account import Account
+from sdgen.detectors.account import Account, read_account
 from sdgen.detectors.model_file import RECORD
 from sdgen.detectors.trained import Trained, load_trained
 from sdgen.errors import InputError, UsageError
@@ -119,23 +118,25 @@ def rows_of_runs(data: Dataset, folder: Path, base_rate: float) -> list[Row]:
 def _row(data: Dataset, path: Path, base_rate: float) -> Row:
     said = read_predictions(path, data)
     rates, lacking = _rates(data, said, said, base_rate)
-    beside = path.with_name(f"{path.name}.account.json")
-    if not beside.exists():
+    account = read_account(path)
+    missing = sum(entry.id not in said for entry in data.shown)
+    silent = f"no line for {missing} of {len(data)} scenes, which counts as silence"
+    notes = [silent if missing else "", lacking]
+    if account is None:
         return Row(
             detector=path.stem,
             graph_view=None,
             household="unknown",
-            note=lacking,
+            note="; ".join(filter(None, notes)),
             evaluation=evaluate(data, said),
             base_rates=rates,
         )
-    account = read_record(Account, beside, str(beside))
     return Row(
         detector=account.settings.method,
         graph_view=account.settings.graph_view,
         household=account.settings.household,
         model=account.settings.model,
-        note="; ".join(part for part in (_note(account), lacking) if part),
+        note="; ".join(filter(None, (_note(account), *notes))),
         evaluation=evaluate(data, said),
         base_rates=rates,
     )

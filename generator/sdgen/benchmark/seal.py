@@ -9,6 +9,7 @@ handed in the secret is published; from it anybody builds the same test set, byt
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import re
 import secrets
@@ -21,7 +22,13 @@ from pydantic import Field, field_validator
 from sdgen.dataset import Dataset
 from sdgen.dataset.disk import sha256_hex
 from sdgen.dataset.output_file import check_output
-from sdgen.dataset.records import CONTENT_FILES, SHA256, DatasetInfo, ManifestEntry
+from sdgen.dataset.records import (
+    CONTENT_FILES,
+    SHA256,
+    VISIBILITY_FILE,
+    DatasetInfo,
+    ManifestEntry,
+)
 from sdgen.dataset.scene_folder import content_sha256
 from sdgen.dataset.text import compact, plain, read_bytes, read_record, record_bytes
 from sdgen.errors import InputError, SdgenError
@@ -54,7 +61,7 @@ class Secret(Record):
 
 class SealedScene(Record):
     """What a scene is bound to: the digest of its content, that of all of its files, and that of
-    what the manifest says of it besides (its split, what it is the twin of, what it holds)."""
+    its line in the manifest, but for the digests of what depends on the renderer (``drawn``)."""
 
     id: str
     content_sha256: Digest
@@ -85,6 +92,13 @@ class Seal(Record):
             raise ValueError("a scene appears twice")
         return scenes
 
+    @field_validator("tables")
+    @classmethod
+    def _all(cls, tables: dict[str, Digest]) -> dict[str, Digest]:
+        if set(tables) != set(TABLES):
+            raise ValueError(f"not the digests of {' and '.join(TABLES)}")
+        return tables
+
     @property
     def digest(self) -> str:
         """One line that stands for all of it."""
@@ -114,6 +128,13 @@ def secret_of(path: Path, make: bool = False) -> Secret:
         raise InputError(told) from None
 
 
+def without_seeds(error: SdgenError) -> SdgenError:
+    """The error, with no number in its words that may be a secret seed."""
+    told = SdgenError(re.sub(rf"\d{{{len(str(LEAST_SEED))},}}", "(secret)", str(error)))
+    told.exit_code = error.exit_code
+    return told
+
+
 def seal(data: Dataset, secret: Secret) -> Seal:
     """The seal of a finished data set. Raises SdgenError when it was built with another seed, or
     holds a part of the scenes only."""
@@ -137,17 +158,24 @@ def seal(data: Dataset, secret: Secret) -> Seal:
                 files_sha256=_digest(entry.files),
                 entry_sha256=_entry_digest(entry),
             )
-            for entry in sorted(data.entries, key=lambda one: one.id)
+            for entry in data.entries
         ),
     )
 
 
 def _digest(value: dict[str, Any]) -> str:
-    return sha256_hex(compact(dict(sorted(value.items()))).encode("utf-8"))
+    """Of plain values, in whatever order a mapping has its keys."""
+    return sha256_hex(json.dumps(value, sort_keys=True).encode("utf-8"))
+
+
+def drawn(name: str) -> bool:
+    """Whether a file of a scene depends on the renderer: pictures, and what is counted in them."""
+    return name == VISIBILITY_FILE or name.endswith((".png", ".jpg"))
 
 
 def _entry_digest(entry: ManifestEntry) -> str:
-    return _digest(entry.model_dump(mode="json", exclude={"files"}))
+    files = {name: "" if drawn(name) else digest for name, digest in entry.files.items()}
+    return _digest({**plain(entry), "files": files})
 
 
 def _record_digest(info: DatasetInfo) -> str:
@@ -182,8 +210,8 @@ def opened(
 ) -> Iterator[str]:
     """What of a data set is not what was sealed, byte by byte; nothing when all of it is.
 
-    Every file is read and hashed. Pictures are compared when the data set was drawn by the same
-    renderer: other drivers round colours otherwise, which changes no label (``same_pictures``).
+    Every file is read and hashed. What is ``drawn`` is compared with the seal when the same
+    renderer drew it: others round colours otherwise, which changes no label (``same_pictures``).
     Raises SdgenError for another secret.
     """
     check_secret(sealed, secret)
@@ -197,7 +225,7 @@ def opened(
     if _record_digest(data.info) != sealed.record_sha256:
         yield "dataset.json: not the one that was sealed (its splits, counts or words)"
     for name, digest in sealed.tables.items():
-        if name in TABLES and _table_digest(data, name) != digest:
+        if _table_digest(data, name) != digest:
             yield f"{name}: not the one that was sealed"
     yield from _strays(data)
     there = {entry.id: entry for entry in data.entries}
@@ -207,6 +235,11 @@ def opened(
             yield f"scenes/{name}: was not sealed"
         else:
             yield f"manifest.jsonl: {name}: was not sealed"
+    order = [entry.id for entry in data.entries if entry.id in known]
+    if order != [scene.id for scene in sealed.scenes if scene.id in there]:
+        yield "manifest.jsonl: its scenes stand in another order"
+    if data.info.renderers and not sealed.renderers:
+        yield "the seal is of a data set without pictures"
     pictures = same_pictures(sealed, data)
     for done, scene in enumerate(sealed.scenes, start=1):
         entry = there.get(scene.id)
@@ -227,7 +260,7 @@ def _strays(data: Dataset) -> Iterator[str]:
             continue
         for path in sorted(folder.rglob("*")):
             name = path.relative_to(folder).as_posix()
-            if name not in files[folder.name] and not path.is_dir():
+            if path.is_symlink() or (name not in files[folder.name] and not path.is_dir()):
                 yield f"scenes/{folder.name}/{name}: was not sealed"
 
 
@@ -247,8 +280,6 @@ def _differs(
     item, where = data.scene(entry.id), f"scenes/{entry.id}"
     content: dict[str, bytes] = {}
     for name in sorted(entry.files):
-        if not pictures and name not in CONTENT_FILES:
-            continue
         try:
             read = item.file(name)  # refuses one that is not what the manifest says
         except InputError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import contextlib
 import json
 import math
@@ -9,6 +10,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
+from urllib.parse import quote
 
 from sdgen.errors import SdgenError, UsageError, one_line
 
@@ -195,8 +197,15 @@ def _refused(endpoint: Endpoint, error: Any) -> AskFailed:
 
 def _masked(text: str, key: str) -> str:
     """What an endpoint says, without the key that it was sent: it may be kept, and shown. (Any
-    short word may stand for a key where none is wanted.)"""
-    return text.replace(key, "***") if len(key) >= _LEAST_KEY else text
+    short word may stand for a key where none is wanted.) Also as gateways echo it: quoted for an
+    address, in JSON, or in base64."""
+    if len(key) < _LEAST_KEY:
+        return text
+    quoted = {key, quote(key, safe=""), json.dumps(key)[1:-1], key.replace("/", "\\/")}
+    coded = {base64.b64encode(one.encode()).decode().rstrip("=") for one in (key, f"Bearer {key}")}
+    for form in sorted(quoted | coded, key=len, reverse=True):
+        text = text.replace(form, "***")
+    return text
 
 
 def _failed(endpoint: Endpoint, why: str, **more: Any) -> AskFailed:

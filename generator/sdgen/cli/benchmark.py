@@ -75,7 +75,7 @@ def seal(seed_file: Path, dataset: Path, output: Path, build_options: tuple[str,
     Example: sdgen benchmark seal --seed-file secret.json --dataset sealed -o seal.json -- --n 200
     """
     from sdgen.benchmark.seal import seal as sealed_from
-    from sdgen.benchmark.seal import secret_of
+    from sdgen.benchmark.seal import secret_of, without_seeds
     from sdgen.cli.build import build
     from sdgen.dataset import Dataset
     from sdgen.dataset.output_file import (
@@ -97,12 +97,21 @@ def seal(seed_file: Path, dataset: Path, output: Path, build_options: tuple[str,
     with build.make_context("sdgen build", [*build_options, "--out", str(dataset)]) as context:
         if not context.params["n"]:
             raise UsageError("--n 0: a test of no scenes")
-    if dataset.is_dir() and any(dataset.iterdir()) and not is_data_set(dataset):
-        raise SdgenError(f"{dataset}: is not empty, and no data set; name a new folder")
+    new = not seed_file.exists()
+    if dataset.is_dir() and any(dataset.iterdir()):
+        if not is_data_set(dataset):
+            raise SdgenError(f"{dataset}: is not empty, and no data set; name a new folder")
+        if new:
+            raise SdgenError(f"{dataset}: holds a data set, and {seed_file} is not there")
     secret = secret_of(seed_file, make=True)
     words = [*build_options, "--seed", str(secret.seed), "--out", str(dataset)]
-    with build.make_context("sdgen build", words) as context:
-        build.invoke(context)
+    try:
+        with build.make_context("sdgen build", words) as context:
+            build.invoke(context)
+    except SdgenError as error:
+        if new and not is_data_set(dataset):
+            seed_file.unlink(missing_ok=True)  # nothing was begun with it
+        raise without_seeds(error) from None
     sealed = sealed_from(Dataset(dataset), secret)
     write_output(output, record_bytes(sealed))
     click.echo(f"{output}: {len(sealed.scenes)} scenes sealed")
@@ -161,7 +170,10 @@ def open_(
     secret = secret_of(seed_file)
     check_secret(sealed, secret)
     options = sealed.options.model_copy(update={"seed": secret.seed})
-    if not (dataset / "dataset.json").exists():
+    if (dataset / "dataset.json").exists():
+        if catalogs or assets:
+            raise UsageError("--catalog and --assets are for building it, and it is there")
+    else:
         where = Where(dataset, (0, options.n), False, None, "local", None, False)
         carry_out(options.model_copy(update={"renderer": "auto"}), where, catalogs, assets, quiet())
     data = Dataset(dataset)
@@ -169,15 +181,17 @@ def open_(
         problems = list(opened(sealed, secret, data, on_scene))
     if problems:
         raise InputError([f"{dataset}: {problem}" for problem in problems])
-    compared = "every byte" if same_pictures(sealed, data) else "all but pictures"
+    same = same_pictures(sealed, data)
+    compared = "every byte" if same else "all but pictures and visibility.json"
     click.echo(f"seed {secret.seed}: {len(sealed.scenes)} scenes are what was sealed, {compared}")
     click.echo(f"digest {sealed.digest}")
     for name in sorted({*sealed.versions, *data.info.versions}):
         then, now = sealed.versions.get(name), data.info.versions.get(name)
         if then != now:
-            hint(f"{name} was {then or 'not there'} then, {now or 'not there'} now")
-    if not same_pictures(sealed, data):
-        drawn = " and ".join(sealed.renderers)
-        hint(
-            f"pictures not compared: drawn by {drawn} then, {' and '.join(data.info.renderers)} now"
+            click.echo(f"{name} was {then or 'not there'} then, {now or 'not there'} now")
+    if not same:
+        then, now = (" and ".join(one.renderers) for one in (sealed, data.info))
+        click.echo(
+            f"pictures, and visibility.json, which is counted in them, were not compared: drawn by "
+            f"{then} then, {now} now; sdgen validate checks one against the other"
         )

@@ -81,7 +81,7 @@ def run(
 
     if output is not None:
         check_output(output)
-        refuse_mixed([output], [path for folder in runs for path in folder.iterdir()])
+        refuse_mixed([output], [*runs, *trained])
     data = Dataset(dataset, split=None if split == "all" else split)
     if not len(data):
         raise UsageError(f"{dataset}: no scene of the split {split!r}; say --split all")
@@ -89,14 +89,14 @@ def run(
         views = ("full", "perceived") if pictured(data) else ("full",)
         if len(views) == 1:
             hint("without depth and instance pictures there is no perceived graph to score")
-    models = trained_in(trained)
+    models = trained_in(dict.fromkeys(trained))
     rows = []
-    for view in views:
+    for view in dict.fromkeys(views):
         with bar(f"{view} graph") as on_scene:
             rows += offline_rows(
                 Dataset(dataset, data.split, graph_view=view), models, base_rate, on_scene
             )
-    rows += [row for folder in runs for row in rows_of_runs(data, folder, base_rate)]
+    rows += [row for folder in dict.fromkeys(runs) for row in rows_of_runs(data, folder, base_rate)]
     made = board(data, rows, base_rate)
     if output is not None:
         write_output(output, markdown(made).encode("utf-8"))

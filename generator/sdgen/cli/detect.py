@@ -90,7 +90,7 @@ def detect(
     """
     from sdgen.cli.bar import bar
     from sdgen.cli.scoring import scoring
-    from sdgen.dataset.output_file import check_output
+    from sdgen.dataset.output_file import check_output, refuse_mixed
 
     context = click.get_current_context()
     if method is None and trained is None:
@@ -114,11 +114,13 @@ def detect(
         return
     from sdgen.benchmark import detect as run
     from sdgen.benchmark import prediction_bytes, write_predictions
+    from sdgen.detectors.account import drop_account
 
     assert output is not None
     to_stdout = output == Path("-")
     if not to_stdout:
         check_output(output)  # before the work
+        refuse_mixed([output], [trained] if trained else [])
     data = shown.open(dataset, split=split)
     detector = _trained(trained, threshold, data) if trained else str(method)
     with bar("detecting") as on_scene:
@@ -127,6 +129,7 @@ def detect(
         click.echo(prediction_bytes(found), nl=False)
         return
     write_predictions(output, found)
+    drop_account(output)
     reports = sum(len(said) for said in found.values())
     hint(f"{output}: {reports} reports in {len(found)} scenes")
     hint(f"score them: {scoring(data, output)}")

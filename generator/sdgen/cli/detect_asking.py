@@ -243,26 +243,31 @@ def _estimated(found: Estimate, price: Price | None) -> str:
 def _one_model(
     data: Dataset, detector: AskingDetector, twins: bool, asking: Asking, place: Path
 ) -> Account:
-    from sdgen.benchmark import write_predictions
+    from sdgen.benchmark import prediction_bytes
     from sdgen.cli.bar import bar
     from sdgen.cli.scoring import scoring
     from sdgen.dataset.output_file import write_output
     from sdgen.dataset.text import record_bytes
-    from sdgen.detectors.account import account_of
+    from sdgen.detectors.account import account_of, account_path
     from sdgen.detectors.asked import ask_about
 
     with bar("asking") as on_scene:
         found, scenes = ask_about(data, detector, twins, asking.concurrency, on_scene)
-    account = account_of(detector.settings(data), scenes, asking.price)
-    path = beside(place, "account.json")
-    write_output(path, record_bytes(account))
+    said = prediction_bytes(found) if found or not scenes else None
+    account = account_of(detector.settings(data), scenes, asking.price, said)
+    path = account_path(place)
     hint(f"{place}: {_in_words(account)}")
+    if said is None and place.exists():
+        # Not over those of a run that went well, nor over their account.
+        hint(f"no scene was answered: {place} stays as it was")
+        return account
+    if said is not None:
+        write_output(place, said)
+    write_output(path, record_bytes(account))
     hint(f"how it went, scene by scene: {path}")
-    if scenes and not found:
-        # Not over the predictions of a run that went well.
+    if said is None:
         hint(f"no scene was answered: {place} is not written")
         return account
-    write_predictions(place, found)
     hint(f"score them: {scoring(data, place)}")
     return account
 

@@ -125,7 +125,8 @@ def evaluate(
     context = click.get_current_context()
     called = _names(predictions, names)
     _check_options(context, base_rate, costs, report, gallery)
-    _check_outputs(items, plot, report, [*predictions, *([costs] if costs else [])])
+    inputs = [*predictions, *([costs] if costs else []), *([Path(gallery)] if gallery else [])]
+    _check_outputs(items, plot, report, inputs)
     table = read_costs(costs) if costs is not None else None
     data = opened(Dataset(dataset, split=split))
     read, skipped = _read(data, called, lenient)

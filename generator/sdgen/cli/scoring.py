@@ -13,4 +13,8 @@ if TYPE_CHECKING:
 def scoring(data: Dataset, output: Path) -> str:
     """``sdgen evaluate`` of predictions, over the scenes that were looked at and no others."""
     split = ["--split", data.split] if data.split else []
-    return shlex.join(["sdgen", "evaluate", str(data.path), str(output), *split])
+    # A name that begins with a dash would be an option.
+    files = [
+        f"./{path}" if str(path).startswith("-") else str(path) for path in (data.path, output)
+    ]
+    return shlex.join(["sdgen", "evaluate", *files, *split])

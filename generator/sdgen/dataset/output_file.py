@@ -37,14 +37,14 @@ def check_output(path: Path) -> None:
 
 
 def refuse_mixed(outputs: Iterable[Path], inputs: Iterable[Path] = ()) -> None:
-    """Raises SdgenError where an output is also an input, or two outputs are one, or one lies in
-    another."""
-    read = {path.resolve(): path for path in inputs}
+    """Raises SdgenError where an output is also an input or lies within one, or two outputs are
+    one, or one lies in another."""
+    read = {path.resolve() for path in inputs}
     written: dict[Path, Path] = {}
     for output in outputs:
         place = output.resolve()
-        if place in read:
-            raise SdgenError(f"{output}: is read here; choose another place to write to")
+        if not read.isdisjoint((place, *place.parents)):
+            raise SdgenError(f"{output}: is read here, or within what is; choose another place")
         for other in written:
             if place == other or place in other.parents or other in place.parents:
                 raise SdgenError(

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Literal
 
 from pydantic import Field
 
 from sdgen.chat.asker import Outcome
 from sdgen.chat.tokens import Price
+from sdgen.dataset.disk import sha256_hex
 from sdgen.dataset.graph_views import GraphView
+from sdgen.dataset.records import SHA256
+from sdgen.dataset.text import read_bytes, read_record
 from sdgen.detectors.who import Entry
-from sdgen.errors import SdgenError, one_line
+from sdgen.errors import InputError, SdgenError, one_line
 from sdgen.perception import Perception
 from sdgen.scene import Record
 
@@ -116,9 +121,11 @@ class Settings(Record):
 
 class Account(Record):
     """``<predictions>.account.json``. ``cost``: of all answers, ``paid``: of those of this run, in
-    the currency of the prices; None without prices."""
+    the currency of the prices; None without prices. ``predictions_sha256``: of the file it is the
+    account of; None where no scene was answered, and none was written."""
 
     settings: Settings
+    predictions_sha256: str | None = Field(default=None, pattern=SHA256)
     scenes_by_status: dict[str, int]
     spent: Spent
     asked: int
@@ -136,13 +143,17 @@ class Account(Record):
 
 
 def account_of(
-    settings: Settings, scenes: Sequence[SceneAccount], price: Price | None = None
+    settings: Settings,
+    scenes: Sequence[SceneAccount],
+    price: Price | None = None,
+    predictions: bytes | None = None,
 ) -> Account:
-    """The account of all scenes, sorted by their ids."""
+    """The account of all scenes, sorted by their ids, and of the bytes of their predictions."""
     total = sum((one.spent for one in scenes), Spent())
     names = ("asked", "labelled", "unlabelled", "invented", "unreadable", "boxes", "unmatched")
     return Account(
         settings=settings,
+        predictions_sha256=None if predictions is None else sha256_hex(predictions),
         scenes_by_status={s: sum(one.status == s for one in scenes) for s in STATUSES},
         spent=total,
         **{name: sum(getattr(one, name) for one in scenes) for name in names},
@@ -152,6 +163,29 @@ def account_of(
         paid=price.of(total.paid_tokens_in, total.paid_tokens_out) if price else None,
         scenes=tuple(sorted(scenes, key=lambda one: one.scene)),
     )
+
+
+def account_path(predictions: Path) -> Path:
+    """``p.jsonl`` -> ``p.jsonl.account.json``."""
+    return predictions.with_name(f"{predictions.name}.account.json")
+
+
+def read_account(predictions: Path) -> Account | None:
+    """The account beside a file of predictions, None where there is none. Raises InputError for one
+    that is not of these predictions."""
+    path = account_path(predictions)
+    if not os.path.lexists(path):
+        return None
+    account = read_record(Account, path, str(path))
+    data = read_bytes(predictions, str(predictions))
+    if account.predictions_sha256 != sha256_hex(data):
+        raise InputError([f"{path}: is the account of other predictions than {predictions.name}"])
+    return account
+
+
+def drop_account(predictions: Path) -> None:
+    """Take away the account of predictions that others have just replaced."""
+    account_path(predictions).unlink(missing_ok=True)
 
 
 def told(texts: Iterable[str]) -> tuple[str, ...]:

@@ -197,7 +197,11 @@ def test_scenes_that_could_not_be_asked_are_named_and_the_exit_is_3(
     assert kept["predictions_sha256"] == hashlib.sha256(good).hexdigest()
     # Of another detector there is no account.
     assert run(["detect", str(homes), "--method", "never", "-o", str(out)]) == 0
-    assert not out.with_name("p.jsonl.account.json").exists()
+    beside = out.with_name("p.jsonl.account.json")
+    assert not beside.exists()
+    beside.write_text("mine")
+    assert run(["detect", str(homes), "--method", "never", "-o", str(out)]) == 0
+    assert beside.read_text() == "mine"
 
 
 def test_a_key_is_masked_in_the_forms_that_gateways_echo() -> None:

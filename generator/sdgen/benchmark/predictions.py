@@ -62,6 +62,13 @@ class Lenient:
                 yield f"{count} {several}{verb}"
 
 
+def silence(predictions: Predictions, data: Dataset) -> str:
+    """What to say of scenes without a line; empty where each has one."""
+    missing = sum(entry.id not in predictions for entry in data.shown)
+    said = f"no line for {missing} of {len(data)} scenes, which counts as silence"
+    return said if missing else ""
+
+
 def read_predictions(path: str | Path, data: Dataset) -> dict[str, tuple[Report, ...]]:
     """Reports by scene id. Raises InputError with the problems, located; it stops reading where
     there are too many."""

@@ -9,7 +9,7 @@ from pathlib import Path
 from sdgen.benchmark.base_rates import BaseRates, NoHomes, base_rates
 from sdgen.benchmark.leaderboard import Row
 from sdgen.benchmark.metrics import evaluate
-from sdgen.benchmark.predictions import read_predictions
+from sdgen.benchmark.predictions import read_predictions, silence
 from sdgen.dataset import Dataset
 from sdgen.dataset.records import Predictions
 from sdgen.detectors import DETECTORS, Detector, detect_all
@@ -119,9 +119,7 @@ def _row(data: Dataset, path: Path, base_rate: float) -> Row:
     said = read_predictions(path, data)
     rates, lacking = _rates(data, said, said, base_rate)
     account = read_account(path)
-    missing = sum(entry.id not in said for entry in data.shown)
-    silent = f"no line for {missing} of {len(data)} scenes, which counts as silence"
-    notes = [silent if missing else "", lacking]
+    notes = [silence(said, data), lacking]
     if account is None:
         return Row(
             detector=path.stem,

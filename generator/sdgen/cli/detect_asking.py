@@ -59,6 +59,7 @@ class Asking:
         """Raises UsageError for options that make no sense together, SdgenError for an output that
         cannot be."""
         from sdgen.dataset.output_file import check_output
+        from sdgen.detectors.account import account_path
 
         for name in ("timeout", "longest_wait", "price_in", "price_out"):
             value = getattr(self, name)
@@ -81,7 +82,7 @@ class Asking:
             raise UsageError("'-': the account goes beside the predictions; name a file")
         for place in self.outputs(output).values():
             check_output(place)
-            check_output(beside(place, "account.json"))
+            check_output(account_path(place))
 
     @property
     def key(self) -> str:
@@ -120,11 +121,6 @@ def check_address(url: str) -> None:
         good = False
     if not good:
         raise UsageError(f"--base-url {url!r}: no address of an endpoint (http://HOST:PORT/v1)")
-
-
-def beside(output: Path, ending: str) -> Path:
-    """``p.jsonl`` -> ``p.jsonl.account.json``."""
-    return output.with_name(f"{output.name}.{ending}")
 
 
 def _file_name(model: str) -> str:
@@ -174,7 +170,7 @@ def _detector(method: str, model: str, place: Path | None, asking: Asking) -> As
     from sdgen.detectors.prompts import PROMPTS
     from sdgen.detectors.relation_strings import Wording
 
-    folder = asking.cache or (beside(place, "cache") if place else None)
+    folder = asking.cache or (place.with_name(f"{place.name}.cache") if place else None)
     cache = Cache(folder) if folder else None
     asker = _asker(model, asking, cache)
     wording = Wording(states=not asking.plain_names, more=asking.relations == "more")

@@ -118,6 +118,7 @@ def evaluate(
     from sdgen.benchmark.collect import collect, opened
     from sdgen.benchmark.compare import comparisons
     from sdgen.benchmark.metrics import evaluation
+    from sdgen.benchmark.predictions import silence
     from sdgen.cli.evaluation_tables import echo_evaluations
     from sdgen.dataset import Dataset
     from sdgen.errors import UsageError
@@ -125,8 +126,8 @@ def evaluate(
     context = click.get_current_context()
     called = _names(predictions, names)
     _check_options(context, base_rate, costs, report, gallery)
-    inputs = [*predictions, *([costs] if costs else []), *([Path(gallery)] if gallery else [])]
-    _check_outputs(items, plot, report, inputs)
+    pages = None if gallery is None or _address(gallery) else Path(gallery)
+    _check_outputs(items, plot, report, [*predictions, *filter(None, (costs, pages))])
     table = read_costs(costs) if costs is not None else None
     data = opened(Dataset(dataset, split=split))
     read, skipped = _read(data, called, lenient)
@@ -145,9 +146,7 @@ def evaluate(
         f"{called[name]}: {note}" for name, lenience in skipped.items() for note in lenience.notes()
     ]
     notes += [
-        f"{called[name]}: no line for {missing} of {len(data)} scenes, which counts as silence"
-        for name, said in read.items()
-        if (missing := sum(entry.id not in said for entry in data.shown))
+        f"{called[name]}: {note}" for name, said in read.items() if (note := silence(said, data))
     ]
     for note in notes:
         click.echo(note, err=True)
@@ -215,9 +214,12 @@ def _check_options(
         source = context.get_parameter_source(name)
         if source is click.core.ParameterSource.COMMANDLINE and not there:
             raise UsageError(f"--{name} goes with {wanted}")
-    address = gallery is not None and gallery.startswith(("http://", "https://"))
-    if gallery is not None and not address and not Path(gallery).is_dir():
+    if gallery is not None and not _address(gallery) and not Path(gallery).is_dir():
         raise UsageError(f"--gallery {gallery}: no such folder; make it first: sdgen view")
+
+
+def _address(gallery: str) -> bool:
+    return gallery.startswith(("http://", "https://"))
 
 
 def _check_outputs(

@@ -40,7 +40,7 @@ def refuse_mixed(outputs: Iterable[Path], inputs: Iterable[Path] = ()) -> None:
     """Raises SdgenError where an output is also an input or lies within one, or two outputs are
     one, or one lies in another."""
     read = {path.resolve() for path in inputs}
-    written: dict[Path, Path] = {}
+    written: list[Path] = []
     for output in outputs:
         place = output.resolve()
         if not read.isdisjoint((place, *place.parents)):
@@ -50,7 +50,7 @@ def refuse_mixed(outputs: Iterable[Path], inputs: Iterable[Path] = ()) -> None:
                 raise SdgenError(
                     f"{output}: is, or is within, another output; choose another place"
                 )
-        written[place] = output
+        written.append(place)
 
 
 def refuse_links(path: Path, what: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -184,8 +185,11 @@ def read_account(predictions: Path) -> Account | None:
 
 
 def drop_account(predictions: Path) -> None:
-    """Take away the account of predictions that others have just replaced."""
-    account_path(predictions).unlink(missing_ok=True)
+    """Take away the account of predictions that others have just replaced; what is none stays."""
+    path = account_path(predictions)
+    with contextlib.suppress(InputError):
+        read_record(Account, path, str(path))
+        path.unlink()
 
 
 def told(texts: Iterable[str]) -> tuple[str, ...]:

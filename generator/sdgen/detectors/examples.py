@@ -79,7 +79,7 @@ def gather(
     seen, wrong = np.zeros(shape), np.zeros((*shape, 1 + len(hazards)))
     parts: list[tuple[Floats, Ints, Ints, Ints, int, int, bool]] = []
     bags: list[Floats] = []
-    for done, (item, is_twin) in _with_twins(kept):
+    for done, item, is_twin in _with_twins(kept):
         rows = rows_of(item.shown_graph, layout)
         found = hazards_of(item)
         fold = item.entry.index % FOLDS
@@ -125,11 +125,11 @@ def gather(
     )
 
 
-def _with_twins(kept: Dataset) -> Iterator[tuple[int, tuple[SceneItem, bool]]]:
+def _with_twins(kept: Dataset) -> Iterator[tuple[int, SceneItem, bool]]:
     """How many scenes there were, a scene or twin, and whether it is a twin. One after another:
     what an item has read is gone with it."""
     for done, item in enumerate(kept, start=1):
-        yield done, (item, False)
+        yield done, item, False
         twin = item.twin
         if twin is not None:
-            yield done, (twin, True)
+            yield done, twin, True

@@ -15,7 +15,7 @@ import sdgen
 from sdgen.dataset import Dataset
 from sdgen.dataset.disk import file_sha256, sha256_hex
 from sdgen.detectors import cnn, graph_classifier, image_classifier
-from sdgen.detectors.examples import Examples, gather, hazards_of
+from sdgen.detectors.examples import Examples, gather, hazards_of, train_split
 from sdgen.detectors.model_file import (
     Kind,
     Model,
@@ -27,7 +27,6 @@ from sdgen.detectors.model_file import (
 from sdgen.detectors.pictures import PictureExamples, gather_crops, need_pictures
 from sdgen.detectors.prior import Prior, Rates
 from sdgen.detectors.scored import Hazards, Scored, Scorer, best_threshold, mean_f1
-from sdgen.errors import InputError
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
 #: What each kind needs beyond sdgen's own.
@@ -98,10 +97,7 @@ class Lessons:
 def check_needs(data: Dataset, kinds: tuple[Kind, ...]) -> None:
     """Before any work: InputError for a data set without a train split, or without the pictures
     some kind wants, ModuleNotFoundError for a package that is missing."""
-    if not len(data.filter(split="train")):
-        raise InputError(
-            [f"{data.path}: no scene of the split 'train' to learn from; build more (--n)"]
-        )
+    train_split(data)
     if any(kind in PICTURES for kind in kinds):
         need_pictures(data)
     for kind in kinds:
@@ -126,7 +122,7 @@ def train(lessons: Lessons, kind: Kind, folder: Path) -> Model:
             told(done, len(scenes))
     threshold = best_threshold(scored, wrong)
     arrays = array_bytes(scorer.arrays())
-    train_split = data.filter(split="train")
+    learned = train_split(data)
     model = Model(
         kind=kind,
         seed=lessons.seed,
@@ -143,9 +139,9 @@ def train(lessons: Lessons, kind: Kind, folder: Path) -> Model:
             seed=data.info.seed,
             manifest_sha256=file_sha256(data.path / "manifest.jsonl"),
             catalogue_sha256=data.info.catalogue_sha256,
-            train_scenes=len(train_split),
-            train_twins=sum(item.twin is not None for item in train_split),
-            train_anomalies=sum(entry.anomalies for entry in train_split.shown),
+            train_scenes=len(learned),
+            train_twins=sum(item.twin is not None for item in learned),
+            train_anomalies=sum(entry.anomalies for entry in learned.shown),
             val_scenes=len(data.filter(split="val")),
         ),
         val=_scores("val" if split == "val" else "train", scored, wrong, threshold),

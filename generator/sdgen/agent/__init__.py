@@ -1,0 +1,1 @@
+"""An agent in a home: it walks, looks, opens, reports, and mends."""

@@ -14,7 +14,7 @@ from sdgen.library import Library
 from sdgen.render import choose_renderer, open_renderer
 from sdgen.render.egl import EglRenderer
 from sdgen.render.frames import render_frames
-from sdgen.render.gl_textures import gl_function
+from sdgen.render.gl import gl_function
 from sdgen.render.protocol import Renderer
 from sdgen.scene import Camera, Frame, Scene
 

@@ -77,14 +77,20 @@ class BulletGraphics:
 
     ``device`` is one of PyBullet's renderers; with ``face_levels`` each face of the shell is
     drawn at the brightness that undoes the EGL plugin's shader. ``on_reset`` is called when the
-    world has been emptied of everything that was ever loaded.
+    world has been emptied of everything that was ever loaded, ``before_tile`` before a picture of
+    this width and height is drawn.
     """
 
     def __init__(
-        self, device: int, face_levels: bool, on_reset: Callable[[], None] | None = None
+        self,
+        device: int,
+        face_levels: bool,
+        on_reset: Callable[[], None] = lambda: None,
+        before_tile: Callable[[int, int], None] = lambda _width, _height: None,
     ) -> None:
         self._device = device
         self._on_reset = on_reset
+        self._before_tile = before_tile
         self._face_levels = face_levels
         self._held = ExitStack()
         self._folder = self._held.enter_context(scratch_folder())
@@ -162,8 +168,7 @@ class BulletGraphics:
             self._bodies = self._no_bodies()
             self._shapes = {}
             self._vertices = 0
-            if self._on_reset is not None:
-                self._on_reset()
+            self._on_reset()
 
     def _structure_parts(
         self, library: Library, structure: Structure, ceiling_m: float
@@ -235,6 +240,7 @@ class BulletGraphics:
             for x0 in range(0, width, _TILE[0]):
                 w, h = min(_TILE[0], width - x0), min(_TILE[1], height - y0)
                 lens = projection_matrix(k, x0, y0, w, h, camera.near_m, camera.far_m)
+                self._before_tile(w, h)
                 image = pb.getCameraImage(
                     w,
                     h,

@@ -15,7 +15,7 @@ from sdgen.errors import RendererError
 from sdgen.library import Library
 from sdgen.physics.bullet import pb, quiet
 from sdgen.render.bullet import BulletGraphics
-from sdgen.render.gl_textures import PluginTextures
+from sdgen.render.gl import Clip, PluginTextures
 from sdgen.render.overhead import Solid, fill_ceilings, fill_overhead, overhead
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.shell import LIGHT_M
@@ -47,7 +47,10 @@ class EglRenderer(Renderer):
 
     def __init__(self) -> None:
         self._graphics = BulletGraphics(
-            pb.ER_BULLET_HARDWARE_OPENGL, face_levels=True, on_reset=lambda: self._textures.free()
+            pb.ER_BULLET_HARDWARE_OPENGL,
+            face_levels=True,
+            on_reset=lambda: self._textures.free(),
+            before_tile=lambda width, height: self._clip(width, height),
         )
         self.renderer_string = _load_plugin(self._graphics.client)
         self._ceilings: tuple[Structure, ...] = ()
@@ -55,6 +58,7 @@ class EglRenderer(Renderer):
         with quiet():
             _warm_up(self._graphics.client)
         self._textures = PluginTextures()
+        self._clip = Clip()
 
     @staticmethod
     def probe() -> Probe:
@@ -80,6 +84,7 @@ class EglRenderer(Renderer):
     def load(self, library: Library, scene: Scene) -> None:
         """Put ``scene`` in place of what was loaded before."""
         self._overhead = overhead(library, scene)
+        self._clip.scene_changed()
         self._graphics.load(library, scene, {solid.node_id for solid in self._overhead})
         self._ceilings = tuple(s for s in scene.home.structures if s.category == "ceiling")
 

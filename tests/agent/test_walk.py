@@ -7,7 +7,8 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sdgen.agent.walk import Floor, Place
+from sdgen.agent.walk import Floor
+from sdgen.cameras.lens import Gaze
 from sdgen.agent.ways import Ways, length_m
 from sdgen.seeding import lane
 from shapely.geometry import box
@@ -25,7 +26,7 @@ def test_a_step_ends_where_it_leads_or_before_what_is_in_the_way(floor: Floor) -
     place = floor.random(lane(0, 0, "test"))
     assert place is not None
     for k in range(500):
-        place = Place(place.x_m, place.y_m, place.yaw_rad + 0.7 * math.sin(k))
+        place = Gaze(place.x_m, place.y_m, place.yaw_rad + 0.7 * math.sin(k))
         after, stopped = floor.step(place, 0.25)
         assert floor.holds(after.point)
         gone = math.dist(after.point, place.point)

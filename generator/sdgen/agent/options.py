@@ -7,42 +7,42 @@ from typing import Literal
 
 from pydantic import Field
 
-from sdgen.options import EYE_HEIGHT_M
+from sdgen.cameras.lens import Lens
 from sdgen.scene import Record
 
-#: What a camera of an agent draws.
+#: What a camera of an agent shows it.
 Sensor = Literal["rgb", "depth", "instance"]
 
 
-class AgentCamera(Record):
-    """The agent's camera: pixels, horizontal field of view, height of the lens above the floor, and
-    the pitch it begins with (radians, up is positive)."""
-
-    width: int = Field(default=128, ge=8, le=2048)
-    height: int = Field(default=128, ge=8, le=2048)
-    fov_x_deg: float = Field(default=90.0, ge=10.0, le=150.0)
-    height_m: float = Field(default=EYE_HEIGHT_M, ge=0.1, le=2.2)
-    pitch_deg: float = Field(default=0.0, ge=-80.0, le=80.0)
-
-    @property
-    def pitch_rad(self) -> float:
-        """The pitch it begins with."""
-        return math.radians(self.pitch_deg)
-
-
 class AgentOptions(Record):
-    """How an agent moves and what an episode is.
+    """How an agent looks and moves, and what an episode is.
 
     ``forward_m`` and ``turn_deg`` are those of a step, ``look_deg`` that of the camera's pitch, at
-    most ``pitch_most_deg`` up or down. ``start``: at the scene's ``agent_start`` or at a random
-    pose of its free space. An episode is cut off after ``max_steps``.
+    most ``pitch_most_deg`` up or down; it begins with ``pitch_deg``. What is opened or shut must be
+    within ``reach_m`` of where it stands. ``start``: at the scene's ``agent_start`` or at a random
+    pose of its free space. An episode is cut off after ``max_steps``. ``whole_home`` draws all of
+    the home for each picture; else only the rooms that can be seen from where the agent stands are
+    drawn: the same masks and depth, in less time.
     """
 
-    camera: AgentCamera = AgentCamera()
+    camera: Lens = Lens()
     sensors: tuple[Sensor, ...] = ("rgb", "depth", "instance")
     forward_m: float = Field(default=0.25, gt=0.0, le=2.0)
     turn_deg: float = Field(default=30.0, gt=0.0, le=180.0)
     look_deg: float = Field(default=30.0, gt=0.0, le=90.0)
+    pitch_deg: float = Field(default=0.0, ge=-80.0, le=80.0)
     pitch_most_deg: float = Field(default=60.0, ge=0.0, le=85.0)
+    reach_m: float = Field(default=1.0, gt=0.0, le=3.0)
     start: Literal["scene", "random"] = "scene"
     max_steps: int = Field(default=500, ge=1, le=1_000_000)
+    whole_home: bool = False
+
+    @property
+    def turn_rad(self) -> float:
+        """The turn of a step."""
+        return math.radians(self.turn_deg)
+
+    @property
+    def headings(self) -> int:
+        """Turns in a full circle, the last of them perhaps smaller."""
+        return math.ceil(360.0 / self.turn_deg - 1e-9)

@@ -1,10 +1,11 @@
-"""Where an agent can be in a home, and its ways there: never through walls or furniture."""
+"""Where an agent can be in a home, and its ways there: never through walls, doors or furniture."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
+from itertools import pairwise
 
 import shapely
 from shapely.geometry import LineString, Point, Polygon
@@ -12,35 +13,38 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points, unary_union
 
 from sdgen.agent.ways import Ways
-from sdgen.freespace import polygons, random_point
+from sdgen.cameras.lens import Gaze
+from sdgen.freespace import (
+    ROBOT_RADIUS_M,
+    THROUGH_DOOR_M,
+    opening_rectangle,
+    polygons,
+    random_point,
+    union,
+)
 from sdgen.geometry import Vec2
-from sdgen.scene import Scene
+from sdgen.scene import Opening, Scene
 from sdgen.seeding import Rng
+from sdgen.vocabulary import LEAVES
 
 #: Rings are rounded to millimetres: a step along an edge is still inside.
 _ROUNDED_M = 0.002
 
 
-@dataclass(frozen=True)
-class Place:
-    """Where an agent stands, metres, and where it looks: yaw counter-clockwise from x, radians."""
-
-    x_m: float
-    y_m: float
-    yaw_rad: float
-
-    @property
-    def point(self) -> Vec2:
-        """Where it stands."""
-        return self.x_m, self.y_m
-
-
 class Floor:
-    """The free space of a scene, for a body of the robot's radius."""
+    """The floor of a scene on which an agent of the robot's radius can be.
 
-    def __init__(self, scene: Scene) -> None:
+    It is the scene's ``free_space`` without what else is ``standing`` in the way, outlines on the
+    plan, and without the doorways whose leaves are shut: to ``open_shape`` these belong, too.
+    """
+
+    def __init__(self, scene: Scene, standing: Iterable[BaseGeometry] = ()) -> None:
         rings = [Polygon(ring).buffer(0) for ring in scene.free_space]
-        self.shape: BaseGeometry = unary_union(rings) if rings else Polygon()
+        shape: BaseGeometry = unary_union(rings) if rings else Polygon()
+        grown = shapely.buffer(list(standing), ROBOT_RADIUS_M, quad_segs=2).tolist()
+        self.open_shape = shape.difference(union(grown)) if grown else shape
+        self.shut = shut_doors(scene)
+        self.shape = self.open_shape.difference(union(list(self.shut.values())))
         self._within = self.shape.buffer(_ROUNDED_M)
         shapely.prepare(self._within)
         self._rooms = [(room.id, Polygon(room.polygon_m)) for room in scene.home.rooms]
@@ -49,30 +53,43 @@ class Floor:
     def _ways(self) -> Ways:
         return Ways(self.shape)
 
+    @cached_property
+    def _open_ways(self) -> Ways:
+        return Ways(self.open_shape) if self.shut else self._ways
+
     def holds(self, point: Vec2) -> bool:
         """Whether an agent can stand there."""
         return bool(shapely.contains_xy(self._within, *point))
 
-    def step(self, place: Place, distance_m: float) -> tuple[Place, bool]:
+    def step(self, gaze: Gaze, distance_m: float) -> tuple[Gaze, bool]:
         """Where a straight step ends, and whether something was in the way: then as far as it goes
         without touching it."""
-        dx, dy = math.cos(place.yaw_rad), math.sin(place.yaw_rad)
-        end = (place.x_m + distance_m * dx, place.y_m + distance_m * dy)
-        way = LineString([place.point, end])
+        dx, dy = math.cos(gaze.yaw_rad), math.sin(gaze.yaw_rad)
+        end = gaze._replace(x_m=gaze.x_m + distance_m * dx, y_m=gaze.y_m + distance_m * dy)
+        way = LineString([gaze.point, end.point])
         if shapely.covers(self._within, way):
-            return Place(*end, place.yaw_rad), False
+            return end, False
         inside = shapely.intersection(self.shape, way)
         gone = 0.0
         for piece in getattr(inside, "geoms", [inside]):
-            if isinstance(piece, LineString) and piece.distance(Point(place.point)) < _ROUNDED_M:
-                gone = max(math.dist(place.point, corner) for corner in piece.coords)
+            if isinstance(piece, LineString) and piece.distance(Point(gaze.point)) < _ROUNDED_M:
+                gone = max(math.dist(gaze.point, corner) for corner in piece.coords)
         gone = min(gone, distance_m)
-        return Place(place.x_m + gone * dx, place.y_m + gone * dy, place.yaw_rad), True
+        return gaze._replace(x_m=gaze.x_m + gone * dx, y_m=gaze.y_m + gone * dy), True
 
     def nearest(self, point: Vec2) -> Vec2:
-        """The point of the free space that is nearest."""
+        """The point of the free floor that is nearest. ValueError where there is none at all."""
         here, _ = nearest_points(self.shape, Point(point))
         return float(here.x), float(here.y)
+
+    def nearest_in(self, shape: BaseGeometry, to: BaseGeometry) -> Vec2:
+        """The point of a shape that is nearest to another."""
+        here, _ = nearest_points(shape, to)
+        return float(here.x), float(here.y)
+
+    def outline_of(self, room_id: int) -> Polygon:
+        """A room's inner outline. KeyError for one that is not there."""
+        return dict(self._rooms)[room_id]
 
     def room_at(self, point: Vec2) -> int:
         """The room that a point is in, or in a doorway, the nearest one's."""
@@ -80,18 +97,50 @@ class Floor:
         return min(self._rooms, key=lambda room: room[1].distance(spot))[0]
 
     def of_room(self, room_id: int) -> BaseGeometry:
-        """The part of the free space that lies in a room. KeyError for one that is not there."""
-        return self.shape.intersection(dict(self._rooms)[room_id])
+        """The part of the free floor that lies in a room. KeyError for one that is not there."""
+        return self.shape.intersection(self.outline_of(room_id))
 
-    def random(self, rng: Rng) -> Place | None:
+    def within_reach(self, start: Vec2) -> BaseGeometry:
+        """The part of the floor that can be got to from a point, doors being opened on the way."""
+        pieces = polygons(self.open_shape)
+        return next((p for p in pieces if p.distance(Point(start)) < _ROUNDED_M), Polygon())
+
+    def random(self, rng: Rng) -> Gaze | None:
         """A pose drawn evenly from the largest connected piece; None where there is no floor."""
         pieces = polygons(self.shape)
         point = random_point(pieces[0], rng) if pieces else None
         if point is None:
             return None
-        return Place(*point, float(rng.uniform(-math.pi, math.pi)))
+        return Gaze(*point, float(rng.uniform(-math.pi, math.pi)))
 
-    def route(self, start: Vec2, goal: Vec2) -> tuple[Vec2, ...] | None:
-        """The corners of the shortest way within the free space, start and goal among them; None
-        where there is none."""
-        return self._ways.route(start, goal)
+    def route(self, start: Vec2, goal: Vec2, doors: bool = False) -> tuple[Vec2, ...] | None:
+        """The corners of the shortest way on the free floor, start and goal among them; None where
+        there is none. ``doors``: through those that are shut, too."""
+        return (self._open_ways if doors else self._ways).route(start, goal)
+
+    def shut_on(self, way: Sequence[Vec2]) -> tuple[int, ...]:
+        """Ids of the shut doors that a way leads through, in their order."""
+        found: dict[int, None] = {}
+        for leg in map(LineString, pairwise(way)):
+            crossed = [
+                (leg.project(hole.centroid), key)
+                for key, hole in self.shut.items()
+                if leg.intersection(hole).length > _ROUNDED_M
+            ]
+            found |= dict.fromkeys(key for _, key in sorted(crossed))
+        return tuple(found)
+
+
+def shut_doors(scene: Scene) -> Mapping[int, Polygon]:
+    """The doorways between rooms whose door is shut, by its id: where no robot can be."""
+    states = {item.id: item.states for item in scene.objects if item.category in LEAVES}
+    return {
+        opening.object_id: _doorway(opening)
+        for opening in scene.home.openings
+        if len(opening.room_ids) == 2 and "CLOSED" in states.get(opening.object_id, ())
+    }
+
+
+def _doorway(opening: Opening) -> Polygon:
+    """A doorway and as much to both sides of it as a robot before a shut door is kept off."""
+    return opening_rectangle(opening, ROBOT_RADIUS_M + THROUGH_DOOR_M)

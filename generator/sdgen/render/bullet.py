@@ -99,6 +99,8 @@ class BulletGraphics:
         #: Of an OBJ file in a colour, its origin moved.
         self._shapes: dict[tuple[Path, Rgba, tuple[float, ...]], _Shape] = {}
         self._bodies = self._no_bodies()
+        #: Those of the loaded scene, and those of them that are in the world.
+        self._all_parts: list[Part] = []
         self._parts: list[Part] = []
         self._vertices = 0
         self._shift = np.eye(4)
@@ -121,6 +123,18 @@ class BulletGraphics:
             parts += self._structure_parts(library, structure, ceiling_m)
         for item in sorted(scene.objects, key=lambda o: o.id):
             parts += self._object_parts(library, item, item.id in overhead)
+        self._all_parts = parts
+        self._put(parts)
+
+    def show_only(self, node_ids: Collection[int] | None) -> None:
+        """Have of the loaded scene these nodes alone in the world; None: all."""
+        parts = self._all_parts
+        if node_ids is not None:
+            parts = [part for part in parts if part.node_id in node_ids]
+        self._bodies.remove()
+        self._put(parts)
+
+    def _put(self, parts: list[Part]) -> None:
         self._parts = parts
         self._bodies.put(parts)
 

@@ -6,6 +6,7 @@ import importlib.util
 import re
 import subprocess
 import sys
+from collections.abc import Collection
 from typing import ClassVar
 
 import numpy as np
@@ -87,6 +88,10 @@ class EglRenderer(Renderer):
         self._clip.scene_changed()
         self._graphics.load(library, scene, {solid.node_id for solid in self._overhead})
         self._ceilings = tuple(s for s in scene.home.structures if s.category == "ceiling")
+
+    def show_only(self, node_ids: Collection[int] | None) -> None:
+        """Draw of the loaded scene these nodes alone, by id; None: all."""
+        self._graphics.show_only(node_ids)
 
     def draw(self, camera: Camera) -> Picture:
         """What ``camera`` sees of the loaded scene."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from collections.abc import Collection
 from typing import ClassVar, Protocol
 
 import numpy as np
@@ -53,6 +54,10 @@ class Renderer(Closing, Protocol):
 
     def load(self, library: Library, scene: Scene) -> None:
         """Put ``scene`` in place of what was loaded before."""
+        ...
+
+    def show_only(self, node_ids: Collection[int] | None) -> None:
+        """Draw of the loaded scene these nodes alone, by id; None: all."""
         ...
 
     def draw(self, camera: Camera) -> Picture:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import ClassVar
 
 import numpy as np
@@ -31,6 +32,10 @@ class TinyRenderer(Renderer):
     def load(self, library: Library, scene: Scene) -> None:
         """Put ``scene`` in place of what was loaded before."""
         self._graphics.load(library, scene)
+
+    def show_only(self, node_ids: Collection[int] | None) -> None:
+        """Draw of the loaded scene these nodes alone, by id; None: all."""
+        self._graphics.show_only(node_ids)
 
     def draw(self, camera: Camera) -> Picture:
         """What ``camera`` sees of the loaded scene."""

@@ -1,0 +1,83 @@
+"""What an agent saw, as a scene of a data set whose views are its pictures: for any detector."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.agent.eyes import Look
+from sdgen.dataset import SceneItem
+from sdgen.scene import Camera, Frame, Graph, Visibility
+from sdgen.truth.visibility import visibility_of
+
+
+@dataclass(frozen=True, repr=False)
+class Explored(SceneItem):
+    """A scene as one agent saw it: its views are the agent's pictures, its graph is made out of
+    them. Nothing else of the scene is shown to a detector that keeps to views and graph."""
+
+    looks: tuple[Look, ...] = ()
+
+    @cached_property
+    def cameras(self) -> tuple[Camera, ...]:
+        """The cameras of the pictures, numbered."""
+        return tuple(
+            look.camera.model_copy(update={"index": k}) for k, look in enumerate(self.looks)
+        )
+
+    def has(self, view: int, name: str) -> bool:
+        """Whether a picture has what this file would hold."""
+        return name in ("rgb.png", "depth.png", "instance.png", "part.png")
+
+    def rgb_path(self, view: int) -> None:
+        """There are no files."""
+        return
+
+    def rgb(self, view: int) -> npt.NDArray[np.uint8]:
+        """Colours of a picture, (H, W, 3)."""
+        return self.looks[view].rgb
+
+    def depth_mm(self, view: int) -> npt.NDArray[np.uint16]:
+        """Planar depth of a picture, (H, W), millimetres."""
+        return self.looks[view].depth_mm
+
+    def instance(self, view: int) -> npt.NDArray[np.uint16]:
+        """Node ids of a picture, (H, W)."""
+        return self.looks[view].instance
+
+    def part(self, view: int) -> npt.NDArray[np.uint8]:
+        """Parts of a picture, (H, W)."""
+        return self.looks[view].part
+
+    @cached_property
+    def visibility(self) -> Visibility:
+        """What the pictures show of each object; of anomalies it says nothing."""
+        frames = (
+            Frame(camera, look.rgb, look.depth_mm, look.instance, look.part, {})
+            for camera, look in zip(self.cameras, self.looks, strict=True)
+        )
+        size = (self.cameras[0].width, self.cameras[0].height) if self.looks else (1, 1)
+        return visibility_of(self.scene, (), frames, *size)
+
+    @cached_property
+    def shown_graph(self) -> Graph:
+        """What can be made out of the home from the pictures."""
+        if not self.looks:
+            return Graph(nodes=(), edges=())
+        return self.perceived.graph
+
+
+def explored(item: SceneItem, looks: Iterable[Look]) -> Explored:
+    """A scene as these pictures show it."""
+    return Explored(
+        item.root,
+        item.entry,
+        "perceived",
+        checked=item.checked,
+        eyes=item.eyes,
+        looks=tuple(looks),
+    )

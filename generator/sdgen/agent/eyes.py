@@ -1,0 +1,108 @@
+"""What an agent sees: a home drawn from where it stands, of what it asks for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.cameras.portals import Portals
+from sdgen.closing import Closing
+from sdgen.facts import bodies_of
+from sdgen.library import Library
+from sdgen.render.landing import landings
+from sdgen.render.opengl import to_millimetres
+from sdgen.render.outdoors import clear_panes, paint_outdoors
+from sdgen.render.process import ProcessRenderer
+from sdgen.scene import Camera, Scene
+from sdgen.vocabulary import OPENINGS
+
+#: Rooms that are out of sight are let go of after so many pictures: to draw them costs more by
+#: then than it will to bring them back.
+_PATIENCE = 6
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """One picture: ``rgb`` (H, W, 3), ``depth_mm`` (H, W) planar, 0 = none, ``instance`` (H, W) node
+    ids, 0 = nothing, and ``part`` (H, W), 1-based parts of each object."""
+
+    camera: Camera
+    rgb: npt.NDArray[np.uint8]
+    depth_mm: npt.NDArray[np.uint16]
+    instance: npt.NDArray[np.uint16]
+    part: npt.NDArray[np.uint8]
+
+
+class Eyes(Closing):
+    """Draws one home, which may change; a context manager.
+
+    With ``whole_home`` all of it is loaded, else the rooms that can be seen from where the camera
+    stands. All eyes of a process share its one renderer, and load their home anew after others.
+    """
+
+    def __init__(self, library: Library, renderer: ProcessRenderer, whole_home: bool = False):
+        self._library = library
+        self._renderer = renderer
+        self._whole = whole_home
+        #: The rooms whose things are drawn; None: of all of them.
+        self._rooms: frozenset[int] | None = None
+        self._idle = 0
+
+    def show(self, scene: Scene) -> None:
+        """Look at this scene from now on, in place of the one before."""
+        self._scene = scene
+        self._portals = Portals(scene.home)
+        self._panes = clear_panes(self._library, scene)
+        self._landings = landings(scene.home)
+        self._rooms_of = {} if self._whole else self._reached(scene)
+        self._always = [structure.id for structure in scene.home.structures]
+        self._always += [item.id for item in scene.objects if item.category in OPENINGS]
+        self._renderer.release(self)
+
+    def _reached(self, scene: Scene) -> dict[int, frozenset[int]]:
+        """The rooms that each thing is in; none for doors and windows, which are always drawn."""
+        out = {}
+        for body in bodies_of(scene.objects, self._library.infos):
+            item = body.item
+            if item.category not in OPENINGS:
+                (x0, y0, _), (x1, y1, _) = body.low.tolist(), body.high.tolist()
+                out[item.id] = frozenset(self._portals.around((x0, y0), (x1, y1), item.room_id))
+        return out
+
+    def look(self, camera: Camera, colours: bool = True) -> Look:
+        """What a camera sees of the scene; without ``colours``, ``rgb`` is black."""
+        self._load(camera)
+        picture = self._renderer.draw(camera)
+        rgb = np.zeros_like(picture.rgb)
+        if colours:
+            drawn = picture.rgb, picture.instance, picture.part
+            outdoors = self._scene.home.outdoors
+            rgb = paint_outdoors(*drawn, self._panes, outdoors, camera, self._landings)
+        depth_mm = to_millimetres(picture.depth_m, picture.instance > 0)
+        return Look(camera, rgb, depth_mm, picture.instance, picture.part)
+
+    def _load(self, camera: Camera) -> None:
+        """See to it that all that this camera sees is drawn."""
+        if self._renderer.holder is not self:
+            self._renderer.load(self, self._library, self._scene)
+            self._rooms = None
+            if not self._whole:
+                # Shadows are those of a scene's first picture: of all that is in it.
+                self._renderer.draw(camera.model_copy(update={"width": 8, "height": 8}))
+        if self._whole:
+            return
+        rooms = self._portals.rooms(camera)
+        if self._rooms is not None and self._rooms >= rooms:
+            self._idle = 0 if self._rooms == rooms else self._idle + 1
+            if self._idle < _PATIENCE:
+                return
+        shown = (k for k, within in self._rooms_of.items() if not rooms.isdisjoint(within))
+        self._renderer.show_only({*self._always, *shown})
+        self._rooms, self._idle = rooms, 0
+
+    def close(self) -> None:
+        """Let go of the renderer, which is closed when nobody uses it; a second call does
+        nothing."""
+        self._renderer.give_back(self)

@@ -1,0 +1,154 @@
+"""The shortest tour that sees every anomaly that can be seen: what no explorer walks less than.
+
+Places of the certificates' lattice that see each other are joined by straight ways; the shortest
+walk that passes, for each anomaly, a place from which it can be seen is found exactly among them
+(Dijkstra over place and set of anomalies seen). It is then drawn tight over the free floor.
+"""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from sdgen.agent.walk import Floor
+from sdgen.agent.ways import TOUCH_M, length_m
+from sdgen.cameras.lens import Gaze
+from sdgen.geometry import Vec2
+from sdgen.truth.observability import Observability, gaze_of, seen_at
+
+#: Lattice places further apart than this, in spacings, are joined through others: enough to get
+#: through a doorway between them.
+_JOINED = 3.0
+#: More anomalies than this are toured a few at a time: sets double with each.
+_AT_ONCE = 10
+
+
+@dataclass(frozen=True)
+class Tour:
+    """Poses in their order, each with the ids of the anomalies that are first seen there, and how
+    long the walk past them is. ``unreachable``: anomalies that no pose one gets to sees."""
+
+    stops: tuple[tuple[Gaze, tuple[str, ...]], ...]
+    length_m: float
+    unreachable: tuple[str, ...] = ()
+
+
+def shortest_tour(found: Observability, floor: Floor, start: Vec2) -> Tour:
+    """The tour of a home from a point of its floor."""
+    places = np.array([start, *found.positions_m], dtype=np.float64).reshape(-1, 2)
+    near = _joined(places, floor, found.spacing_m)
+    views = [seen_at(found, one.seen).any(axis=(1, 2)) for one in found.anomalies]
+    reached = _reached(near)
+    can = [k for k, view in enumerate(views) if (view & reached[1:]).any()]
+    names = [one.anomaly_id for one in found.anomalies]
+    out: list[tuple[Gaze, tuple[str, ...]]] = []
+    at = 0
+    for first in range(0, len(can), _AT_ONCE):
+        wanted = can[first : first + _AT_ONCE]
+        walk = _shortest(near, [views[k] for k in wanted], at)
+        done: set[int] = set()
+        for place in walk:
+            fresh = [k for k in wanted if k not in done and place and views[k][place - 1]]
+            for k in fresh:
+                out.append((_pose(found, k, place - 1), (names[k],)))
+            done.update(fresh)
+            at = place
+    lost = tuple(names[k] for k in range(len(names)) if k not in can)
+    return Tour(_together(out), _length(floor, start, out), lost)
+
+
+def _joined(places: np.ndarray, floor: Floor, spacing_m: float) -> list[list[tuple[int, float]]]:
+    """Of each place those to which a straight way leads, and how far they are."""
+    within = floor.open_shape.buffer(TOUCH_M, join_style="mitre")
+    shapely.prepare(within)
+    apart = np.linalg.norm(places[:, None] - places[None], axis=2)
+    first, second = np.nonzero(np.triu(apart <= _JOINED * spacing_m, 1))
+    lines = shapely.linestrings(np.stack([places[first], places[second]], axis=1))
+    free = shapely.covers(within, lines) if len(first) else np.zeros(0, dtype=bool)
+    near: list[list[tuple[int, float]]] = [[] for _ in places]
+    for a, b in zip(first[free].tolist(), second[free].tolist(), strict=True):
+        near[a].append((b, float(apart[a, b])))
+        near[b].append((a, float(apart[a, b])))
+    return near
+
+
+def _reached(near: Sequence[Sequence[tuple[int, float]]]) -> np.ndarray:
+    """Which places are got to from the first."""
+    out = np.zeros(len(near), dtype=np.bool_)
+    out[0] = True
+    todo = [0]
+    while todo:
+        for other, _ in near[todo.pop()]:
+            if not out[other]:
+                out[other] = True
+                todo.append(other)
+    return out
+
+
+def _shortest(
+    near: Sequence[Sequence[tuple[int, float]]], views: Sequence[np.ndarray], start: int
+) -> list[int]:
+    """Places of the shortest walk from ``start`` that sees all of these views."""
+    sees = [0] * len(near)
+    for k, view in enumerate(views):
+        for place in np.flatnonzero(view).tolist():
+            sees[place + 1] |= 1 << k
+    every = (1 << len(views)) - 1
+    begin = (start, sees[start])
+    best = {begin: 0.0}
+    before: dict[tuple[int, int], tuple[int, int]] = {}
+    queue = [(0.0, begin)]
+    while queue:
+        far, state = heapq.heappop(queue)
+        if far > best[state]:
+            continue
+        place, seen = state
+        if seen == every:
+            walk = [place]
+            while state in before:
+                state = before[state]
+                walk.append(state[0])
+            return walk[::-1]
+        for other, more in near[place]:
+            after = (other, seen | sees[other])
+            if far + more < best.get(after, math.inf):
+                best[after], before[after] = far + more, state
+                heapq.heappush(queue, (far + more, after))
+    return [start]
+
+
+def _pose(found: Observability, k: int, place: int) -> Gaze:
+    """A pose at a place that sees an anomaly: level if one does, in the middle of such headings."""
+    one = found.anomalies[k]
+    seen = seen_at(found, one.seen)[place]
+    pitches = sorted(np.flatnonzero(seen.any(axis=1)), key=lambda p: abs(found.pitches_deg[p]))
+    pitch = int(pitches[0])
+    headings = np.flatnonzero(seen[pitch])
+    turn = np.exp(2j * np.pi * headings / found.headings)
+    heading = int(headings[np.argmax((turn * np.conj(turn.mean())).real)])
+    return gaze_of(found, (place, pitch, heading))
+
+
+def _together(
+    stops: Sequence[tuple[Gaze, tuple[str, ...]]],
+) -> tuple[tuple[Gaze, tuple[str, ...]], ...]:
+    """Stops with the same pose as one."""
+    out: dict[Gaze, tuple[str, ...]] = {}
+    for gaze, names in stops:
+        out[gaze] = (*out.get(gaze, ()), *names)
+    return tuple(out.items())
+
+
+def _length(floor: Floor, start: Vec2, stops: Sequence[tuple[Gaze, tuple[str, ...]]]) -> float:
+    """The length of the walk past these stops, drawn tight."""
+    total, at = 0.0, start
+    for gaze, _ in stops:
+        way = floor.route(at, gaze.point, doors=True)
+        total += length_m(way) if way is not None else math.dist(at, gaze.point)
+        at = gaze.point
+    return total

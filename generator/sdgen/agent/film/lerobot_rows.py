@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -39,9 +40,7 @@ def columns(episode: Episode, number: int, first: int, fps: int) -> dict[str, np
     frames = np.arange(count)
     return {
         "observation.state": np.array([_state(step) for step in steps[:-1]], dtype=np.float32),
-        "action": np.array(
-            [_action(*pair) for pair in zip(steps[:-1], steps[1:], strict=True)], dtype=np.float32
-        ),
+        "action": np.array([_action(*pair) for pair in pairwise(steps)], dtype=np.float32),
         "next.reward": np.array([step.reward for step in steps[1:]], dtype=np.float32),
         "next.done": np.array([step.done for step in steps[1:]], dtype=np.bool_),
         "timestamp": (frames / fps).astype(np.float32),

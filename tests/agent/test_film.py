@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import subprocess
 import sys
 from pathlib import Path
 
@@ -149,3 +150,11 @@ def test_pictures_of_another_size_than_the_camera_are_refused() -> None:
     step = film.episode().steps[0]
     with pytest.raises(ValueError, match="step 0: rgb is"):
         dataclasses.replace(step, rgb=np.zeros((3, 4, 3), dtype=np.uint8))
+
+
+def test_packages_that_few_have_are_loaded_when_they_are_used() -> None:
+    code = (
+        "import sys, sdgen.agent.film.folder, sdgen.agent.film.lerobot; "
+        "assert not {'av', 'pyarrow', 'pandas', 'datasets', 'torch'} & set(sys.modules), 'heavy'"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, capture_output=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -150,6 +151,16 @@ def test_what_cannot_be_written_leaves_nothing(
 ) -> None:
     with pytest.raises(SdgenError, match=says):
         write_lerobot(episodes, tmp_path / "d", pictures=pictures)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("package", ["av", "pyarrow"])
+def test_a_missing_package_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, package: str
+) -> None:
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(ModuleNotFoundError):
+        write_lerobot(EPISODES, tmp_path / "d")
     assert list(tmp_path.iterdir()) == []
 
 

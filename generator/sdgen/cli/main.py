@@ -49,11 +49,13 @@ EXIT_INTERRUPTED = 130
 EXIT_PIPE = 141
 #: Packages only some commands need -> the extra of sdgen that brings them.
 EXTRAS = {
+    "av": "video",
     "coacd": "assets",
     "datasets": "huggingface",
     "openai": "llm",
     "pandas": "pandas",
     "pxr": "usd",
+    "pyarrow": "lerobot",
     "pycocotools": "coco",
     "ray": "ray",
     "rerun": "rerun",

@@ -43,6 +43,7 @@ class BuildOptions(Record):
     eye_height_m: float = Field(default=EYE_HEIGHT_M, gt=0.1, le=2.2)
     twins: bool = False
     toggles: bool = False
+    observability: bool = False
     #: Small things of the folders of ``--assets`` alone, as far as these have them.
     assets_only: bool = False
     #: Ids of the hazards that are drawn, sorted; empty: all. The others are proved absent.
@@ -88,6 +89,7 @@ def _switches(options: BuildOptions) -> tuple[tuple[str, bool], ...]:
     return (
         ("twins", options.twins),
         ("toggles", options.toggles),
+        ("observability", options.observability),
         ("assets-only", options.assets_only),
     )
 

@@ -5,18 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from sdgen.agent.film.steps import Episode, Step
-from sdgen.agent.lens import camera_at
-from sdgen.agent.options import AgentCamera, AgentOptions
-from sdgen.agent.walk import Place
+from sdgen.agent.film.steps import Film, Step
+from sdgen.agent.options import AgentOptions
+from sdgen.cameras.lens import Gaze, Lens, camera_at
 
 from tests import toy
 
 _DONE = (
     ("start", {}),
     ("forward", {"forward_m": 0.25}),
-    ("turn", {"turn_rad": -0.5}),
-    ("look", {"look_rad": 0.25}),
+    ("turn_left", {"turn_rad": -0.5}),
+    ("look_up", {"look_rad": 0.25}),
     ("go_to", {"room": "kitchen"}),
     ("open", {"object_id": 305}),
 )
@@ -24,10 +23,10 @@ _DONE = (
 
 def episode(
     steps: int = 8, width: int = 64, height: int = 48, scene: str = "000003", rgb: bool = True
-) -> Episode:
+) -> Film:
     """An episode that forgets nothing: refused, rewarded, done at the end."""
-    lens = AgentCamera(width=width, height=height)
-    return Episode(
+    lens = Lens(width=width, height=height)
+    return Film(
         scene=scene,
         household=toy.household(),
         options=AgentOptions(camera=lens),
@@ -36,10 +35,9 @@ def episode(
     )
 
 
-def _step(k: int, steps: int, lens: AgentCamera, rgb: bool) -> Step:
+def _step(k: int, steps: int, lens: Lens, rgb: bool) -> Step:
     action, argument = _DONE[k % len(_DONE)] if k < steps - 1 else ("stop", {})
-    place = Place(1.0 + 0.25 * k, 2.0 - 0.125 * k, -3.0 + 0.7 * k)
-    pitch = 0.1 * k
+    gaze = Gaze(1.0 + 0.25 * k, 2.0 - 0.125 * k, -3.0 + 0.7 * k, 0.1 * k)
     rows, columns = np.mgrid[: lens.height, : lens.width]
     pictures: dict[str, Any] = {
         "depth_mm": (1000 * k + 7 * rows + columns).astype(np.uint16),
@@ -52,10 +50,9 @@ def _step(k: int, steps: int, lens: AgentCamera, rgb: bool) -> Step:
         index=k,
         action=action,
         argument=dict(argument),
-        place=place,
-        pitch_rad=pitch,
+        gaze=gaze,
         room_id=100 + k % 2,
-        camera=camera_at(place, pitch, 100 + k % 2, lens),
+        camera=camera_at(gaze, 100 + k % 2, lens),
         refused="a chair is in the way" if k == 1 else None,
         reward=0.5 * k,
         done=k == steps - 1,

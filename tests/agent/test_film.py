@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 from sdgen.agent.film import folder
 from sdgen.agent.film.folder import read_folder, write_folder
-from sdgen.agent.film.steps import Episode, Step
+from sdgen.agent.film.steps import Film, Step
 from sdgen.errors import InputError, SdgenError
 from sdgen.scene import Camera
 
 from tests.agent import film
 
 
-def same(a: Episode, b: Episode) -> None:
+def same(a: Film, b: Film) -> None:
     """Asserts that two episodes are one, to the last pixel."""
     assert (a.scene, a.household, a.options) == (b.scene, b.household, b.options)
     assert dict(a.summary) == dict(b.summary)
@@ -63,13 +63,13 @@ def test_a_line_says_where_and_through_what_the_agent_looked(tmp_path: Path) -> 
     lines = [
         json.loads(line) for line in (tmp_path / "walk/trajectory.jsonl").read_text().splitlines()
     ]
-    assert [line["action"] for line in lines][:3] == ["start", "forward", "turn"]
+    assert [line["action"] for line in lines][:3] == ["start", "forward", "turn_left"]
     assert lines[1]["refused"] == "a chair is in the way"
     for line, step in zip(lines, episode.steps, strict=True):
-        assert line["position_m"] == [step.place.x_m, step.place.y_m, 0.0]
+        assert line["position_m"] == [step.gaze.x_m, step.gaze.y_m, 0.0]
         assert Camera(**line["camera"]) == step.camera
         eye = [row[3] for row in line["camera"]["world_from_camera"]][:3]
-        assert eye == pytest.approx([*step.place.point, episode.options.camera.height_m])
+        assert eye == pytest.approx([*step.gaze.point, episode.options.camera.height_m])
         for name in line["files"].values():
             assert (tmp_path / "walk" / name).is_file()
 

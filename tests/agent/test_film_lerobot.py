@@ -82,10 +82,8 @@ def test_a_frame_is_what_was_seen_before_what_was_done(written: Path) -> None:
     rows = table(written / "data/chunk-000/file-000.parquet").to_pylist()
     pairs = [(a, b) for e in EPISODES for a, b in zip(e.steps[:-1], e.steps[1:], strict=True)]
     for row, (before, after) in zip(rows, pairs, strict=True):
-        place = before.place
-        assert row["observation.state"] == pytest.approx(
-            [place.x_m, place.y_m, place.yaw_rad, before.pitch_rad], abs=1e-6
-        )
+        gaze = before.gaze
+        assert row["observation.state"] == pytest.approx(list(gaze), abs=1e-6)
         assert ACTIONS[int(row["action"][3])] == after.action
         assert row["next.reward"] == after.reward
         assert row["next.done"] == after.done
@@ -180,7 +178,7 @@ def test_the_client_itself_reads_it(
         assert item[RGB].shape == (3, 48, 64)
         rgb = item[RGB].numpy().transpose(1, 2, 0) * 255
         assert np.abs(rgb - step.rgb).mean() < (8 if written.name == "video" else 1e-3)
-        state = [step.place.x_m, step.place.y_m, step.place.yaw_rad, step.pitch_rad]
+        state = [step.gaze.x_m, step.gaze.y_m, step.gaze.yaw_rad, step.gaze.pitch_rad]
         assert item["observation.state"].tolist() == pytest.approx(state, abs=1e-6)
         assert item["action"].shape == (5,)
         assert item["task"] == ours.TASK

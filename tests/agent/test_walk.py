@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sdgen.agent.walk import Floor
-from sdgen.cameras.lens import Gaze
 from sdgen.agent.ways import Ways, length_m
+from sdgen.cameras.lens import Gaze
 from sdgen.seeding import lane
 from shapely.geometry import box
 from shapely.ops import unary_union

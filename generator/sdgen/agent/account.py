@@ -86,9 +86,8 @@ class Cells:
         """Count the surfaces of one picture."""
         depth = look.depth_mm[::_EVERY, ::_EVERY]
         rows, columns = np.nonzero(depth)
-        at = unproject(
-            look.camera, rows * float(_EVERY), columns * float(_EVERY), depth[rows, columns] / 1e3
-        )
+        every, far = np.float64(_EVERY), np.asarray(depth[rows, columns] / 1e3, dtype=np.float64)
+        at = unproject(look.camera, rows * every, columns * every, far)
         i, j = self.index(at[:, :2])
         inside = (i >= 0) & (i < self.seen.shape[0]) & (j >= 0) & (j < self.seen.shape[1])
         self.seen[i[inside], j[inside]] = True

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
+from shapely.geometry import Point
 
 from sdgen.agent.account import Account
 from sdgen.agent.eyes import Eyes, Look
 from sdgen.agent.house import House
+from sdgen.agent.moves import LABELS, MOVES, NOTIFY, Move
 from sdgen.agent.options import AgentOptions
 from sdgen.agent.stage import Stage
 from sdgen.agent.ways import length_m
-from sdgen.cameras.lens import Gaze, camera_at, toward
-from sdgen.catalog.records import Label
+from sdgen.cameras.lens import Gaze, toward
 from sdgen.dataset.records import Report
 from sdgen.errors import UsageError, did_you_mean
 from sdgen.geometry import Vec2
@@ -24,32 +25,22 @@ from sdgen.library import Library
 from sdgen.scene import Notify
 from sdgen.seeding import Rng
 
-#: What an agent can do, in the order of their numbers in the environment's action space.
-Move = Literal[
-    "stop",
-    "forward",
-    "turn_left",
-    "turn_right",
-    "look_up",
-    "look_down",
-    "go_to",
-    "open",
-    "close",
-    "scan",
-    "report",
-]
-MOVES: tuple[Move, ...] = get_args(Move)
-LABELS: tuple[str, ...] = get_args(Label)
-NOTIFY: tuple[Notify, ...] = get_args(Notify)
+#: Nearer than this to a piece of floor, metres, is on it.
+_ON_M = 0.01
+
+
+Argument = Mapping[str, "int | float | str"]
 
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """What came of a move: the pictures it gave, in order (one; of a scan one for each heading; of
-    ``stop`` and of what was refused none), why it was refused (None: it was not), and whether it
-    hit something. ``opened``: doors that were opened on the way."""
+    """What came of a move, and of what it was told (``argument``): the pictures it gave, in order
+    (one; of a scan one for each heading; of ``stop`` and of what was refused none), why it was
+    refused (None: it was not), and whether it hit something. ``opened``: doors that were opened on
+    the way."""
 
     move: Move
+    argument: Argument
     looks: tuple[Look, ...] = ()
     refused: str | None = None
     collided: bool = False
@@ -78,9 +69,11 @@ class Episode:
         self.reports: dict[int, Report] = {}
         self.reported_at: dict[int, int] = {}
         self._eyes = eyes
+        self._watch: Callable[[Result], None] | None = None
         self._rooms = {room.id: room for room in stage.scene.home.rooms}
         self.gaze = self._start(rng)
-        self.start = self.gaze
+        #: Where it went: every corner of its way.
+        self.trail: list[Vec2] = [self.gaze.point]
         eyes.show(self.house.scene)
 
     def _start(self, rng: Rng) -> Gaze:
@@ -92,11 +85,16 @@ class Episode:
                 raise UsageError(f"scene {self.stage.id}: no free floor to start from")
             return found._replace(pitch_rad=pitch)
         point: Vec2 = (start.position_m[0], start.position_m[1])
-        if not floor.holds(point):
-            if floor.shape.is_empty:
+        if not floor.holds(point) or not floor.main.distance(Point(point)) < _ON_M:
+            # Something was put there since; or furniture shuts it in, in older data sets.
+            if floor.main.is_empty:
                 raise UsageError(f"scene {self.stage.id}: no free floor to start from")
-            point = floor.nearest(point)  # what was put there since stands in the way
+            point = floor.nearest_in(floor.main, Point(point))
         return Gaze(*point, start.yaw_rad, pitch)
+
+    def watch(self, watcher: Callable[[Result], None]) -> None:
+        """Have somebody told what comes of every move from now on."""
+        self._watch = watcher
 
     @property
     def over(self) -> bool:
@@ -111,8 +109,8 @@ class Episode:
     def look(self) -> Look:
         """What the agent sees now; no step."""
         room_id = self.room_id
-        camera = camera_at(self.gaze, room_id, self.options.camera)
-        look = self._eyes.look(camera, "rgb" in self.options.sensors)
+        colours = "rgb" in self.options.sensors
+        look = self._eyes.look(self.gaze, room_id, self.options.camera, colours)
         self.account.see(look, self.house.scene, room_id, self.steps)
         return look
 
@@ -121,21 +119,27 @@ class Episode:
         before = self.gaze
         self.gaze, collided = self.house.floor.step(before, self.options.forward_m)
         self.path_m += math.dist(before.point, self.gaze.point)
+        self.trail.append(self.gaze.point)
         self.collisions += collided
-        return self._seen("forward", collided=collided)
+        asked = {"forward_m": self.options.forward_m}
+        return self._seen("forward", asked, collided=collided)
 
     def turn(self, times: int = 1) -> Result:
         """Turn left, or right where ``times`` is negative; each is a step."""
         yaw = self.gaze.yaw_rad + times * self.options.turn_rad
         self.gaze = self.gaze._replace(yaw_rad=math.remainder(yaw, 2 * math.pi))
-        return self._seen("turn_left" if times >= 0 else "turn_right", steps=max(1, abs(times)))
+        move: Move = "turn_left" if times >= 0 else "turn_right"
+        asked = {"turn_rad": times * self.options.turn_rad}
+        return self._seen(move, asked, max(1, abs(times)))
 
     def tilt(self, times: int = 1) -> Result:
         """Look further up, or down where ``times`` is negative, as far as the neck goes."""
         most = math.radians(self.options.pitch_most_deg)
         pitch = self.gaze.pitch_rad + times * math.radians(self.options.look_deg)
         self.gaze = self.gaze._replace(pitch_rad=min(max(pitch, -most), most))
-        return self._seen("look_up" if times >= 0 else "look_down", steps=max(1, abs(times)))
+        move: Move = "look_up" if times >= 0 else "look_down"
+        asked = {"look_rad": times * math.radians(self.options.look_deg)}
+        return self._seen(move, asked, max(1, abs(times)))
 
     def scan(self) -> Result:
         """A full turn to the left, a picture at each heading; each is a step."""
@@ -148,40 +152,47 @@ class Episode:
             looks.append(self.look())
             if self.over:
                 break
-        return Result("scan", tuple(looks))
+        return self._told(Result("scan", {}, tuple(looks)))
 
     def go_to(self, key: int) -> Result:
         """Walk to a room, or before an object and look at it, by the shortest way."""
-        floor = self.house.floor
+        floor, asked = self.house.floor, {"object_id": key}
         if key in self._rooms:
             part = floor.within_reach(self.gaze.point).intersection(floor.outline_of(key))
             if part.is_empty:
-                return self._refuse("go_to", f"no way leads into room {key}")
+                return self._refuse("go_to", asked, f"no way leads into room {key}")
             middle = part.representative_point()
-            return self.go((float(middle.x), float(middle.y)))
+            return self._walk((float(middle.x), float(middle.y)), None, None, asked)
         body = self.house.bodies.get(key)
         if body is None:
-            return self._refuse("go_to", f"there is no room or object {key}")
+            return self._refuse("go_to", asked, f"there is no room or object {key}")
         middle = body.footprint.centroid
         reached = floor.within_reach(self.gaze.point)
         if reached.is_empty:
-            return self._refuse("go_to", "the agent stands where nothing leads to")
+            return self._refuse("go_to", asked, "the agent stands where nothing leads to")
         spot = floor.nearest_in(reached, body.footprint)
         eye = np.array([*spot, self.options.camera.height_m])
         at = np.array([middle.x, middle.y, float(body.low[2] + body.high[2]) / 2])
         yaw, pitch = toward(eye, at)
-        return self.go(spot, yaw, pitch)
+        return self._walk(spot, yaw, pitch, asked)
 
-    def go(self, point: Vec2, yaw_rad: float | None = None, pitch_rad: float | None = None) -> Result:
+    def go(
+        self, point: Vec2, yaw_rad: float | None = None, pitch_rad: float | None = None
+    ) -> Result:
         """Walk to a point of the free floor by the shortest way, open the doors on it, and look
         there; without a direction, the way one came."""
+        return self._walk(point, yaw_rad, pitch_rad, {"x_m": point[0], "y_m": point[1]})
+
+    def _walk(
+        self, point: Vec2, yaw_rad: float | None, pitch_rad: float | None, asked: Argument
+    ) -> Result:
         way = self.house.floor.route(self.gaze.point, point, doors=True)
         if way is None:
-            return self._refuse("go_to", "no way leads there")
+            return self._refuse("go_to", asked, "no way leads there")
         opened = self.house.floor.shut_on(way)
         stuck = [why for door in opened if (why := self._moved(door, True)) is not None]
         if stuck:
-            return self._refuse("go_to", stuck[0])
+            return self._refuse("go_to", asked, stuck[0])
         walked = length_m(way)
         yaw = self.gaze.yaw_rad
         if len(way) > 1:
@@ -190,8 +201,9 @@ class Episode:
         pitch = self.gaze.pitch_rad if pitch_rad is None else min(max(pitch_rad, -most), most)
         self.gaze = Gaze(*way[-1], yaw if yaw_rad is None else yaw_rad, pitch)
         self.path_m += walked
+        self.trail += way[1:]
         steps = max(1, math.ceil(walked / self.options.forward_m)) + len(opened)
-        return self._seen("go_to", steps=steps, opened=opened)
+        return self._seen("go_to", asked, steps, opened=opened)
 
     def open(self, key: int) -> Result:
         """Open the first leaf or drawer of a thing within reach that is shut."""
@@ -202,13 +214,14 @@ class Episode:
         return self._move_leaf("close", key)
 
     def _move_leaf(self, move: Literal["open", "close"], key: int) -> Result:
+        asked = {"object_id": key}
         if key not in self.house.bodies:
-            return self._refuse(move, f"there is no object {key}")
+            return self._refuse(move, asked, f"there is no object {key}")
         away = self.house.away_m(self.gaze.point, key)
         if away > self.options.reach_m:
-            return self._refuse(move, f"object {key} is {away:.2f} m away, out of reach")
+            return self._refuse(move, asked, f"object {key} is {away:.2f} m away, out of reach")
         why = self._moved(key, move == "open")
-        return self._seen(move) if why is None else self._refuse(move, why)
+        return self._seen(move, asked) if why is None else self._refuse(move, asked, why)
 
     def _moved(self, key: int, opening: bool) -> str | None:
         why = self.house.moved(key, opening, self.gaze.point)
@@ -216,7 +229,9 @@ class Episode:
             self._eyes.show(self.house.scene)
         return why
 
-    def report(self, key: int, label: str, notify: Notify = "now", score: float = 1.0) -> Result:
+    def report(
+        self, key: int, label: str, notify: Notify = "now", score: float | None = None
+    ) -> Result:
         """Say that an object is wrong, in place of what was said of it before.
 
         UsageError for a label or a notify that nobody knows.
@@ -225,17 +240,18 @@ class Episode:
             raise UsageError(f"no label {label!r}{did_you_mean(label, LABELS)}")
         if notify not in NOTIFY:
             raise UsageError(f"no notify {notify!r}{did_you_mean(notify, NOTIFY)}")
+        asked = {"object_id": key, "label": label, "notify": notify}
         if key not in self.house.bodies:
-            return self._refuse("report", f"there is no object {key}")
+            return self._refuse("report", asked, f"there is no object {key}")
         self.reports[key] = Report(object_id=key, label=label, notify=notify, score=score)
         self.reported_at.setdefault(key, self.steps)
-        return self._seen("report")
+        return self._seen("report", asked)
 
     def stop(self) -> Result:
         """Say that one is done."""
         self.steps += 1
         self.done = True
-        return Result("stop")
+        return self._told(Result("stop", {}))
 
     def do(self, move: str, target: int = 0, label: str = "", notify: Notify = "now") -> Result:
         """A move by its name. UsageError for one that nobody knows."""
@@ -264,13 +280,28 @@ class Episode:
         for one in reports:
             self.report(one.object_id, one.label, one.notify, one.score)
 
+    def conclude(self, reports: Iterable[Report]) -> None:
+        """Have these be all that was said, at the end: no steps are taken for them."""
+        self.reports = {one.object_id: one for one in reports}
+        self.reported_at = dict.fromkeys(self.reports, self.steps)
+
     def _seen(
-        self, move: Move, steps: int = 1, collided: bool = False, opened: tuple[int, ...] = ()
+        self,
+        move: Move,
+        asked: Argument,
+        steps: int = 1,
+        collided: bool = False,
+        opened: tuple[int, ...] = (),
     ) -> Result:
         self.steps += steps
-        return Result(move, (self.look(),), None, collided, opened)
+        return self._told(Result(move, asked, (self.look(),), None, collided, opened))
 
-    def _refuse(self, move: Move, why: str) -> Result:
+    def _refuse(self, move: Move, asked: Argument, why: str) -> Result:
         self.steps += 1
         self.refusals.append(why)
-        return Result(move, refused=why)
+        return self._told(Result(move, asked, refused=why))
+
+    def _told(self, result: Result) -> Result:
+        if self._watch is not None:
+            self._watch(result)
+        return result

@@ -187,4 +187,3 @@ def _nearest(episode: Episode, spots: Sequence[Vec2]) -> tuple[float, Vec2]:
             best = far, spot
     assert best is not None
     return best
-

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.cameras.lens import Gaze, Lens, camera_at
 from sdgen.cameras.portals import Portals
 from sdgen.closing import Closing
 from sdgen.facts import bodies_of
@@ -16,7 +17,7 @@ from sdgen.render.opengl import to_millimetres
 from sdgen.render.outdoors import clear_panes, paint_outdoors
 from sdgen.render.process import ProcessRenderer
 from sdgen.scene import Camera, Scene
-from sdgen.vocabulary import OPENINGS
+from sdgen.vocabulary import DOORS
 
 #: Rooms that are out of sight are let go of after so many pictures: to draw them costs more by
 #: then than it will to bring them back.
@@ -25,9 +26,10 @@ _PATIENCE = 6
 
 @dataclass(frozen=True, eq=False)
 class Look:
-    """One picture: ``rgb`` (H, W, 3), ``depth_mm`` (H, W) planar, 0 = none, ``instance`` (H, W) node
-    ids, 0 = nothing, and ``part`` (H, W), 1-based parts of each object."""
+    """One picture, and how one stood and looked: ``rgb`` (H, W, 3), ``depth_mm`` (H, W) planar,
+    0 = none, ``instance`` (H, W) node ids, 0 = nothing, ``part`` (H, W) 1-based parts of each."""
 
+    gaze: Gaze
     camera: Camera
     rgb: npt.NDArray[np.uint8]
     depth_mm: npt.NDArray[np.uint16]
@@ -57,22 +59,31 @@ class Eyes(Closing):
         self._panes = clear_panes(self._library, scene)
         self._landings = landings(scene.home)
         self._rooms_of = {} if self._whole else self._reached(scene)
-        self._always = [structure.id for structure in scene.home.structures]
-        self._always += [item.id for item in scene.objects if item.category in OPENINGS]
         self._renderer.release(self)
 
     def _reached(self, scene: Scene) -> dict[int, frozenset[int]]:
-        """The rooms that each thing is in; none for doors and windows, which are always drawn."""
-        out = {}
+        """The rooms that each node is drawn with: those that a thing is in, that a wall is of; all
+        for doors and windows, which stand in two walls. A home's walls are seen from outside, too,
+        so through an open front door all of them."""
+        out = {one.id: frozenset((one.room_id,)) for one in scene.home.structures}
+        for opening in scene.home.openings:
+            if len(opening.room_ids) == 1 and opening.kind in DOORS:
+                states = scene.object(opening.object_id).states
+                if "CLOSED" not in states:
+                    out = {key: rooms | {opening.room_ids[0]} for key, rooms in out.items()}
+        every = frozenset(room.id for room in scene.home.rooms)
+        out |= {opening.object_id: every for opening in scene.home.openings}
         for body in bodies_of(scene.objects, self._library.infos):
             item = body.item
-            if item.category not in OPENINGS:
+            if item.id not in out:
                 (x0, y0, _), (x1, y1, _) = body.low.tolist(), body.high.tolist()
                 out[item.id] = frozenset(self._portals.around((x0, y0), (x1, y1), item.room_id))
         return out
 
-    def look(self, camera: Camera, colours: bool = True) -> Look:
-        """What a camera sees of the scene; without ``colours``, ``rgb`` is black."""
+    def look(self, gaze: Gaze, room_id: int, lens: Lens, colours: bool = True) -> Look:
+        """What one sees of the scene who stands and looks so; without ``colours``, ``rgb`` is
+        black."""
+        camera = camera_at(gaze, room_id, lens)
         self._load(camera)
         picture = self._renderer.draw(camera)
         rgb = np.zeros_like(picture.rgb)
@@ -81,7 +92,7 @@ class Eyes(Closing):
             outdoors = self._scene.home.outdoors
             rgb = paint_outdoors(*drawn, self._panes, outdoors, camera, self._landings)
         depth_mm = to_millimetres(picture.depth_m, picture.instance > 0)
-        return Look(camera, rgb, depth_mm, picture.instance, picture.part)
+        return Look(gaze, camera, rgb, depth_mm, picture.instance, picture.part)
 
     def _load(self, camera: Camera) -> None:
         """See to it that all that this camera sees is drawn."""
@@ -98,8 +109,9 @@ class Eyes(Closing):
             self._idle = 0 if self._rooms == rooms else self._idle + 1
             if self._idle < _PATIENCE:
                 return
-        shown = (k for k, within in self._rooms_of.items() if not rooms.isdisjoint(within))
-        self._renderer.show_only({*self._always, *shown})
+        self._renderer.show_only(
+            {key for key, within in self._rooms_of.items() if not rooms.isdisjoint(within)}
+        )
         self._rooms, self._idle = rooms, 0
 
     def close(self) -> None:

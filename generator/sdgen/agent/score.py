@@ -38,8 +38,8 @@ class EpisodeScore(Record):
 
     ``path_m`` was walked in ``steps``; ``shortest_m`` is the tour that sees all that can be seen,
     ``path_ratio`` how much of the walk it is (0 to 1; both None without certificates, or where
-    nothing can be seen). ``coverage``: the share of the floor plan that was seen. ``refused``: moves
-    that could not be done, ``collisions``: steps into something.
+    nothing can be seen). ``coverage``: the share of the floor plan that was seen. ``refused``:
+    moves that could not be done, ``collisions``: steps into something.
     """
 
     scene: str

@@ -13,13 +13,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
+import numpy.typing as npt
 
 from sdgen.agent.walk import Floor
-from sdgen.agent.ways import TOUCH_M, length_m
+from sdgen.agent.ways import length_m
 from sdgen.cameras.lens import Gaze
-from sdgen.geometry import Vec2
-from sdgen.truth.observability import Observability, gaze_of, seen_at
+from sdgen.geometry import Array, Vec2
+from sdgen.truth.observable import Observability, Observable, gaze_of, seen_at
+
+Bools = npt.NDArray[np.bool_]
 
 #: Lattice places further apart than this, in spacings, are joined through others: enough to get
 #: through a doorway between them.
@@ -38,13 +40,15 @@ class Tour:
     unreachable: tuple[str, ...] = ()
 
 
-def shortest_tour(found: Observability, floor: Floor, start: Vec2) -> Tour:
-    """The tour of a home from a point of its floor."""
+def shortest_tour(found: Observability, floor: Floor, start: Vec2, surely: bool = False) -> Tour:
+    """The tour of a home from a point of its floor; ``surely``: past poses that show each anomaly
+    with a margin, where it has any."""
     places = np.array([start, *found.positions_m], dtype=np.float64).reshape(-1, 2)
     near = _joined(places, floor, found.spacing_m)
-    views = [seen_at(found, one.seen).any(axis=(1, 2)) for one in found.anomalies]
-    reached = _reached(near)
-    can = [k for k, view in enumerate(views) if (view & reached[1:]).any()]
+    reached = _reached(near)[1 : len(places)]
+    masks = [_mask(found, one, reached, surely) for one in found.anomalies]
+    views = [np.asarray(mask.any(axis=(1, 2))) for mask in masks]
+    can = [k for k, view in enumerate(views) if view.any()]
     names = [one.anomaly_id for one in found.anomalies]
     out: list[tuple[Gaze, tuple[str, ...]]] = []
     at = 0
@@ -53,31 +57,28 @@ def shortest_tour(found: Observability, floor: Floor, start: Vec2) -> Tour:
         walk = _shortest(near, [views[k] for k in wanted], at)
         done: set[int] = set()
         for place in walk:
-            fresh = [k for k in wanted if k not in done and place and views[k][place - 1]]
-            for k in fresh:
-                out.append((_pose(found, k, place - 1), (names[k],)))
-            done.update(fresh)
             at = place
+            if not 0 < place < len(places):
+                continue
+            fresh = [k for k in wanted if k not in done and views[k][place - 1]]
+            out += [(_pose(found, masks[k], place - 1), (names[k],)) for k in fresh]
+            done.update(fresh)
     lost = tuple(names[k] for k in range(len(names)) if k not in can)
     return Tour(_together(out), _length(floor, start, out), lost)
 
 
-def _joined(places: np.ndarray, floor: Floor, spacing_m: float) -> list[list[tuple[int, float]]]:
-    """Of each place those to which a straight way leads, and how far they are."""
-    within = floor.open_shape.buffer(TOUCH_M, join_style="mitre")
-    shapely.prepare(within)
-    apart = np.linalg.norm(places[:, None] - places[None], axis=2)
-    first, second = np.nonzero(np.triu(apart <= _JOINED * spacing_m, 1))
-    lines = shapely.linestrings(np.stack([places[first], places[second]], axis=1))
-    free = shapely.covers(within, lines) if len(first) else np.zeros(0, dtype=bool)
-    near: list[list[tuple[int, float]]] = [[] for _ in places]
-    for a, b in zip(first[free].tolist(), second[free].tolist(), strict=True):
-        near[a].append((b, float(apart[a, b])))
-        near[b].append((a, float(apart[a, b])))
-    return near
+def _joined(places: Array, floor: Floor, spacing_m: float) -> list[list[tuple[int, float]]]:
+    """Of each place, and of the corners of the floor after them, those to which a straight way
+    leads, and how far they are."""
+    ways = floor.open_ways
+    points = np.concatenate([places, ways.corners])
+    first, second = np.triu_indices(len(points), 1)
+    apart = np.linalg.norm(points[first] - points[second], axis=1)
+    wanted = (second >= len(places)) | (first == 0) | (apart <= _JOINED * spacing_m)
+    return ways.joined(points, first[wanted], second[wanted])
 
 
-def _reached(near: Sequence[Sequence[tuple[int, float]]]) -> np.ndarray:
+def _reached(near: Sequence[Sequence[tuple[int, float]]]) -> Bools:
     """Which places are got to from the first."""
     out = np.zeros(len(near), dtype=np.bool_)
     out[0] = True
@@ -91,13 +92,13 @@ def _reached(near: Sequence[Sequence[tuple[int, float]]]) -> np.ndarray:
 
 
 def _shortest(
-    near: Sequence[Sequence[tuple[int, float]]], views: Sequence[np.ndarray], start: int
+    near: Sequence[Sequence[tuple[int, float]]], views: Sequence[Bools], start: int
 ) -> list[int]:
     """Places of the shortest walk from ``start`` that sees all of these views."""
     sees = [0] * len(near)
     for k, view in enumerate(views):
         for place in np.flatnonzero(view).tolist():
-            sees[place + 1] |= 1 << k
+            sees[int(place) + 1] |= 1 << k
     every = (1 << len(views)) - 1
     begin = (start, sees[start])
     best = {begin: 0.0}
@@ -122,10 +123,17 @@ def _shortest(
     return [start]
 
 
-def _pose(found: Observability, k: int, place: int) -> Gaze:
+def _mask(found: Observability, one: Observable, reached: Bools, surely: bool) -> Bools:
+    """The poses that one gets to and that see an anomaly, (places, pitches, headings)."""
+    sure = seen_at(found, one.sure) & reached[:, None, None]
+    if surely and sure.any():
+        return sure
+    return np.asarray(seen_at(found, one.seen) & reached[:, None, None])
+
+
+def _pose(found: Observability, mask: Bools, place: int) -> Gaze:
     """A pose at a place that sees an anomaly: level if one does, in the middle of such headings."""
-    one = found.anomalies[k]
-    seen = seen_at(found, one.seen)[place]
+    seen = mask[place]
     pitches = sorted(np.flatnonzero(seen.any(axis=1)), key=lambda p: abs(found.pitches_deg[p]))
     pitch = int(pitches[0])
     headings = np.flatnonzero(seen[pitch])

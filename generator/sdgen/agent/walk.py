@@ -29,6 +29,8 @@ from sdgen.vocabulary import LEAVES
 
 #: Rings are rounded to millimetres: a step along an edge is still inside.
 _ROUNDED_M = 0.002
+#: Rings are cut from one shape and simplified to a centimetre: seams between them are no gaps.
+_SEAM_M = 0.011
 
 
 class Floor:
@@ -40,7 +42,8 @@ class Floor:
 
     def __init__(self, scene: Scene, standing: Iterable[BaseGeometry] = ()) -> None:
         rings = [Polygon(ring).buffer(0) for ring in scene.free_space]
-        shape: BaseGeometry = unary_union(rings) if rings else Polygon()
+        shape: BaseGeometry = unary_union(rings).buffer(_SEAM_M, join_style="mitre")
+        shape = shape.buffer(-_SEAM_M, join_style="mitre")
         grown = shapely.buffer(list(standing), ROBOT_RADIUS_M, quad_segs=2).tolist()
         self.open_shape = shape.difference(union(grown)) if grown else shape
         self.shut = shut_doors(scene)
@@ -54,7 +57,8 @@ class Floor:
         return Ways(self.shape)
 
     @cached_property
-    def _open_ways(self) -> Ways:
+    def open_ways(self) -> Ways:
+        """The ways that there are when all doors are opened."""
         return Ways(self.open_shape) if self.shut else self._ways
 
     def holds(self, point: Vec2) -> bool:
@@ -77,12 +81,8 @@ class Floor:
         gone = min(gone, distance_m)
         return gaze._replace(x_m=gaze.x_m + gone * dx, y_m=gaze.y_m + gone * dy), True
 
-    def nearest(self, point: Vec2) -> Vec2:
-        """The point of the free floor that is nearest. ValueError where there is none at all."""
-        here, _ = nearest_points(self.shape, Point(point))
-        return float(here.x), float(here.y)
-
-    def nearest_in(self, shape: BaseGeometry, to: BaseGeometry) -> Vec2:
+    @staticmethod
+    def nearest_in(shape: BaseGeometry, to: BaseGeometry) -> Vec2:
         """The point of a shape that is nearest to another."""
         here, _ = nearest_points(shape, to)
         return float(here.x), float(here.y)
@@ -105,10 +105,16 @@ class Floor:
         pieces = polygons(self.open_shape)
         return next((p for p in pieces if p.distance(Point(start)) < _ROUNDED_M), Polygon())
 
+    @property
+    def main(self) -> BaseGeometry:
+        """The largest connected piece of the floor, but for the doorways that are shut in it: from
+        there every room can be got to, as far as nothing was put in the way."""
+        pieces = polygons(self.open_shape)
+        return pieces[0].intersection(self.shape) if pieces else Polygon()
+
     def random(self, rng: Rng) -> Gaze | None:
-        """A pose drawn evenly from the largest connected piece; None where there is no floor."""
-        pieces = polygons(self.shape)
-        point = random_point(pieces[0], rng) if pieces else None
+        """A pose drawn evenly from the main piece; None where there is no floor."""
+        point = random_point(self.main, rng)
         if point is None:
             return None
         return Gaze(*point, float(rng.uniform(-math.pi, math.pi)))
@@ -116,7 +122,7 @@ class Floor:
     def route(self, start: Vec2, goal: Vec2, doors: bool = False) -> tuple[Vec2, ...] | None:
         """The corners of the shortest way on the free floor, start and goal among them; None where
         there is none. ``doors``: through those that are shut, too."""
-        return (self._open_ways if doors else self._ways).route(start, goal)
+        return (self.open_ways if doors else self._ways).route(start, goal)
 
     def shut_on(self, way: Sequence[Vec2]) -> tuple[int, ...]:
         """Ids of the shut doors that a way leads through, in their order."""

@@ -29,20 +29,28 @@ class Ways:
     def __init__(self, shape: BaseGeometry) -> None:
         self.within = shape.buffer(TOUCH_M, join_style="mitre")
         shapely.prepare(self.within)
-        self._corners = np.array([*_bends(shape)], dtype=np.float64).reshape(-1, 2)
-        n = len(self._corners)
-        first, second = np.triu_indices(n, 1)
-        seen = self._sees(self._corners[first], self._corners[second])
-        self._near: list[list[tuple[int, float]]] = [[] for _ in range(n)]
-        apart = np.hypot(*(self._corners[first] - self._corners[second]).T)
+        #: Where ways may bend, (N, 2).
+        self.corners = np.array([*_bends(shape)], dtype=np.float64).reshape(-1, 2)
+        first, second = np.triu_indices(len(self.corners), 1)
+        self._near = self.joined(self.corners, first, second)
+
+    def joined(
+        self, points: Array, first: npt.NDArray[np.int64], second: npt.NDArray[np.int64]
+    ) -> list[list[tuple[int, float]]]:
+        """Of each of these points those of its pairs (indices ``first`` and ``second``) to which a
+        straight line leads within, and how far they are."""
+        seen = self.all_seen(points[first], points[second])
+        apart = np.hypot(*(points[first] - points[second]).T)
+        near: list[list[tuple[int, float]]] = [[] for _ in points]
         for a, b, far in zip(
             first[seen].tolist(), second[seen].tolist(), apart[seen].tolist(), strict=True
         ):
-            self._near[a].append((b, far))
-            self._near[b].append((a, far))
+            near[a].append((b, far))
+            near[b].append((a, far))
+        return near
 
-    def _sees(self, a: Array, b: Array) -> npt.NDArray[np.bool_]:
-        """Whether the straight lines between points (n, 2) lie within."""
+    def all_seen(self, a: Array, b: Array) -> npt.NDArray[np.bool_]:
+        """Whether the straight lines between points (n, 2) lie within, (n,)."""
         if not len(a):
             return np.zeros(0, dtype=np.bool_)
         lines = shapely.linestrings(np.stack([a, b], axis=1))
@@ -50,7 +58,7 @@ class Ways:
 
     def sees(self, a: Vec2, b: Vec2) -> bool:
         """Whether the straight line between two points lies within."""
-        return bool(self._sees(np.array([a]), np.array([b]))[0])
+        return bool(self.all_seen(np.array([a]), np.array([b]))[0])
 
     def route(self, start: Vec2, goal: Vec2) -> tuple[Vec2, ...] | None:
         """The corners of the shortest way, start and goal among them; None where there is none."""
@@ -83,16 +91,16 @@ class Ways:
         way: list[Vec2] = [goal]
         at: int | None = end[1]
         while at is not None:
-            x, y = self._corners[at].tolist()
+            x, y = self.corners[at].tolist()
             way.append((x, y))
             at = before[at]
         return (start, *reversed(way))
 
     def _reached(self, point: Vec2) -> dict[int, float]:
         """Corners that are seen from a point, and how far each is."""
-        here = np.tile(np.asarray(point, dtype=np.float64), (len(self._corners), 1))
-        seen = np.flatnonzero(self._sees(here, self._corners))
-        return {int(k): math.dist(point, self._corners[k]) for k in seen.tolist()}
+        here = np.tile(np.asarray(point, dtype=np.float64), (len(self.corners), 1))
+        seen = np.flatnonzero(self.all_seen(here, self.corners))
+        return {int(k): math.dist(point, self.corners[k]) for k in seen.tolist()}
 
 
 def _bends(shape: BaseGeometry) -> Iterator[Vec2]:

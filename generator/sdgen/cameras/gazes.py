@@ -79,7 +79,11 @@ class Glimpse:
 def turns_of(yaws_rad: Sequence[float], pitches_rad: Sequence[float]) -> Array:
     """Axes (P, 3, 3), ``world_from_camera``, of all pitches at all yaws, yaws varying fastest."""
     return np.array(
-        [pose_at(Gaze(0.0, 0.0, yaw, pitch), 1.0)[:3, :3] for pitch in pitches_rad for yaw in yaws_rad]
+        [
+            pose_at(Gaze(0.0, 0.0, yaw, pitch), 1.0)[:3, :3]
+            for pitch in pitches_rad
+            for yaw in yaws_rad
+        ]
     ).reshape(-1, 3, 3)
 
 

@@ -41,13 +41,19 @@ class Portals:
                 self._doors[a].append((hole, opening, b))
                 self._doors[b].append((hole, opening, a))
 
+    def rooms_around(self, point: Vec2) -> frozenset[int]:
+        """Ids of the rooms of which something may be seen from a point, wherever one looks."""
+        return self._within(point, _ALL)
+
     def rooms(self, camera: Camera) -> frozenset[int]:
         """Ids of the rooms of which a camera, which stands in one of them, may see something."""
-        (x, y), arc = eye_of(camera), arc_of(camera)
-        at = Point(x, y)
+        return self._within(eye_of(camera), arc_of(camera))
+
+    def _within(self, point: Vec2, arc: Arc) -> frozenset[int]:
+        at = Point(point)
         here = min(self._rooms, key=lambda key: self._rooms[key].distance(at))
         found: set[int] = set()
-        self._look((x, y), here, arc, (here,), found)
+        self._look(point, here, arc, (here,), found)
         return frozenset(found)
 
     def _look(

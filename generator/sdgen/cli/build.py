@@ -152,6 +152,11 @@ def eye_height(text: str) -> float:
     help="Also write, for each anomaly, the scene with that one alone undone.",
 )
 @click.option(
+    "--observability",
+    is_flag=True,
+    help="Also write from which poses of the free floor an agent can see each anomaly.",
+)
+@click.option(
     "--draw",
     type=click.Choice(["balanced", "iid"]),
     default="balanced",
@@ -203,6 +208,7 @@ def build(
     non_commercial: bool,
     twins: bool,
     toggles: bool,
+    observability: bool,
     draw: Literal["balanced", "iid"],
     workers: int | None,
     engine: Literal["local", "ray"],
@@ -249,6 +255,7 @@ def build(
         eye_height_m=eye_height,
         twins=twins,
         toggles=toggles,
+        observability=observability,
         assets_only=assets_only,
     )
     first, end = index_range if index_range is not None else (0, n)

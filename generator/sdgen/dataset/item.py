@@ -16,7 +16,7 @@ from sdgen.dataset.disk import sha256_hex
 from sdgen.dataset.images import gray_of, rgb_of
 from sdgen.dataset.notebook import BLUE, RED, figure, page
 from sdgen.dataset.older import physics_as_now
-from sdgen.dataset.records import VISIBILITY_FILE, ManifestEntry
+from sdgen.dataset.records import OBSERVABILITY_FILE, VISIBILITY_FILE, ManifestEntry
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.dataset.text import read_bytes, to_record
 from sdgen.errors import InputError
@@ -30,6 +30,7 @@ from sdgen.scene import (
     Scene,
     Visibility,
 )
+from sdgen.truth.observable import Observability
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -215,6 +216,13 @@ class SceneItem:
     def visibility(self) -> Visibility:
         """``visibility.json``."""
         return self.read(Visibility, VISIBILITY_FILE)
+
+    @cached_property
+    def observability(self) -> Observability | None:
+        """``observability.json``; None where the scene was built without it."""
+        if OBSERVABILITY_FILE not in self.entry.files:
+            return None
+        return self.read(Observability, OBSERVABILITY_FILE)
 
     @cached_property
     def cameras(self) -> tuple[Camera, ...]:

@@ -29,6 +29,8 @@ TOP_FILES = ("catalogue.json", "assets.jsonl", "README.md", "manifest.jsonl", "d
 #: Files of every scene folder that decide its ``content_sha256``, in this order.
 CONTENT_FILES = ("scene.json", "graph.json", "anomalies.json", "household.json", "physics.json")
 VISIBILITY_FILE = "visibility.json"
+#: Of scenes that were built with it.
+OBSERVABILITY_FILE = "observability.json"
 #: What homes are split into, in the order that pages have them.
 SPLITS = ("train", "val", "test")
 

@@ -20,10 +20,16 @@ from sdgen.dataset.disk import (
     sync_folder,
 )
 from sdgen.dataset.images import gray_bytes, rgb_bytes
-from sdgen.dataset.records import CONTENT_FILES, VISIBILITY_FILE, ManifestEntry
+from sdgen.dataset.records import (
+    CONTENT_FILES,
+    OBSERVABILITY_FILE,
+    VISIBILITY_FILE,
+    ManifestEntry,
+)
 from sdgen.dataset.text import record_bytes
 from sdgen.options import BuildOptions
 from sdgen.scene import Frame, Record, SceneBundle, Visibility
+from sdgen.truth.observable import Observability
 
 BUILD_FOLDER = ".build"
 #: Where a user's own files go that lay in a scene's folder which had to be made again.
@@ -70,7 +76,8 @@ def view_folder(index: int) -> str:
 
 def is_ours(name: str) -> bool:
     """True for the name, relative to its scene's folder, of a file that sdgen may write."""
-    return name in (*CONTENT_FILES, VISIBILITY_FILE) or _VIEW_FILE.fullmatch(name) is not None
+    ours = (*CONTENT_FILES, VISIBILITY_FILE, OBSERVABILITY_FILE)
+    return name in ours or _VIEW_FILE.fullmatch(name) is not None
 
 
 def take_away(root: Path, scene_id: str) -> Path | None:
@@ -149,13 +156,17 @@ class SceneFolder(Closing):
             self._put(f"{folder}/instance.png", gray_bytes(frame.instance))
             self._put(f"{folder}/part.png", gray_bytes(frame.part))
 
-    def finish(self, visibility: Visibility) -> ManifestEntry:
+    def finish(
+        self, visibility: Visibility, observability: Observability | None = None
+    ) -> ManifestEntry:
         """Write the records, then show the scene: its manifest line first, the folder last."""
         bundle = self.bundle
         files = content_files(bundle)
         for name, data in files.items():
             self._put(name, data)
         self._put(VISIBILITY_FILE, record_bytes(visibility))
+        if observability is not None:
+            self._put(OBSERVABILITY_FILE, record_bytes(observability))
         for camera in bundle.cameras:
             self._put(f"{view_folder(camera.index)}/view.json", record_bytes(camera))
         hazards = Counter(anomaly.hazard for anomaly in bundle.anomalies.anomalies)

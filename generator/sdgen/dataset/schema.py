@@ -28,6 +28,7 @@ from sdgen.scene import (
     Scene,
     Visibility,
 )
+from sdgen.truth.observable import Observability
 
 #: Schema name -> (record, the file it describes). Of ``.jsonl`` files it describes a line.
 FILES: Mapping[str, tuple[type[BaseModel], str]] = {
@@ -40,6 +41,7 @@ FILES: Mapping[str, tuple[type[BaseModel], str]] = {
     "anomalies": (Anomalies, "anomalies.json"),
     "household": (Household, "household.json"),
     "visibility": (Visibility, "visibility.json"),
+    "observability": (Observability, "observability.json"),
     "physics": (PhysicsReport, "physics.json"),
     "view": (Camera, "views/NN/view.json"),
     "prediction": (Prediction, "a line of predictions.jsonl"),

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from sdgen.cameras.lens import Lens
 from sdgen.catalog.records import Catalog
 from sdgen.closing import Closing
 from sdgen.dataset.scene_folder import SceneFolder, SceneWriter
@@ -23,6 +24,8 @@ from sdgen.render import Choice, open_renderer
 from sdgen.render.frames import render_frames
 from sdgen.scene import Frame, SceneBundle, causes_of
 from sdgen.truth import visibility_of
+from sdgen.truth.observability import observability
+from sdgen.truth.observable import Observability
 
 
 @dataclass(frozen=True)
@@ -107,8 +110,22 @@ class SceneWorker(Closing):
                 options.width,
                 options.height,
             )
-            folder.finish(visibility)
+            folder.finish(visibility, self._observability(bundle))
         return visibility.all_visible
+
+    def _observability(self, bundle: SceneBundle) -> Observability | None:
+        """From where an agent could see the anomalies, if that is asked for."""
+        setup = self._setup
+        if not setup.options.observability:
+            return None
+        return observability(
+            self._library,
+            bundle.scene,
+            bundle.anomalies.anomalies,
+            setup.catalog,
+            Lens(height_m=setup.options.eye_height_m),
+            still=self._client.still,
+        )
 
     def _drawn(self, bundle: SceneBundle, folder: SceneFolder) -> Iterator[Frame]:
         """The scene's frames one at a time, each written on its way."""

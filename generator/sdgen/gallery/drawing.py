@@ -59,6 +59,12 @@ class Drawing:
     shapes: tuple[Shape, ...]
     names: tuple[tuple[float, float, str], ...]
     cameras: tuple[Mark, ...]
+    corner_m: Vec2
+
+    def at(self, point: Vec2) -> Vec2:
+        """Where a point of the world is in the drawing."""
+        (x, y), (x0, y1) = point, self.corner_m
+        return round((x - x0) * SCALE, 1), round((y1 - y) * SCALE, 1)
 
 
 def draw_home(
@@ -104,6 +110,7 @@ def draw_home(
         shapes=tuple(shapes + late),
         names=tuple(_name(room.polygon_m, room.type, at) for room in scene.home.rooms),
         cameras=tuple(_mark(camera, at) for camera in cameras),
+        corner_m=(x0, y1),
     )
 
 

@@ -12,7 +12,7 @@ from sdgen.scene import Camera, Scene
 from sdgen.vocabulary import OPENINGS
 
 #: Pixels of a unit of the drawing (90 a metre): the names of a row of kitchen units can be read.
-_ZOOM = 1.5
+ZOOM = 1.5
 #: Fill and outline by what a shape is; ways are left out.
 _COLOURS: Mapping[str, tuple[str, str | None]] = {
     "room": ("#f6f3ec", "#3c3c3c"),
@@ -36,7 +36,7 @@ def plan_picture(
 ) -> Image.Image:
     """The plan of a scene without hazards, north up, with its cameras."""
     drawing = draw_home(scene, infos, cameras, (), ())
-    size = (round(drawing.width * _ZOOM), round(drawing.height * _ZOOM))
+    size = (round(drawing.width * ZOOM), round(drawing.height * ZOOM))
     image = Image.new("RGB", size, "white")
     pen = ImageDraw.Draw(image)
     for shape in drawing.shapes:
@@ -44,19 +44,19 @@ def plan_picture(
         if kind not in _COLOURS:
             continue
         fill, line = _COLOURS[kind]
-        corners = [(x * _ZOOM, y * _ZOOM) for x, y in shape.corners]
+        corners = [(x * ZOOM, y * ZOOM) for x, y in shape.corners]
         pen.polygon(corners, fill=fill, outline=line, width=4 if shape.kind == "room" else 1)
     _names(pen, scene, drawing)
     for camera in drawing.cameras:
-        x, y = camera.x * _ZOOM, camera.y * _ZOOM
-        pen.line((x, y, camera.to_x * _ZOOM, camera.to_y * _ZOOM), fill=_CAMERA, width=2)
+        x, y = camera.x * ZOOM, camera.y * ZOOM
+        pen.line((x, y, camera.to_x * ZOOM, camera.to_y * ZOOM), fill=_CAMERA, width=2)
         pen.ellipse((x - 5, y - 5, x + 5, y + 5), fill=_CAMERA)
     return image
 
 
 def _names(pen: ImageDraw.ImageDraw, scene: Scene, drawing: Drawing) -> None:
     """Names of rooms, and of the furniture that is large enough to carry its own."""
-    small, large = (ImageFont.load_default(size * _ZOOM) for size in (_SMALL, _LARGE))
+    small, large = (ImageFont.load_default(size * ZOOM) for size in (_SMALL, _LARGE))
     furniture = {
         f"{item.category} {item.id}"
         for item in scene.objects
@@ -66,7 +66,7 @@ def _names(pen: ImageDraw.ImageDraw, scene: Scene, drawing: Drawing) -> None:
     for shape in reversed(drawing.shapes):  # what is on top is named first
         if shape.title not in furniture:
             continue
-        xs, ys = ([v * _ZOOM for v in values] for values in zip(*shape.corners, strict=True))
+        xs, ys = ([v * ZOOM for v in values] for values in zip(*shape.corners, strict=True))
         name = shape.title.rsplit(" ", 1)[0].replace("_", "\n")
         middle = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
         box = pen.multiline_textbbox(middle, name, small, "mm", spacing=1)
@@ -75,9 +75,7 @@ def _names(pen: ImageDraw.ImageDraw, scene: Scene, drawing: Drawing) -> None:
             pen.multiline_text(middle, name, _INK, small, "mm", spacing=1, align="center")
             written.append(box)
     for x, y, name in drawing.names:
-        pen.text(
-            (x * _ZOOM, y * _ZOOM), name, _INK, large, "ls", stroke_width=2, stroke_fill="white"
-        )
+        pen.text((x * ZOOM, y * ZOOM), name, _INK, large, "ls", stroke_width=2, stroke_fill="white")
 
 
 def _meet(a: Sequence[float], b: Sequence[float]) -> bool:

@@ -6,11 +6,20 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from shapely.geometry import Polygon
+
 from sdgen.cameras.view import View
 from sdgen.catalog.records import Catalog, HomeMix, HomeSpec, Style
 from sdgen.errors import UsageError
 from sdgen.facts import Facts, bodies_of, room_at
-from sdgen.freespace import free_shape, random_point, rounded_rings, union, unreachable_rooms
+from sdgen.freespace import (
+    free_shape,
+    polygons,
+    random_point,
+    rounded_rings,
+    union,
+    unreachable_rooms,
+)
 from sdgen.geometry import Vec2
 from sdgen.hazards.certify import facts_of
 from sdgen.home.arrange import furnish_by_rules
@@ -215,7 +224,8 @@ def furnished_home(
         tidiness=Tenants.tidiness if tenants is None else tenants.tidiness,
     )
     context = stand_open(layout, context) if spec.as_drawn else leave_open(layout, context, rng)
-    start = random_point(context.free or free, rng)
+    # In the piece that every room is reached from: furniture leaves pockets that nothing leads to.
+    start = random_point(next(iter(polygons(context.free or free)), Polygon()), rng)
     room = None if start is None else room_at(home.rooms, *start)
     if start is None or room is None:
         return reject("home", "no_free_floor")

@@ -23,7 +23,6 @@ class ProcessRenderer:
         self.holder: object | None = None
         self._users: set[int] = set()
         self._renderer: Renderer | None = None
-        self._process = os.getpid()
 
     @property
     def renderer_string(self) -> str:
@@ -33,12 +32,13 @@ class ProcessRenderer:
     def load(self, holder: object, library: Library, scene: Scene) -> None:
         """Put a scene in place of what was loaded before, for this holder. Raises RendererError
         where no renderer starts, or where a process that had one was forked."""
-        if os.getpid() != self._process:
-            raise RendererError(
-                "this process was forked from one that may draw: start it anew instead "
-                "(multiprocessing's 'spawn' or 'forkserver')"
-            )
-        if self._renderer is None:
+        if self._renderer is None or os.getpid() not in _STARTED:
+            if _STARTED and os.getpid() not in _STARTED:
+                raise RendererError(
+                    "this process was forked from one that draws, and cannot: start processes "
+                    "with multiprocessing's 'spawn' or 'forkserver' (AsyncVectorEnv: context=)"
+                )
+            _STARTED.add(os.getpid())
             self._renderer = open_renderer(self.kind)
         self._users.add(id(holder))
         self.holder = holder
@@ -74,6 +74,8 @@ class ProcessRenderer:
 #: EGL allows one context a process, so whoever draws in one shares it: by process, since one that
 #: was forked has none.
 _SHARED: dict[tuple[int, str], ProcessRenderer] = {}
+#: Processes in which OpenGL was started. One that is forked from them would hang in it.
+_STARTED: set[int] = set()
 
 
 def process_renderer(kind: str = AUTO) -> ProcessRenderer:

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 import shapely
-from pydantic import Field
 from shapely.geometry import Polygon
 
 from sdgen.cameras.gazes import (
@@ -20,16 +19,19 @@ from sdgen.cameras.gazes import (
     outdoors_glimpse,
     turns_of,
 )
-from sdgen.cameras.lens import Gaze, Lens
+from sdgen.cameras.lens import Lens
 from sdgen.cameras.outdoors import outer_opening
 from sdgen.cameras.parts import part_numbers, part_points
+from sdgen.cameras.portals import Portals
 from sdgen.cameras.sight import Cast, Hits
 from sdgen.catalog.records import Catalog
 from sdgen.geometry import Array, Vec2
 from sdgen.hazards.twin import undone
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
-from sdgen.scene import Anomaly, Coordinate, Record, Scene
+from sdgen.physics.still import Still
+from sdgen.scene import Anomaly, Scene
+from sdgen.truth.observable import Observability, Observable
 from sdgen.truth.visibility import evidence_pixels_needed
 from sdgen.vocabulary import EVIDENCE_PIXELS
 
@@ -41,36 +43,10 @@ HEADINGS = 12
 PITCHES_DEG = (-30.0, 0.0, 30.0)
 #: Rays that end nearer to each other than this, metres, saw the same surface.
 _SAME_M = 0.01
-OBSERVABILITY_FILE = "observability.json"
-
-
-class Observable(Record):
-    """From which poses one anomaly can be seen, and from which its twin looks different.
-
-    Of each pitch, in the order of ``pitches_deg``, and of each place, in the order of
-    ``positions_m``, a number: bit *k* says whether it is so for the heading k · 360° / ``headings``
-    (counter-clockwise from x). ``best``: the pose that shows most of the evidence, as indices of
-    place, pitch and heading; None where no pose of the lattice shows enough.
-    """
-
-    anomaly_id: str
-    object_id: int
-    seen: tuple[tuple[int, ...], ...]
-    differs: tuple[tuple[int, ...], ...]
-    poses_seen: int = Field(ge=0)
-    poses_differ: int = Field(ge=0)
-    best: tuple[int, int, int] | None
-
-
-class Observability(Record):
-    """``observability.json``: a certificate for each anomaly, for a camera like ``lens``."""
-
-    lens: Lens
-    spacing_m: Coordinate
-    headings: int = Field(ge=1)
-    pitches_deg: tuple[Coordinate, ...]
-    positions_m: tuple[Vec2, ...]
-    anomalies: tuple[Observable, ...]
+#: In place of no distance at all.
+_FAR_M = 1e3
+#: So many times the pixels that are needed are surely enough, however a picture's pixels fall.
+SURELY = 1.5
 
 
 @dataclass(frozen=True)
@@ -79,12 +55,11 @@ class Evidence:
 
     glimpses: tuple[tuple[Glimpse, int], ...]
 
-    def shown(self, turns: Array, lens: Lens) -> tuple[Bools, Array]:
-        """Whether all of it is seen from each eye with each camera's axes, (E, P), and how many
-        pixels are of the first."""
-        counts = [(found.pixels(turns, lens), needed) for found, needed in self.glimpses]
-        enough = [pixels >= needed for pixels, needed in counts]
-        return np.logical_and.reduce(enough), counts[0][0]
+    def shown(self, turns: Array, lens: Lens) -> Array:
+        """How many times what is needed of it is seen from each eye with each camera's axes,
+        (E, P): of the least of its parts, 1 and more is enough."""
+        times = [found.pixels(turns, lens) / needed for found, needed in self.glimpses]
+        return np.asarray(np.stack(times).min(axis=0))
 
 
 def evidence_from(
@@ -140,9 +115,9 @@ def differing(
 
 
 def _differ(one: Hits, other: Hits) -> Bools:
-    apart = np.nan_to_num(np.abs(one.distance_m - other.distance_m), nan=0.0)
-    same = (one.object_id == other.object_id) & (one.part == other.part) & (apart < _SAME_M)
-    return np.asarray(~same)
+    far, other_far = (np.minimum(hits.distance_m, _FAR_M) for hits in (one, other))
+    same = (one.object_id == other.object_id) & (one.part == other.part)
+    return np.asarray(~(same & (np.abs(far - other_far) < _SAME_M)))
 
 
 def lattice(scene: Scene, spacing_m: float = SPACING_M) -> tuple[Vec2, ...]:
@@ -157,9 +132,7 @@ def lattice(scene: Scene, spacing_m: float = SPACING_M) -> tuple[Vec2, ...]:
     points = [(round(a, 3), round(b, 3)) for a, b in zip(x[inside], y[inside], strict=True)]
     for room in scene.home.rooms:
         part = shape.intersection(Polygon(room.polygon_m))
-        if not part.is_empty and not any(
-            shapely.intersects_xy(part, *point) for point in points
-        ):
+        if not part.is_empty and not any(shapely.intersects_xy(part, *point) for point in points):
             middle = part.representative_point()
             points.append((round(middle.x, 3), round(middle.y, 3)))
     return tuple(sorted(points))
@@ -171,11 +144,13 @@ def observability(
     anomalies: Sequence[Anomaly],
     catalog: Catalog,
     lens: Lens | None = None,
+    still: Still | None = None,
     spacing_m: float = SPACING_M,
     headings: int = HEADINGS,
     pitches_deg: Sequence[float] = PITCHES_DEG,
 ) -> Observability:
-    """The certificates of a scene's anomalies for a camera (usual one when None)."""
+    """The certificates of a scene's anomalies for a camera (the usual one when None). ``still``
+    lends a world to cast rays in."""
     lens = lens or Lens()
     places = lattice(scene, spacing_m)
     eyes = np.array([(*place, lens.height_m) for place in places]).reshape(-1, 3)
@@ -184,11 +159,13 @@ def observability(
     grid = len(places), len(pitches_deg), headings
     out = []
     if anomalies:
-        with RayWorld(library, scene) as world:
+        portals = Portals(scene.home)
+        rooms = [portals.rooms_around(place) for place in places]
+        with RayWorld(library, scene, still) as world:
             for anomaly in anomalies:
                 twin = undone(scene, [anomaly], catalog, library.infos)
                 with RayWorld(library, twin) as other:
-                    near = _near_enough(library, scene, anomaly, eyes, lens)
+                    near = _near_enough(library, scene, anomaly, eyes, rooms, lens)
                     seen = evidence_from(library, scene, world.cast, anomaly, eyes[near], lens)
                     casts, scenes = (world.cast, other.cast), (scene, twin)
                     differs = differing(library, scenes, casts, anomaly, eyes[near], lens)
@@ -204,12 +181,22 @@ def observability(
 
 
 def _near_enough(
-    library: Library, scene: Scene, anomaly: Anomaly, eyes_m: Array, lens: Lens
+    library: Library,
+    scene: Scene,
+    anomaly: Anomaly,
+    eyes_m: Array,
+    rooms: Sequence[frozenset[int]],
+    lens: Lens,
 ) -> npt.NDArray[np.int64]:
-    """Indices of the eyes from which enough of an anomaly could be seen, if nothing hid it."""
-    points = part_points(library, scene.object(anomaly.object_id), anomaly.evidence_parts)
+    """Indices of the eyes from which enough of an anomaly could be seen, if no furniture hid it;
+    ``rooms`` are those of which each sees something."""
+    item = scene.object(anomaly.object_id)
+    points = part_points(library, item, anomaly.evidence_parts)
     needed = evidence_pixels_needed(lens.width, lens.height, anomaly.evidence_pixels_needed)
-    return np.flatnonzero(most_pixels(eyes_m, points, lens) >= needed)
+    (x0, y0), (x1, y1) = points[:, :2].min(axis=0).tolist(), points[:, :2].max(axis=0).tolist()
+    around = set(Portals(scene.home).around((x0, y0), (x1, y1), item.room_id))
+    open_to = np.array([not around.isdisjoint(seen) for seen in rooms], dtype=np.bool_)
+    return np.flatnonzero(open_to & (most_pixels(eyes_m, points, lens) >= needed))
 
 
 def _record(
@@ -222,18 +209,19 @@ def _record(
     lens: Lens,
 ) -> Observable:
     """One certificate; ``grid`` counts places, pitches and headings."""
-    places, pitches, headings = grid
-    enough, pixels = seen.shown(turns, lens)
-    other, _ = differs.shown(turns, lens)
+    headings = grid[2]
+    times, other = seen.shown(turns, lens), differs.shown(turns, lens) >= 1.0
+    enough = times >= 1.0
     best = None
     if enough.any():
-        row, column = np.unravel_index(int(np.where(enough, pixels, -1.0).argmax()), enough.shape)
+        row, column = np.unravel_index(int(times.argmax()), times.shape)
         pitch, heading = divmod(int(column), headings)
         best = (int(near[row]), pitch, heading)
     return Observable(
         anomaly_id=anomaly.id,
         object_id=anomaly.object_id,
         seen=_packed(enough, near, grid),
+        sure=_packed(times >= SURELY, near, grid),
         differs=_packed(other, near, grid),
         poses_seen=int(enough.sum()),
         poses_differ=int(other.sum()),
@@ -249,16 +237,3 @@ def _packed(
     each = shown.reshape(len(near), pitches, headings).astype(np.int64)
     bits[near] = each @ (1 << np.arange(headings, dtype=np.int64))
     return tuple(tuple(column) for column in bits.T.tolist())
-
-
-def seen_at(found: Observability, rows: Sequence[Sequence[int]]) -> Bools:
-    """The numbers of a certificate's poses as (places, pitches, headings)."""
-    bits = np.array(rows, dtype=np.int64).reshape(len(found.pitches_deg), -1).T
-    return np.asarray((bits[..., None] >> np.arange(found.headings)) & 1 == 1)
-
-
-def gaze_of(found: Observability, pose: tuple[int, int, int]) -> Gaze:
-    """A pose of the lattice by its indices of place, pitch and heading."""
-    place, pitch, heading = pose
-    yaw = math.remainder(heading * 2 * math.pi / found.headings, 2 * math.pi)
-    return Gaze(*found.positions_m[place], yaw, math.radians(found.pitches_deg[pitch]))

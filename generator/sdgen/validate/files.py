@@ -12,6 +12,7 @@ from sdgen.dataset.item import SceneItem
 from sdgen.dataset.opening import unlisted
 from sdgen.dataset.records import (
     CONTENT_FILES,
+    OBSERVABILITY_FILE,
     SCENE_ID,
     TOP_FILES,
     VISIBILITY_FILE,
@@ -171,6 +172,8 @@ def _state(found: bool) -> str:
 def expected_files(data: Dataset, entry: ManifestEntry) -> set[str]:
     """Files a scene of this data set has, by its options."""
     names = {*CONTENT_FILES, VISIBILITY_FILE}
+    if data.info.options.observability:
+        names.add(OBSERVABILITY_FILE)
     for view in range(entry.views):
         names.update(f"{view_folder(view)}/{name}" for name in view_files(data.info.options))
     return names

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from sdgen.agent.film.records import (
-    EpisodeRecord,
+    FilmRecord,
     StepRecord,
     Video,
     episode_record,
@@ -18,7 +18,7 @@ from sdgen.agent.film.records import (
     step_of,
     step_record,
 )
-from sdgen.agent.film.steps import Episode, Picture
+from sdgen.agent.film.steps import Film, Picture
 from sdgen.agent.film.video import check_fps, gif_bytes, write_mp4
 from sdgen.dataset.disk import sync_file, write_synced
 from sdgen.dataset.images import gray_bytes, gray_of, rgb_bytes, rgb_of
@@ -30,7 +30,7 @@ EPISODE, TRAJECTORY = "episode.json", "trajectory.jsonl"
 
 
 def write_folder(
-    episode: Episode, out: Path, video: Video = "gif", fps: int = 5, captions: bool = True
+    episode: Film, out: Path, video: Video = "gif", fps: int = 5, captions: bool = True
 ) -> None:
     """Write an episode into a new folder, whole or not at all: the same bytes for the same episode
     and versions of what packs pictures.
@@ -63,16 +63,16 @@ def write_folder(
         write_synced(folder / EPISODE, record_bytes(episode_record(episode, name, fps)))
 
 
-def read_folder(path: Path) -> Episode:
+def read_folder(path: Path) -> Film:
     """An episode of its folder, pictures and all. Raises InputError for files that are missing,
     broken or of another episode."""
-    about = read_record(EpisodeRecord, path / EPISODE, f"{path}/{EPISODE}")
+    about = read_record(FilmRecord, path / EPISODE, f"{path}/{EPISODE}")
     where = f"{path}/{TRAJECTORY}"
     lines = read_lines(StepRecord, path / TRAJECTORY, where)
     if [line.index for line in lines] != list(range(about.steps)):
         raise InputError([f"{where}: not the {about.steps} steps that {EPISODE} tells of"])
     steps = tuple(step_of(line, _pictures(path, line, where)) for line in lines)
-    return Episode(about.scene, about.household, about.options, steps, about.summary)
+    return Film(about.scene, about.household, about.options, steps, about.summary)
 
 
 def _pictures(path: Path, line: StepRecord, where: str) -> dict[Picture, Any]:

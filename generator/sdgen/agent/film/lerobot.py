@@ -25,7 +25,7 @@ from sdgen.agent.film.lerobot_meta import (
     write_meta,
 )
 from sdgen.agent.film.lerobot_rows import RGB, columns
-from sdgen.agent.film.steps import ACTIONS, Episode
+from sdgen.agent.film.steps import ACTIONS, Film
 from sdgen.agent.film.video import Mp4, check_fps
 from sdgen.dataset.images import rgb_bytes
 from sdgen.dataset.output_folder import check_output_folder, output_folder
@@ -41,7 +41,7 @@ _GAP = 2
 
 
 def write_lerobot(
-    episodes: Iterable[Episode],
+    episodes: Iterable[Film],
     out: Path,
     fps: int = 5,
     task: str = TASK,
@@ -93,7 +93,7 @@ def write_lerobot(
         (folder / "meta" / "sdgen.json").write_text(told + "\n", encoding="utf-8")
 
 
-def _colours(episode: Episode, shape: tuple[int, ...] | None, pictures: Pictures) -> list[Pixels]:
+def _colours(episode: Film, shape: tuple[int, ...] | None, pictures: Pictures) -> list[Pixels]:
     """What is seen before each action."""
     if len(episode.steps) < 2:
         raise SdgenError(f"scene {episode.scene}: nothing was done; there is nothing to learn from")
@@ -106,7 +106,7 @@ def _colours(episode: Episode, shape: tuple[int, ...] | None, pictures: Pictures
     return colours
 
 
-def _about(episode: Episode) -> dict[str, Any]:
+def _about(episode: Film) -> dict[str, Any]:
     return {
         "scene": episode.scene,
         "household": plain(episode.household),

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.agent.film.steps import ACTIONS, Episode, Step
+from sdgen.agent.film.steps import ACTIONS, Film, Step
 from sdgen.errors import SdgenError
 
 RGB = "observation.images.rgb"
@@ -32,7 +32,7 @@ FEATURES: dict[str, tuple[str, int, Sequence[str] | None]] = {
 }
 
 
-def columns(episode: Episode, number: int, first: int, fps: int) -> dict[str, npt.NDArray[Any]]:
+def columns(episode: Film, number: int, first: int, fps: int) -> dict[str, npt.NDArray[Any]]:
     """The columns of an episode, (N,) or (N, D): a frame for every step but the last, with what is
     done next and what comes of it. ``first`` is the data set's number of its first frame."""
     steps = episode.steps
@@ -52,17 +52,17 @@ def columns(episode: Episode, number: int, first: int, fps: int) -> dict[str, np
 
 
 def _state(step: Step) -> list[float]:
-    return [step.place.x_m, step.place.y_m, step.place.yaw_rad, step.pitch_rad]
+    return [step.gaze.x_m, step.gaze.y_m, step.gaze.yaw_rad, step.gaze.pitch_rad]
 
 
 def _action(before: Step, after: Step) -> list[float]:
     """What was asked for where the action says so, else what changed."""
-    yaw = before.place.yaw_rad
-    dx, dy = after.place.x_m - before.place.x_m, after.place.y_m - before.place.y_m
+    yaw = before.gaze.yaw_rad
+    dx, dy = after.gaze.x_m - before.gaze.x_m, after.gaze.y_m - before.gaze.y_m
     moved = {
         "forward_m": dx * math.cos(yaw) + dy * math.sin(yaw),
-        "turn_rad": math.remainder(after.place.yaw_rad - yaw, math.tau),
-        "look_rad": after.pitch_rad - before.pitch_rad,
+        "turn_rad": math.remainder(after.gaze.yaw_rad - yaw, math.tau),
+        "look_rad": after.gaze.pitch_rad - before.gaze.pitch_rad,
         "object_id": 0,
     }
     asked = {name: after.argument.get(name, value) for name, value in moved.items()}

@@ -6,9 +6,9 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from sdgen.agent.film.steps import PICTURES, Episode, Picture, Step
+from sdgen.agent.film.steps import PICTURES, Film, Picture, Step
 from sdgen.agent.options import AgentOptions
-from sdgen.agent.walk import Place
+from sdgen.cameras.lens import Gaze
 from sdgen.geometry import Vec3
 from sdgen.scene import Camera, Household, Record
 
@@ -18,7 +18,7 @@ FILM_VERSION: Literal["1.0"] = "1.0"
 Video = Literal["gif", "mp4", "none"]
 
 
-class EpisodeRecord(Record):
+class FilmRecord(Record):
     """``episode.json``: who walked where, how, and what came of it. ``video`` is its file."""
 
     format_version: Literal["1.0"] = FILM_VERSION
@@ -57,9 +57,9 @@ def picture_file(index: int, picture: Picture) -> str:
     return f"images/{index:06d}-{picture}.png"
 
 
-def episode_record(episode: Episode, video: str | None, fps: int) -> EpisodeRecord:
+def episode_record(episode: Film, video: str | None, fps: int) -> FilmRecord:
     """An episode but for its steps."""
-    return EpisodeRecord(
+    return FilmRecord(
         scene=episode.scene,
         household=episode.household,
         options=episode.options,
@@ -76,9 +76,9 @@ def step_record(step: Step) -> StepRecord:
         index=step.index,
         action=step.action,
         argument=dict(step.argument),
-        position_m=(step.place.x_m, step.place.y_m, 0.0),
-        yaw_rad=step.place.yaw_rad,
-        pitch_rad=step.pitch_rad,
+        position_m=(step.gaze.x_m, step.gaze.y_m, 0.0),
+        yaw_rad=step.gaze.yaw_rad,
+        pitch_rad=step.gaze.pitch_rad,
         room_id=step.room_id,
         camera=step.camera,
         refused=step.refused,
@@ -94,8 +94,7 @@ def step_of(line: StepRecord, pictures: dict[Picture, Any]) -> Step:
         index=line.index,
         action=line.action,
         argument=line.argument,
-        place=Place(line.position_m[0], line.position_m[1], line.yaw_rad),
-        pitch_rad=line.pitch_rad,
+        gaze=Gaze(*line.position_m[:2], line.yaw_rad, line.pitch_rad),
         room_id=line.room_id,
         camera=line.camera,
         rgb=pictures.get("rgb"),

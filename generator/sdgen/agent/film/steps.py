@@ -9,12 +9,13 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.agent.moves import MOVES
 from sdgen.agent.options import AgentOptions
-from sdgen.agent.walk import Place
+from sdgen.cameras.lens import Gaze
 from sdgen.scene import Camera, Household
 
-#: What an agent can do, in the order of its numbers in data sets to learn from.
-ACTIONS = ("start", "forward", "turn", "look", "go_to", "open", "close", "report", "scan", "stop")
+#: What a step can be, in the order of its numbers in data sets to learn from.
+ACTIONS = ("start", *MOVES)
 
 #: A picture of a step; what there is of it is what the agent's ``sensors`` ask for.
 Picture = Literal["rgb", "depth", "instance"]
@@ -34,8 +35,7 @@ class Step:
     index: int
     action: str
     argument: Mapping[str, int | float | str]
-    place: Place
-    pitch_rad: float
+    gaze: Gaze
     room_id: int
     camera: Camera
     rgb: npt.NDArray[np.uint8] | None = None
@@ -69,7 +69,7 @@ class Step:
 
 
 @dataclass(frozen=True, eq=False)
-class Episode:
+class Film:
     """An agent's steps in one scene, from ``start`` on; ``summary`` is JSON: numbers, texts,
     lists and mappings of them."""
 

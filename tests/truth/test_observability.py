@@ -1,0 +1,124 @@
+"""Certificates say from where an anomaly can be seen, and pictures agree."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+from sdgen.agent.walk import Floor
+from sdgen.cameras.lens import Gaze, Lens, camera_at, toward
+from sdgen.cameras.outdoors import outer_openings
+from sdgen.physics.rays import RayWorld
+from sdgen.scene import Frame
+from sdgen.seeding import lane
+from sdgen.truth.observability import evidence_from, lattice, observability
+from sdgen.truth.observable import Observability, gaze_of, seen_at
+from sdgen.truth.visibility import part_names, shows, view_visibility
+
+from tests.agent import homes
+from tests.shipped import shipped_library
+
+LENS = Lens(width=160, height=120)
+
+
+@cache
+def found(home: int = 0) -> Observability:
+    stage = homes.stage(home)
+    return observability(
+        shipped_library(), stage.scene, stage.anomalies, stage.catalog, LENS, spacing_m=0.8
+    )
+
+
+def drawn(home: int, gaze: Gaze) -> list[bool]:
+    """Which anomalies a picture shows."""
+    stage = homes.stage(home)
+    scene = stage.scene
+    eyes = homes.eyes()
+    eyes.show(scene)
+    look = eyes.look(gaze, Floor(scene).room_at(gaze.point), LENS, colours=False)
+    frame = Frame(look.camera, look.rgb, look.depth_mm, look.instance, look.part, {})
+    view = view_visibility(frame, part_names(scene), outer_openings(scene.home))
+    return [shows(view, one, LENS.width, LENS.height) for one in stage.anomalies]
+
+
+@pytest.mark.parametrize("home", [0, 1, 2])
+def test_rays_and_pictures_agree(home: int) -> None:
+    stage, rng = homes.stage(home), lane(home, 0, "poses")
+    floor, agree, seen = Floor(stage.scene), 0, 0
+    poses: list[Gaze] = []
+    for one in stage.anomalies:
+        for _ in range(6):
+            gaze = floor.random(rng)
+            assert gaze is not None
+            at = np.array(stage.scene.object(one.object_id).pose.position_m)
+            yaw, pitch = toward(np.array([*gaze.point, LENS.height_m]), at)
+            poses.append(gaze._replace(yaw_rad=yaw + float(rng.normal(0, 0.3)), pitch_rad=pitch))
+    with RayWorld(shipped_library(), stage.scene) as world:
+        for gaze in poses:
+            eye = np.array([[*gaze.point, LENS.height_m]])
+            turn = np.asarray(camera_at(gaze, 1, LENS).world_from_camera)[None, :3, :3]
+            said = [
+                bool(
+                    evidence_from(shipped_library(), stage.scene, world.cast, one, eye, LENS).shown(
+                        turn, LENS
+                    )[0, 0]
+                    >= 1.0
+                )
+                for one in stage.anomalies
+            ]
+            real = drawn(home, gaze)
+            agree += sum(a == b for a, b in zip(said, real, strict=True))
+            seen += sum(real)
+    assert seen > 0 or not stage.anomalies
+    assert agree >= 0.95 * len(poses) * len(stage.anomalies)
+
+
+def test_the_best_pose_shows_the_anomaly_and_poses_behind_walls_do_not() -> None:
+    certificates = found()
+    assert certificates.anomalies
+    for k, one in enumerate(certificates.anomalies):
+        assert one.best is not None
+        assert drawn(0, gaze_of(certificates, one.best))[k]
+        seen = seen_at(certificates, one.seen)
+        assert seen.shape == (len(certificates.positions_m), 3, 12)
+        assert seen.sum() == one.poses_seen
+        assert 0 < seen.mean() < 0.5
+        sure = seen_at(certificates, one.sure)
+        assert not (sure & ~seen).any()
+        # Whoever sees the anomaly sees that its twin looks different.
+        differs = seen_at(certificates, one.differs)
+        assert (differs & seen).sum() >= 0.9 * seen.sum()
+
+
+def test_looking_away_sees_nothing() -> None:
+    certificates = found()
+    for one in certificates.anomalies:
+        assert one.best is not None
+        place, pitch, heading = one.best
+        seen = seen_at(certificates, one.seen)
+        assert not seen[place, pitch, (heading + 6) % 12]
+
+
+def test_places_are_on_the_floor_of_every_room() -> None:
+    scene = homes.stage().scene
+    places, floor = lattice(scene), Floor(scene)
+    assert all(floor.holds(place) for place in places)
+    assert {floor.room_at(place) for place in places} == {room.id for room in scene.home.rooms}
+    assert places == tuple(sorted(places))
+
+
+def test_a_scene_without_anomalies_has_no_certificates() -> None:
+    stage = homes.stage()
+    empty = observability(shipped_library(), stage.scene, (), stage.catalog, LENS)
+    assert empty.anomalies == ()
+    assert empty.positions_m
+
+
+def test_a_pose_of_the_lattice_is_where_its_numbers_say() -> None:
+    certificates = found()
+    gaze = gaze_of(certificates, (3, 1, 9))
+    assert gaze.point == certificates.positions_m[3]
+    assert gaze.yaw_rad == pytest.approx(-math.pi / 2)
+    assert gaze.pitch_rad == 0.0

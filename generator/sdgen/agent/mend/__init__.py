@@ -1,0 +1,20 @@
+"""Mending a scene: actions on it with what they need and physical checks, planners, a score."""
+
+from sdgen.agent.mend.mending import ACTIONS, Mending, mending_of
+from sdgen.agent.mend.planners import Left, careless_planner, remedy_planner
+from sdgen.agent.mend.records import Action, MendScore, Outcome, Pair
+from sdgen.agent.mend.score import score
+
+__all__ = [
+    "ACTIONS",
+    "Action",
+    "Left",
+    "MendScore",
+    "Mending",
+    "Outcome",
+    "Pair",
+    "careless_planner",
+    "mending_of",
+    "remedy_planner",
+    "score",
+]

@@ -1,0 +1,187 @@
+"""Planners that mend a scene of which they know everything.
+
+:func:`remedy_planner` carries out what the catalogue says; :func:`careless_planner` tidies up and
+never asks who lives there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from sdgen.agent.mend.hands import Hands
+from sdgen.agent.mend.leaves import shut_in
+from sdgen.agent.mend.mending import Mending
+from sdgen.agent.mend.records import Pair
+from sdgen.catalog.records import RemedyRule
+from sdgen.hazards.remedies import ROOMS_TRIED, TARGETS_TRIED, goes_on
+from sdgen.hazards.twin import GONE, SET_BACK
+
+
+class Left(NamedTuple):
+    """An anomaly that a planner could not remove, and why: the last sentence it was told."""
+
+    pair: Pair
+    why: str
+
+
+def remedy_planner(mending: Mending, pairs: Iterable[Pair] | None = None) -> tuple[Left, ...]:
+    """Carries out the remedy of each of these anomalies (of all, where none are given), with its
+    alternatives where one is refused or brings about another hazard. What is left is returned."""
+    left = []
+    for pair in _in_order(mending, pairs):
+        if pair in mending.pairs and not _Remedying(mending, pair).carried_out():
+            left.append(Left(pair, _why(mending)))
+    return tuple(left)
+
+
+def careless_planner(
+    mending: Mending, pairs: Iterable[Pair] | None = None, shuts: bool = False
+) -> tuple[Left, ...]:
+    """Switches off, shuts and wipes up as it should, but puts each thing away in or on the nearest
+    piece of furniture where such things could be kept, whoever lives there; leaves stay open behind
+    it unless it ``shuts`` them."""
+    left = []
+    for pair in _in_order(mending, pairs):
+        if pair in mending.pairs and not _tidied(mending, pair, shuts):
+            left.append(Left(pair, _why(mending)))
+    return tuple(left)
+
+
+def _in_order(mending: Mending, pairs: Iterable[Pair] | None) -> list[Pair]:
+    """What is only switched off or shut comes first: things go into a fridge that is shut."""
+    catalog = mending.setting.catalog
+    wanted = mending.start.pairs if pairs is None else pairs
+
+    def key(pair: Pair) -> tuple[bool, Pair]:
+        return catalog.hazard(pair[1]).remedy[0].action not in SET_BACK, pair
+
+    return sorted(wanted, key=key)
+
+
+def _why(mending: Mending) -> str:
+    told = (one.refused for one in reversed(mending.outcomes) if one.refused is not None)
+    return next(told, "what was done was not enough")
+
+
+class _Remedying:
+    """One anomaly being undone: what held before it was touched must be all that holds after."""
+
+    def __init__(self, mending: Mending, pair: Pair) -> None:
+        self.mending, self.pair = mending, pair
+        self.hands = Hands(mending)
+        self.before = frozenset(mending.pairs)
+        self.under = self.hands.under(pair[0])
+
+    def carried_out(self) -> bool:
+        """Whether it is undone, and nothing else came about."""
+        key, hazard = self.pair
+        catalog, facts = self.mending.setting.catalog, self.mending.facts
+        rules = catalog.hazard(hazard).remedy
+        category = facts.category(key)
+        for rule in (one for one in rules if one.action in (*SET_BACK, *GONE)):
+            if self._free(key) and self.hands.do(rule.action, key) and self._good():
+                return True
+        if facts.bodies[key].item.fixed or not any(map(_carries, rules)):
+            return False
+        if not self.hands.fetch(key):
+            return False
+        for usual in (True, False):
+            for rule in filter(_carries, rules):
+                for target in rule.targets:
+                    sensible = rule.action != "put_on" or goes_on(catalog, category, target)
+                    if sensible == usual and self._put(rule, target):
+                        return True
+                if usual and rule.action == "move_away" and self._aside():
+                    return True
+        return self._thrown_out(rules) or self._given_up()
+
+    def _free(self, key: int) -> bool:
+        """Gone to, and not shut in any more."""
+        if not self.hands.at(key):
+            return False
+        around = shut_in(self.mending.facts, key)
+        return around is None or self.hands.do("open", around)
+
+    def _put(self, rule: RemedyRule, category: str) -> bool:
+        key = self.pair[0]
+        for target in self.hands.nearest([category], key)[:TARGETS_TRIED]:
+            if rule.action == "put_in":
+                done = self.hands.store(key, target)
+            else:
+                done = self.hands.at(target) and self.hands.do(rule.action, key, target)
+            if self._settled(done):
+                return True
+        return False
+
+    def _aside(self) -> bool:
+        rooms = self.mending.scene.home.rooms
+        here = self.mending.start.facts.bodies[self.pair[0]].item.room_id
+        for room in sorted(rooms, key=lambda one: (one.id != here, one.id))[:ROOMS_TRIED]:
+            if self.hands.do("go_to", room.id) and self._settled(self.hands.do("move_away")):
+                return True
+        return False
+
+    def _settled(self, done: bool) -> bool:
+        """Whether that was it; else the thing is taken into the hand again."""
+        if done and self._good():
+            return True
+        if done:
+            self.hands.fetch(self.pair[0])
+        return False
+
+    def _good(self) -> bool:
+        now = frozenset(self.mending.pairs)
+        return self.pair not in now and now <= self.before
+
+    def _thrown_out(self, rules: Iterable[RemedyRule]) -> bool:
+        """Where no bin takes what should go into one, it is carried out of the home."""
+        if not any(rule.action == "throw_away" for rule in rules):
+            return False
+        openings = self.mending.scene.home.openings
+        doors = [one.object_id for one in openings if one.kind == "front_door"]
+        return any(self.hands.at(door) and self.hands.do("throw_away") for door in doors)
+
+    def _given_up(self) -> bool:
+        if self.mending.in_hand == self.pair[0]:
+            self.hands.lay_down(self.under)
+        return False
+
+
+def _carries(rule: RemedyRule) -> bool:
+    return rule.action not in (*SET_BACK, *GONE)
+
+
+def _tidied(mending: Mending, pair: Pair, shuts: bool) -> bool:
+    key, hazard = pair
+    hands = Hands(mending)
+    for rule in mending.setting.catalog.hazard(hazard).remedy:
+        if not _carries(rule):
+            return hands.at(key) and hands.do(rule.action, key)
+    under = hands.under(key)
+    if not hands.fetch(key):
+        return False
+    for target in hands.nearest(_kept_in(mending, pair), key):
+        if target != under and (
+            hands.store(key, target, shuts)
+            or (hands.at(target) and hands.do("put_on", key, target))
+        ):
+            return True
+    hands.lay_down(under)
+    return False
+
+
+def _kept_in(mending: Mending, pair: Pair) -> list[str]:
+    """The furniture that such things are kept in or on, by anybody."""
+    catalog = mending.setting.catalog
+    category = mending.start.facts.category(pair[0])
+    rules = catalog.hazard(pair[1]).remedy
+    abodes = (t for abode in catalog.category(category).lives for t in abode.targets)
+    return sorted({*abodes, *(t for rule in rules for t in rule.targets), *_cupboards(mending)})
+
+
+def _cupboards(mending: Mending) -> Iterator[str]:
+    """All that has a hollow with a leaf before it."""
+    for body in mending.start.facts.bodies.values():
+        if body.item.fixed and any(hollow.closed_by for hollow in body.info.containers):
+            yield body.item.category

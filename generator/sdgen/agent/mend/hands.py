@@ -11,6 +11,9 @@ from sdgen.agent.mend.mending import Mending
 from sdgen.agent.mend.records import Action
 from sdgen.scene import ObjectInstance
 
+#: A place is where one stands already when it is no further, metres.
+NEAR_M = 0.05
+
 
 @dataclass(frozen=True)
 class Hands:
@@ -29,14 +32,20 @@ class Hands:
         asked = Action(action=action, object_id=object_id, target_id=target_id, part=part)
         return self.mending.do(asked).done
 
-    def at(self, key: int) -> bool:
-        """Whether a thing is got at from here, or from where one could go to."""
+    def at(self, key: int, nearest: bool = False) -> bool:
+        """Whether a thing is got at from here, or from where one could go to; what is put on or
+        into it needs the ``nearest`` place."""
         mending = self.mending
         body = mending.facts.bodies.get(key)
         if body is not None and mending.setting.arms.reaches(
             mending.place.point, body.footprint, key
         ):
-            return True
+            if not nearest:
+                return True
+            room_id = body.item.room_id
+            there = mending.setting.arms.beside(mending.place, body.footprint, room_id, key)
+            if there is None or math.dist(there.point, mending.place.point) < NEAR_M:
+                return True
         return self.do("go_to", key)
 
     def fetch(self, key: int) -> bool:
@@ -99,14 +108,14 @@ class Hands:
         """What is in the hand put back on the first of these that takes it, else aside, else on the
         floor."""
         for target in targets:
-            if target is not None and self.at(target) and self.do("put_on", target_id=target):
+            if target is not None and self.at(target, True) and self.do("put_on", target_id=target):
                 return True
         return self.do("move_away") or self.do("put_down")
 
     def store(self, key: int, target: int, shuts: bool = True) -> bool:
         """What is in the hand put into a hollow of a target for such things, opened before, and
         where it ``shuts`` them shut after; those first that are shut or have no leaf."""
-        if not self.at(target):
+        if not self.at(target, nearest=True):
             return False
         for name, joint in self.hollows(target):
             was_open = is_open(self._item(target), self.mending.facts.bodies[target].info, joint)

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from sdgen.actions import at_rest, settled_states
 from sdgen.agent.mend.state import Setting, State, called, changed
 from sdgen.facts import Facts
-from sdgen.home.layout import room_to_change
 from sdgen.library.records import AssetInfo
 from sdgen.library.states import rule_holds, rules_of
 from sdgen.scene import ObjectInstance
@@ -60,10 +59,8 @@ def opened(setting: Setting, state: State, key: int, part: str | None) -> State 
     shut = [joint for joint in joints if not is_open(item, info, joint)]
     if not shut:
         return f"{called(state.facts, key)} stands open already"
-    why = f"there is no room to open {called(state.facts, key)}"
+    why = f"{called(state.facts, key)} cannot be opened"
     for after in _ways_open(item, info, shut[0]):
-        if not room_to_change(state.layout, setting.context.home, item, after):
-            continue
         found = changed(setting, state, {key: after})
         if isinstance(found, State):
             return found

@@ -8,7 +8,6 @@ from dataclasses import replace
 from shapely.geometry import Point
 
 from sdgen.agent.mend.leaves import is_open, shut_in
-from sdgen.agent.mend.reach import REACH_M
 from sdgen.agent.mend.state import Held, Setting, State, called, lost, with_facts
 from sdgen.agent.walk import Place
 from sdgen.facts import Facts, bodies_of
@@ -75,7 +74,7 @@ def down(setting: Setting, state: State, held: Held, rng: Rng) -> State | str:
     """What is held on the floor, anywhere within reach."""
     room_id = setting.arms.floor.room_at(state.place.point)
     area = setting.context.floor(room_id)
-    ground = Ground(area, area.intersection(Point(state.place.point).buffer(REACH_M)))
+    ground = Ground(area, area.intersection(Point(state.place.point).buffer(setting.arms.reach_m)))
     items = _on_ground(setting, state, held.item, ground, room_id, rng)
     floor = setting.context.floor_id(room_id)
     found = _first(setting, state, held, items, "ON", floor, False)
@@ -123,7 +122,7 @@ def _takes(
 
 def _in_reach(setting: Setting, place: Place, item: ObjectInstance) -> bool:
     (body,) = bodies_of([item], setting.library.infos)
-    return bool(body.footprint.distance(Point(place.point)) <= REACH_M)
+    return bool(body.footprint.distance(Point(place.point)) <= setting.arms.reach_m)
 
 
 def _on_ground(

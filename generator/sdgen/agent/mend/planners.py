@@ -14,7 +14,7 @@ from sdgen.agent.mend.leaves import shut_in
 from sdgen.agent.mend.mending import Mending
 from sdgen.agent.mend.records import Pair
 from sdgen.catalog.records import RemedyRule
-from sdgen.hazards.remedies import ROOMS_TRIED, TARGETS_TRIED, goes_on
+from sdgen.hazards.remedies import goes_on
 from sdgen.hazards.twin import GONE, SET_BACK
 
 
@@ -27,7 +27,8 @@ class Left(NamedTuple):
 
 def remedy_planner(mending: Mending, pairs: Iterable[Pair] | None = None) -> tuple[Left, ...]:
     """Carries out the remedy of each of these anomalies (of all, where none are given), with its
-    alternatives where one is refused or brings about another hazard. What is left is returned."""
+    alternatives where one is refused or brings about another hazard; what nothing that it names
+    takes goes into any cupboard with which the hazard is gone. What is left is returned."""
     left = []
     for pair in _in_order(mending, pairs):
         if pair in mending.pairs and not _Remedying(mending, pair).carried_out():
@@ -94,7 +95,7 @@ class _Remedying:
                         return True
                 if usual and rule.action == "move_away" and self._aside():
                     return True
-        return self._thrown_out(rules) or self._given_up()
+        return self._thrown_out(rules) or self._elsewhere() or self._given_up()
 
     def _free(self, key: int) -> bool:
         """Gone to, and not shut in any more."""
@@ -105,11 +106,11 @@ class _Remedying:
 
     def _put(self, rule: RemedyRule, category: str) -> bool:
         key = self.pair[0]
-        for target in self.hands.nearest([category], key)[:TARGETS_TRIED]:
+        for target in self.hands.nearest([category], key):
             if rule.action == "put_in":
                 done = self.hands.store(key, target)
             else:
-                done = self.hands.at(target) and self.hands.do(rule.action, key, target)
+                done = self.hands.at(target, True) and self.hands.do(rule.action, key, target)
             if self._settled(done):
                 return True
         return False
@@ -117,7 +118,7 @@ class _Remedying:
     def _aside(self) -> bool:
         rooms = self.mending.scene.home.rooms
         here = self.mending.start.facts.bodies[self.pair[0]].item.room_id
-        for room in sorted(rooms, key=lambda one: (one.id != here, one.id))[:ROOMS_TRIED]:
+        for room in sorted(rooms, key=lambda one: (one.id != here, one.id)):
             if self.hands.do("go_to", room.id) and self._settled(self.hands.do("move_away")):
                 return True
         return False
@@ -142,6 +143,17 @@ class _Remedying:
         doors = [one.object_id for one in openings if one.kind == "front_door"]
         return any(self.hands.at(door) and self.hands.do("throw_away") for door in doors)
 
+    def _elsewhere(self) -> bool:
+        """Where nothing that the remedies name takes it, any other hollow for such things that can
+        be shut: nobody advises it, but the hazard is gone."""
+        key = self.pair[0]
+        if self.mending.in_hand != key:
+            return False
+        for target in self.hands.nearest(sorted(set(_cupboards(self.mending))), key):
+            if self._settled(self.hands.store(key, target)):
+                return True
+        return False
+
     def _given_up(self) -> bool:
         if self.mending.in_hand == self.pair[0]:
             self.hands.lay_down(self.under)
@@ -164,7 +176,7 @@ def _tidied(mending: Mending, pair: Pair, shuts: bool) -> bool:
     for target in hands.nearest(_kept_in(mending, pair), key):
         if target != under and (
             hands.store(key, target, shuts)
-            or (hands.at(target) and hands.do("put_on", key, target))
+            or (hands.at(target, True) and hands.do("put_on", key, target))
         ):
             return True
     hands.lay_down(under)

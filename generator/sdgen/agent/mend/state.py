@@ -94,11 +94,7 @@ def start_of(scene: Scene, setting: Setting) -> State:
     facts = facts_of(scene, setting.library.infos, setting.catalog)
     looked_at = [one.name for one in setting.catalog.categories if "LOOKABLE" in one.properties]
     empty = Layout(setting.library, iter(()), frozenset(looked_at))
-    x, y, _ = scene.agent_start.position_m
-    floor = setting.arms.floor
-    if not floor.shape.is_empty and not floor.holds((x, y)):
-        x, y = floor.nearest((x, y))
-    place = Place(x, y, scene.agent_start.yaw_rad)
+    place = setting.arms.start(scene)
     return judged(setting, State(facts, stocked(empty, scene.objects), {}, True, place))
 
 

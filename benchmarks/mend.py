@@ -102,7 +102,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--assets", type=Path, action="append", default=[])
     args = parser.parse_args()
-    data, library = Dataset(args.dataset), load_library(*args.assets)
+    data, library = Dataset(args.dataset), load_library(args.assets)
     tallies = {name: Tally() for name in PLANNERS}
     wrong = (item for item in data if item.entry.anomalies)
     with Client() as client:

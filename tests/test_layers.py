@@ -41,6 +41,7 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
         ("chat",),
         ("validate", "export", "gallery", "importing", "detectors", "proposals"),
         ("benchmark",),
+        ("agent",),
     ),
     8: (("cli",),),
     9: (("__main__",),),

@@ -46,7 +46,6 @@ def test_a_remedy_run_as_actions_clears_its_anomaly_and_causes_none(made, hazard
     assert {o.action.object_id for o in one.outcomes if o.done and o.action.action == "open"} <= {
         o.action.object_id for o in one.outcomes if o.done and o.action.action == "close"
     }
-    assert found.actions >= 2
     assert one.in_hand is None
 
 

@@ -59,7 +59,7 @@ class Hands:
             opened = self._open_until_free(key, around)
             if not self.at(key):
                 return False
-        for other in self._on_top(key):
+        for other in self.on_top(key):
             if self.do("grab", other):
                 self.lay_down(self.under(key))
                 self.at(key)
@@ -87,7 +87,8 @@ class Hands:
                     opened.append(joint)
         return opened
 
-    def _on_top(self, key: int) -> list[int]:
+    def on_top(self, key: int) -> list[int]:
+        """Loose things on or in a thing."""
         facts = self.mending.facts
         return [
             other

@@ -1,68 +1,33 @@
-"""Planners that mend a scene of which they know everything.
-
-:func:`remedy_planner` carries out what the catalogue says; :func:`careless_planner` tidies up and
-never asks who lives there.
-"""
+"""The planner that carries out what the catalogue's remedies say; it knows all of the scene."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from collections.abc import Iterable
 
 from sdgen.agent.mend.hands import Hands
 from sdgen.agent.mend.leaves import shut_in
+from sdgen.agent.mend.making_room import room_made
 from sdgen.agent.mend.mending import Mending
+from sdgen.agent.mend.planning import Left, carries, cupboards, in_order, why_left
 from sdgen.agent.mend.records import Pair
 from sdgen.catalog.records import RemedyRule
 from sdgen.hazards.remedies import goes_on
 from sdgen.hazards.twin import GONE, SET_BACK
 
-
-class Left(NamedTuple):
-    """An anomaly that a planner could not remove, and why: the last sentence it was told."""
-
-    pair: Pair
-    why: str
+#: Of full cupboards so many are looked at for something that may lie elsewhere.
+FULL_TRIED = 3
 
 
 def remedy_planner(mending: Mending, pairs: Iterable[Pair] | None = None) -> tuple[Left, ...]:
     """Carries out the remedy of each of these anomalies (of all, where none are given), with its
-    alternatives where one is refused or brings about another hazard; what nothing that it names
-    takes goes into any cupboard with which the hazard is gone. What is left is returned."""
+    alternatives where one is refused or brings about another hazard; where all that it names is
+    full, room is made, and what still goes nowhere goes into any cupboard with which the hazard is
+    gone. What is left is returned."""
     left = []
-    for pair in _in_order(mending, pairs):
+    for pair in in_order(mending, pairs):
         if pair in mending.pairs and not _Remedying(mending, pair).carried_out():
-            left.append(Left(pair, _why(mending)))
+            left.append(Left(pair, why_left(mending)))
     return tuple(left)
-
-
-def careless_planner(
-    mending: Mending, pairs: Iterable[Pair] | None = None, shuts: bool = False
-) -> tuple[Left, ...]:
-    """Switches off, shuts and wipes up as it should, but puts each thing away in or on the nearest
-    piece of furniture where such things could be kept, whoever lives there; leaves stay open behind
-    it unless it ``shuts`` them."""
-    left = []
-    for pair in _in_order(mending, pairs):
-        if pair in mending.pairs and not _tidied(mending, pair, shuts):
-            left.append(Left(pair, _why(mending)))
-    return tuple(left)
-
-
-def _in_order(mending: Mending, pairs: Iterable[Pair] | None) -> list[Pair]:
-    """What is only switched off or shut comes first: things go into a fridge that is shut."""
-    catalog = mending.setting.catalog
-    wanted = mending.start.pairs if pairs is None else pairs
-
-    def key(pair: Pair) -> tuple[bool, Pair]:
-        return catalog.hazard(pair[1]).remedy[0].action not in SET_BACK, pair
-
-    return sorted(wanted, key=key)
-
-
-def _why(mending: Mending) -> str:
-    told = (one.refused for one in reversed(mending.outcomes) if one.refused is not None)
-    return next(told, "what was done was not enough")
 
 
 class _Remedying:
@@ -83,18 +48,20 @@ class _Remedying:
         for rule in (one for one in rules if one.action in (*SET_BACK, *GONE)):
             if self._free(key) and self.hands.do(rule.action, key) and self._good():
                 return True
-        if facts.bodies[key].item.fixed or not any(map(_carries, rules)):
+        if facts.bodies[key].item.fixed or not any(map(carries, rules)):
             return False
         if not self.hands.fetch(key):
             return False
         for usual in (True, False):
-            for rule in filter(_carries, rules):
+            for rule in filter(carries, rules):
                 for target in rule.targets:
                     sensible = rule.action != "put_on" or goes_on(catalog, category, target)
                     if sensible == usual and self._put(rule, target):
                         return True
                 if usual and rule.action == "move_away" and self._aside():
                     return True
+        if self._with_room_made(rules):
+            return True
         return self._thrown_out(rules) or self._elsewhere() or self._given_up()
 
     def _free(self, key: int) -> bool:
@@ -113,6 +80,19 @@ class _Remedying:
                 done = self.hands.at(target, True) and self.hands.do(rule.action, key, target)
             if self._settled(done):
                 return True
+        return False
+
+    def _with_room_made(self, rules: Iterable[RemedyRule]) -> bool:
+        """Into something full, out of which something else is taken."""
+        key = self.pair[0]
+        for rule in rules:
+            for category in rule.targets if rule.action == "put_in" else ():
+                for target in self.hands.nearest([category], key)[:FULL_TRIED]:
+                    if self.mending.in_hand != key:
+                        return False
+                    made = room_made(self.hands, key, target, self.under, self.before)
+                    if self._settled(made):
+                        return True
         return False
 
     def _aside(self) -> bool:
@@ -149,7 +129,7 @@ class _Remedying:
         key = self.pair[0]
         if self.mending.in_hand != key:
             return False
-        for target in self.hands.nearest(sorted(set(_cupboards(self.mending))), key):
+        for target in self.hands.nearest(sorted(set(cupboards(self.mending))), key):
             if self._settled(self.hands.store(key, target)):
                 return True
         return False
@@ -158,42 +138,3 @@ class _Remedying:
         if self.mending.in_hand == self.pair[0]:
             self.hands.lay_down(self.under)
         return False
-
-
-def _carries(rule: RemedyRule) -> bool:
-    return rule.action not in (*SET_BACK, *GONE)
-
-
-def _tidied(mending: Mending, pair: Pair, shuts: bool) -> bool:
-    key, hazard = pair
-    hands = Hands(mending)
-    for rule in mending.setting.catalog.hazard(hazard).remedy:
-        if not _carries(rule):
-            return hands.at(key) and hands.do(rule.action, key)
-    under = hands.under(key)
-    if not hands.fetch(key):
-        return False
-    for target in hands.nearest(_kept_in(mending, pair), key):
-        if target != under and (
-            hands.store(key, target, shuts)
-            or (hands.at(target, True) and hands.do("put_on", key, target))
-        ):
-            return True
-    hands.lay_down(under)
-    return False
-
-
-def _kept_in(mending: Mending, pair: Pair) -> list[str]:
-    """The furniture that such things are kept in or on, by anybody."""
-    catalog = mending.setting.catalog
-    category = mending.start.facts.category(pair[0])
-    rules = catalog.hazard(pair[1]).remedy
-    abodes = (t for abode in catalog.category(category).lives for t in abode.targets)
-    return sorted({*abodes, *(t for rule in rules for t in rule.targets), *_cupboards(mending)})
-
-
-def _cupboards(mending: Mending) -> Iterator[str]:
-    """All that has a hollow with a leaf before it."""
-    for body in mending.start.facts.bodies.values():
-        if body.item.fixed and any(hollow.closed_by for hollow in body.info.containers):
-            yield body.item.category

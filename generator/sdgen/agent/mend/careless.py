@@ -18,8 +18,9 @@ def careless_planner(
     it unless it ``shuts`` them."""
     left = []
     for pair in in_order(mending, pairs):
+        since = len(mending.outcomes)
         if pair in mending.pairs and not _tidied(mending, pair, shuts):
-            left.append(Left(pair, why_left(mending)))
+            left.append(Left(pair, why_left(mending, since)))
     return tuple(left)
 
 

@@ -47,6 +47,11 @@ def back_at_rest(setting: Setting, state: State, key: int, action: str) -> State
     around = shut_in(facts, key)
     if around is not None:
         return f"{called(facts, key)} is shut in by {called(facts, around)}: open it first"
+    wanted = any(
+        pair[0] == key
+        and action in (rule.action for rule in setting.catalog.hazard(pair[1]).remedy)
+        for pair in state.pairs
+    )
     burns = concerned(setting.catalog, "put_out", body.item.category)
     states = facts.states(key)
     may = {
@@ -56,7 +61,7 @@ def back_at_rest(setting: Setting, state: State, key: int, action: str) -> State
     }[action]
     ways = set_back(body.item, setting.library.info(body.item.asset), action)
     ways = tuple(one for one in ways if one.variant != body.item.variant)
-    if not may or not ways:
+    if not (may or wanted) or not ways:
         return f"{called(facts, key)} is nothing to {action.replace('_', ' ')} as it is"
     why = ""
     for after in ways:

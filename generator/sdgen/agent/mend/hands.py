@@ -6,10 +6,13 @@ import math
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
+from sdgen.agent.mend import placing
 from sdgen.agent.mend.leaves import is_open, shut_in
 from sdgen.agent.mend.mending import Mending
 from sdgen.agent.mend.records import Action
+from sdgen.hazards.remedies import Remedies
 from sdgen.scene import ObjectInstance
+from sdgen.seeding import lane
 
 #: A place is where one stands already when it is no further, metres.
 NEAR_M = 0.05
@@ -133,6 +136,24 @@ class Hands:
             if done and not self.do("grab", key):
                 return False
         return False
+
+    def fits(self, target: int, action: str, without: int | None = None) -> bool:
+        """Whether a target has room for what is in the hand, by its measures, if another thing were
+        not there; nothing is done."""
+        mending, held = self.mending, self.mending.state.held
+        if held is None:
+            return False
+        layout = mending.state.layout
+        if without is not None:
+            layout = layout.copy()
+            layout.drop(without)
+        rng = lane(mending.seed, mending.scene.index, f"mend:look:{target}:{without}")
+        remedies = Remedies(mending.facts, layout, mending.setting.context, (), rng)
+        fit = {name for name, _ in self.hollows(target)}
+        spots = remedies.put_at(
+            action, held.item, self._item(target), fit.__contains__, layout, 1, placing.SPOTS_DRAWN
+        )
+        return next(spots, None) is not None
 
     def hollows(self, target: int) -> Iterator[tuple[str, str | None]]:
         """Hollows of a target for what is in the hand, and the joint that shuts each."""

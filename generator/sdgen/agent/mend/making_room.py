@@ -6,33 +6,13 @@ from sdgen.agent.mend.hands import Hands
 from sdgen.agent.mend.records import Pair
 from sdgen.hazards.remedies import goes_on
 
-#: So many things are tried, the largest first, and for each so many places.
-THINGS_TRIED, PLACES_TRIED = 3, 4
+#: For what is taken out so many places are tried.
+PLACES_TRIED = 4
 
 
-def room_made(
-    hands: Hands, key: int, target: int, under: int | None, may_hold: frozenset[Pair]
-) -> bool:
-    """Whether what is in the hand (``key``) went into a target after something was taken out of it;
-    if not, it is in the hand again.
-
-    Meanwhile it lies on what it was ``under``, or aside. No pairs but those that ``may_hold`` come
-    about.
-    """
-    for other in _contents(hands, target)[:THINGS_TRIED]:
-        if not hands.lay_down(under):
-            return False
-        moved = hands.fetch(other) and _put_where_it_lies(hands, other, may_hold)
-        if hands.mending.in_hand == other and not hands.store(other, target):
-            hands.lay_down()
-        if not hands.fetch(key):
-            return False
-        if moved and hands.store(key, target):
-            return True
-    return False
-
-
-def _contents(hands: Hands, target: int) -> list[int]:
+def in_the_way(hands: Hands, target: int) -> list[int]:
+    """The things in a target, the largest first, that lie elsewhere in this home, too, and without
+    which there would be room in it for what is in the hand."""
     facts = hands.mending.facts
     inside = [
         (-body.footprint.area, key)
@@ -42,7 +22,29 @@ def _contents(hands: Hands, target: int) -> list[int]:
         and not hands.on_top(key)
         and _usual(hands, body.item.category)
     ]
-    return [key for _, key in sorted(inside)]
+    return [key for _, key in sorted(inside) if hands.fits(target, "put_in", key)]
+
+
+def room_made(
+    hands: Hands,
+    key: int,
+    target: int,
+    other: int,
+    under: int | None,
+    may_hold: frozenset[Pair],
+) -> bool:
+    """Whether what is in the hand (``key``) went into a target after an ``other`` thing was taken
+    out of it; if not, it is in the hand again.
+
+    Meanwhile it lies on what it was ``under``, or aside. No pairs but those that ``may_hold`` come
+    about.
+    """
+    if not hands.lay_down(under):
+        return False
+    moved = hands.fetch(other) and _put_where_it_lies(hands, other, may_hold)
+    if hands.mending.in_hand == other and not hands.store(other, target):
+        hands.lay_down()
+    return hands.fetch(key) and moved and hands.store(key, target)
 
 
 def _usual(hands: Hands, category: str) -> list[str]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from sdgen.agent.mend.hands import Hands
 from sdgen.agent.mend.leaves import shut_in
-from sdgen.agent.mend.making_room import room_made
+from sdgen.agent.mend.making_room import in_the_way, room_made
 from sdgen.agent.mend.mending import Mending
 from sdgen.agent.mend.planning import Left, carries, cupboards, in_order, why_left
 from sdgen.agent.mend.records import Pair
@@ -14,7 +14,7 @@ from sdgen.catalog.records import RemedyRule
 from sdgen.hazards.remedies import goes_on
 from sdgen.hazards.twin import GONE, SET_BACK
 
-#: Of full cupboards so many are looked at for something that may lie elsewhere.
+#: So often room is made for one thing.
 FULL_TRIED = 3
 
 
@@ -25,8 +25,9 @@ def remedy_planner(mending: Mending, pairs: Iterable[Pair] | None = None) -> tup
     gone. What is left is returned."""
     left = []
     for pair in in_order(mending, pairs):
+        since = len(mending.outcomes)
         if pair in mending.pairs and not _Remedying(mending, pair).carried_out():
-            left.append(Left(pair, why_left(mending)))
+            left.append(Left(pair, why_left(mending, since)))
     return tuple(left)
 
 
@@ -74,6 +75,8 @@ class _Remedying:
     def _put(self, rule: RemedyRule, category: str) -> bool:
         key = self.pair[0]
         for target in self.hands.nearest([category], key):
+            if not self.hands.fits(target, rule.action):
+                continue
             if rule.action == "put_in":
                 done = self.hands.store(key, target)
             else:
@@ -84,15 +87,22 @@ class _Remedying:
 
     def _with_room_made(self, rules: Iterable[RemedyRule]) -> bool:
         """Into something full, out of which something else is taken."""
-        key = self.pair[0]
-        for rule in rules:
-            for category in rule.targets if rule.action == "put_in" else ():
-                for target in self.hands.nearest([category], key)[:FULL_TRIED]:
-                    if self.mending.in_hand != key:
-                        return False
-                    made = room_made(self.hands, key, target, self.under, self.before)
-                    if self._settled(made):
-                        return True
+        key, tried = self.pair[0], 0
+        full = [
+            target
+            for rule in rules
+            for category in (rule.targets if rule.action == "put_in" else ())
+            for target in self.hands.nearest([category], key)
+        ]
+        for target in full:
+            for other in in_the_way(self.hands, target):
+                if tried == FULL_TRIED or self.mending.in_hand != key:
+                    return False
+                tried += 1
+                if self._settled(
+                    room_made(self.hands, key, target, other, self.under, self.before)
+                ):
+                    return True
         return False
 
     def _aside(self) -> bool:

@@ -30,10 +30,10 @@ def in_order(mending: Mending, pairs: Iterable[Pair] | None) -> list[Pair]:
     return sorted(wanted, key=key)
 
 
-def why_left(mending: Mending) -> str:
-    """The last refusal."""
-    told = (one.refused for one in reversed(mending.outcomes) if one.refused is not None)
-    return next(told, "what was done was not enough")
+def why_left(mending: Mending, since: int) -> str:
+    """The last refusal since so many actions."""
+    told = [one.refused for one in mending.outcomes[since:] if one.refused is not None]
+    return told[-1] if told else "nothing in this home takes it"
 
 
 def carries(rule: RemedyRule) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import islice
 
 from sdgen.agent.mend.hands import Hands
 from sdgen.agent.mend.leaves import shut_in
@@ -14,8 +15,8 @@ from sdgen.catalog.records import RemedyRule
 from sdgen.hazards.remedies import goes_on
 from sdgen.hazards.twin import GONE, SET_BACK
 
-#: So often room is made for one thing.
-FULL_TRIED = 3
+#: So often room is made for one thing, and so many cupboards are tried that no remedy names.
+FULL_TRIED, ELSEWHERE_TRIED = 3, 6
 
 
 def remedy_planner(mending: Mending, pairs: Iterable[Pair] | None = None) -> tuple[Left, ...]:
@@ -139,9 +140,13 @@ class _Remedying:
         key = self.pair[0]
         if self.mending.in_hand != key:
             return False
-        for target in self.hands.nearest(sorted(set(cupboards(self.mending))), key):
+        nearest = self.hands.nearest(sorted(set(cupboards(self.mending))), key)
+        room = (target for target in nearest if self.hands.fits(target, "put_in"))
+        for target in islice(room, ELSEWHERE_TRIED):
             if self._settled(self.hands.store(key, target)):
                 return True
+            if self.mending.in_hand != key:
+                return False
         return False
 
     def _given_up(self) -> bool:

@@ -14,7 +14,7 @@ from shapely.ops import nearest_points
 
 from sdgen.agent.walk import Floor, Place
 from sdgen.agent.ways import TOUCH_M, length_m
-from sdgen.freespace import polygons, union
+from sdgen.freespace import ROBOT_RADIUS_M, polygons, union
 from sdgen.geometry import Vec2
 from sdgen.scene import Scene
 
@@ -85,7 +85,9 @@ class Arms:
         around = self._reached(place).intersection(footprint.buffer(self.reach_m))
         room = self._rooms.get(room_id)
         inside = around if room is None else around.intersection(room)
-        for shape in (inside, around):
+        # One stands on nothing that lies on the floor, and in no leaf.
+        off = footprint.buffer(ROBOT_RADIUS_M)
+        for shape in (inside.difference(off), inside, around.difference(off), around):
             for point in _candidates(shape, footprint):
                 if self.reaches(point, footprint, opening):
                     near = nearest_points(footprint, Point(point))[0]

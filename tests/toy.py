@@ -29,7 +29,8 @@ from sdgen.hazards.twin import with_changes
 from sdgen.library.records import AssetInfo, Container, Joint, Part, StateRule, Support
 from sdgen.library.states import derive_states
 from sdgen.options import BuildOptions
-from sdgen.pipeline.remedied import Remedied, Rest
+from sdgen.pipeline.putting import Rest
+from sdgen.pipeline.remedied import Remedied
 from sdgen.pipeline.twins import twin_of, twin_with
 from sdgen.pipeline.undoing import check_undone
 from sdgen.rejection import Rejection

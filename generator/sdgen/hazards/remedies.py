@@ -108,7 +108,7 @@ class Remedies:
                 )
                 if usual == sensible:
                     for target in self._nearest(category, item)[:TARGETS_TRIED]:
-                        yield from self._put(rule.action, item, info, target)
+                        yield from self._put(rule.action, item, target)
 
     def _nearest(self, category: str, item: ObjectInstance) -> list[ObjectInstance]:
         """The furniture of a category, the nearest to a thing first."""
@@ -118,25 +118,38 @@ class Remedies:
         found.sort(key=lambda body: (math.dist(here, body.center.tolist()), body.item.id))
         return [body.item for body in found]
 
-    def _put(
-        self, action: str, item: ObjectInstance, info: AssetInfo, target: ObjectInstance
-    ) -> Iterator[Step]:
-        relation, room_id = PUT[action], target.room_id
-        for after, hollows in self._leaves(target) if relation == "INSIDE" else [(target, _any)]:
+    def _put(self, action: str, item: ObjectInstance, target: ObjectInstance) -> Iterator[Step]:
+        inside = PUT[action] == "INSIDE"
+        for after, hollows in self._leaves(target) if inside else [(target, _any)]:
             shut = None if after is target else after
             layout = self.layout if shut is None else self._with_leaf_shut(shut)
             takes = partial(self._takes, item.category, target.category, hollows)
-            bulk = layout.bulk_of(item)
-            looks = (
-                layout.spot_on_object(info, target.id, relation, self.rng, takes, bulk)
-                for _ in range(LOOKS)
-            )
-            found = (s for s in looks if s is not None and self._looks_right(item, room_id, s))
-            for spot in islice(found, SPOTS_TRIED):
-                yield Step(action, at_spot(item, spot, room_id), target.id, shut)
-            if action == "throw_away" and "BROKEN" not in item.states:
-                for upended in self._upended(item, bulk, after, takes):
-                    yield Step(action, upended, target.id, shut)
+            for put in self.put_at(action, item, after, takes, layout):
+                yield Step(action, put, target.id, shut)
+
+    def put_at(
+        self,
+        action: str,
+        item: ObjectInstance,
+        target: ObjectInstance,
+        takes: Callable[[str], bool],
+        layout: Layout,
+        tried: int = SPOTS_TRIED,
+        looks: int = LOOKS,
+    ) -> Iterator[ObjectInstance]:
+        """A thing at spots on or in a target as it is in ``layout`` (which the thing is not in), in
+        hollows that ``takes`` says, by name; what is thrown away also on end."""
+        info, room_id = layout.library.info(item.asset), target.room_id
+        bulk = layout.bulk_of(item)
+        drawn = (
+            layout.spot_on_object(info, target.id, PUT[action], self.rng, takes, bulk)
+            for _ in range(looks)
+        )
+        found = (s for s in drawn if s is not None and self._looks_right(item, room_id, s))
+        for spot in islice(found, tried):
+            yield at_spot(item, spot, room_id)
+        if action == "throw_away" and "BROKEN" not in item.states:
+            yield from self._upended(item, bulk, target, takes)
 
     def _upended(
         self, item: ObjectInstance, bulk: Bulk, target: ObjectInstance, takes: Callable[[str], bool]

@@ -8,28 +8,21 @@ to hold; and when everything else stands as before. What cannot be undone so is 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-
-import numpy as np
+from dataclasses import dataclass, field
 
 from sdgen.cameras.nearest import cut_by_near_planes, drawn_boxes
-from sdgen.facts import Facts, bodies_of, entered_structures, unheld
-from sdgen.geometry import round_position, round_quat
+from sdgen.facts import Facts, unheld
 from sdgen.hazards.certify import Survey, facts_of, survey
 from sdgen.hazards.remedies import Remedies, Step, stocked
-from sdgen.hazards.twin import PUT, SET_BACK, TAKE_AWAY, After, plainly, with_changes
+from sdgen.hazards.twin import PUT, SET_BACK, TAKE_AWAY, plainly
 from sdgen.home.context import HomeContext
 from sdgen.home.layout import Layout
 from sdgen.library import Library
 from sdgen.physics.client import Client
-from sdgen.physics.settle import MAX_STEPS, moving, settle
-from sdgen.physics.world import World
-from sdgen.pipeline.rest import STAYS_SHARE
-from sdgen.pipeline.undoing import check_standing, near_boxes
-from sdgen.scene import Anomaly, Camera, Contact, ObjectInstance, Pose, Scene, Undone
+from sdgen.pipeline.putting import Rest, come_to_rest, facts_after, stands_there, stays
+from sdgen.pipeline.undoing import check_standing
+from sdgen.scene import Anomaly, Camera, ObjectInstance, Scene, Undone
 from sdgen.seeding import Rng
-from sdgen.vocabulary import DRIFT_LIMIT_M
-from sdgen.zones import swing_blocked
 
 #: Ways tried for one anomaly before its object is taken away: each costs some hundredths of a
 #: second.
@@ -48,18 +41,6 @@ class Tools:
     library: Library
     client: Client
     cameras: tuple[Camera, ...]
-
-
-@dataclass(frozen=True)
-class Rest:
-    """How what was put elsewhere came to rest: how far it drifted, and what it touches."""
-
-    drift_m: float
-    contacts: tuple[Contact, ...]
-
-    def without(self, key: int) -> Rest:
-        """The same, of a scene where an object is gone or elsewhere."""
-        return replace(self, contacts=tuple(c for c in self.contacts if key not in (c.a, c.b)))
 
 
 @dataclass(frozen=True)
@@ -161,11 +142,11 @@ def _after(
         rests = {k: rest.without(key) for k, rest in rests.items() if k != key}
     if put and step.item is not None:
         anyhow = step.action == "throw_away"
-        rested = _come_to_rest(step.item, changes, now.facts, anyhow, tools)
+        rested = come_to_rest(step.item, changes, now.facts, anyhow, library, tools.client)
         if rested is None:
             return None
         changes[key], rests[key] = rested
-    facts = _facts_after(now.facts, changes, tools)
+    facts = facts_after(now.facts, changes, library.infos, catalog)
     surveyed = survey(facts, catalog)
     pairs = {(one.object_id, one.hazard) for one in surveyed.positives}
     if not all(one.verdict.sure and one.verdict.value for one in surveyed.positives):
@@ -173,7 +154,7 @@ def _after(
     # A step for one pair may undo others of those that are to be undone, and brings about none.
     if not keep <= pairs or not pairs <= now.pairs - {(key, anomaly.hazard)}:
         return None
-    if put and not _stands_there(step, key, facts):
+    if put and not stands_there(key, PUT[step.action], step.target_id, facts):
         return None
     # What is only set otherwise, or shut, was looked at when the cameras were made.
     if put and cut_by_near_planes(tools.cameras, drawn_boxes(library, facts.scene)):
@@ -182,7 +163,7 @@ def _after(
         check_standing(now.facts.scene, facts, library, tools.client) is not None
     ):
         return None
-    if step.item is not None and not before.fixed and not _stays(key, facts, tools):
+    if step.item is not None and not before.fixed and not stays(key, facts, library, tools.client):
         return None
     cleared = {pair: step for pair in now.pairs - pairs if pair[0] == key}
     # What was done to it before is no longer so: it was put elsewhere since, or is gone.
@@ -193,70 +174,6 @@ def _after(
         cleared |= dict.fromkeys(past, step)
     altered = now.altered | ({step.shut.id} if step.shut is not None else set())
     return Remedied(facts, surveyed, {**now.done, **cleared}, rests, altered)
-
-
-def _facts_after(facts: Facts, changes: After, tools: Tools) -> Facts:
-    infos = tools.library.infos
-    objects = with_changes(facts.scene, changes, infos, facts)
-    scene = facts.scene.model_copy(update={"objects": objects})
-    return facts_of(scene, infos, tools.context.catalog, facts)
-
-
-def _come_to_rest(
-    item: ObjectInstance, changes: After, facts: Facts, anyhow: bool, tools: Tools
-) -> tuple[ObjectInstance, Rest] | None:
-    """A thing settled where it was put, all others fixed, its pose rounded as it is written; None
-    where it does not come to rest, or not as it was put (``anyhow``: it may have toppled)."""
-    library = tools.library
-    scene = _around_new(item, changes, facts, library)
-    world = World(library, tools.client)
-    world.become(scene, (item.id,))
-    settled = settle(world)
-    toppled = settled.steps < MAX_STEPS and settled.drift_m[item.id] <= DRIFT_LIMIT_M
-    if settled.unstable and not (anyhow and toppled):
-        return None
-    pose = settled.poses[item.id]
-    pose = Pose(position_m=round_position(pose.position_m), quat_xyzw=round_quat(pose.quat_xyzw))
-    rested = item.model_copy(update={"pose": pose})
-    room_id = facts.rooms.room_ids([rested], library.infos)[item.id]
-    contacts = tuple(
-        one.model_copy(update={"distance_m": round(one.distance_m, 5)})
-        for one in settled.contacts
-        if item.id in (one.a, one.b)
-    )
-    return (
-        rested.model_copy(update={"room_id": room_id}),
-        Rest(settled.drift_m[item.id], contacts),
-    )
-
-
-def _around_new(item: ObjectInstance, changes: After, facts: Facts, library: Library) -> Scene:
-    """What a thing could touch where it was put, and the thing: the scene after these changes."""
-    (body,) = bodies_of([item], library.infos)
-    there = near_boxes([((body.low + body.high) / 2, body.high - body.low)], facts)
-    near, before = {one.id for one in there.objects}, {one.id: one for one in facts.scene.objects}
-    after = with_changes(facts.scene, {**changes, item.id: item}, library.infos, facts)
-    # What a leaf that was shut took along may have come from further away.
-    objects = tuple(one for one in after if one.id in near or one is not before[one.id])
-    return there.model_copy(update={"objects": objects})
-
-
-def _stands_there(step: Step, key: int, facts: Facts) -> bool:
-    """Whether a thing surely is where the step says, in no wall and in no door's way."""
-    related = facts.related(key, PUT[step.action])
-    if not any(r.target_id == step.target_id and r.holds and r.sure for r in related):
-        return False
-    if any(key in violation.objects for violation in entered_structures(facts)):
-        return False
-    return key not in swing_blocked(list(facts.bodies.values()))
-
-
-def _stays(key: int, facts: Facts, tools: Tools) -> bool:
-    """Whether a loose thing that was changed stays as it is written, all others fixed."""
-    middle, size = facts.bounding_box(key)
-    world = World(tools.library, tools.client)
-    world.become(near_boxes([(np.array(middle), np.array(size))], facts), (key,))
-    return not moving(world, STAYS_SHARE, all_awake=False)
 
 
 def undone_records(anomalies: Sequence[Anomaly], after: Remedied) -> tuple[Undone, ...]:

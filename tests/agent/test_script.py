@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -32,10 +34,8 @@ def test_all_that_is_wrong_is_told_with_its_line() -> None:
 
 @given(st.text())
 def test_any_text_is_moves_or_an_error(text: str) -> None:
-    try:
+    with contextlib.suppress(InputError):
         assert all(line.times >= 1 for line in read_script(text, "x"))
-    except InputError as error:
-        assert error.problems
 
 
 def test_it_ends_with_the_episode() -> None:

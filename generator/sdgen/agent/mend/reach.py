@@ -13,8 +13,8 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
 from sdgen.agent.walk import Floor
-from sdgen.cameras.lens import Gaze
 from sdgen.agent.ways import TOUCH_M, length_m
+from sdgen.cameras.lens import Gaze
 from sdgen.freespace import ROBOT_RADIUS_M, polygons, union
 from sdgen.geometry import Vec2
 from sdgen.scene import Scene

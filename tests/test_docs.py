@@ -35,6 +35,7 @@ PAGES = [
 STORIES = [
     ROOT / "README.md",
     ROOT / "docs" / "python.md",
+    ROOT / "docs" / "agent.md",
     ROOT / "docs" / "extending.md",
     ROOT / "docs" / "exports.md",
     ROOT / "docs" / "base-homes.md",

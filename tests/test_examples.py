@@ -56,6 +56,20 @@ def test_crops_shows_every_visible_anomaly(homes: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+def test_an_agent_walks_through_every_home(homes: Path) -> None:
+    pytest.importorskip("gymnasium")
+    lines = call("agent_walk.py", homes).splitlines()
+    assert [line[:6] for line in lines] == ["000000", "000001"]
+
+
+@pytest.mark.slow
+def test_a_detector_of_ones_own_sees_through_an_explorer(homes: Path) -> None:
+    lines = call("agent_detector.py", homes).splitlines()
+    assert len(lines) == 2 * 2 + 2 * 2
+    assert {line.split()[1] for line in lines} == {"on_or_open", "rules"}
+
+
+@pytest.mark.slow
 def test_an_array_of_tasks_makes_the_bytes_of_one_build(tmp_path: Path) -> None:
     """As SLURM would run it: a task a number, then the merge."""
     options = "--views 1 --sensors none"

@@ -82,7 +82,9 @@ def test_rewards_add_up_to_cas_less_false_alarms() -> None:
     unwanted = len({one.object_id for one in wrong} - wanted)
     assert paid == pytest.approx((len(wanted) - unwanted) / len(wanted))
     clean = next(
-        i.id for i in homes.stage(home).scene.objects if i.id not in {one.object_id for one in wrong}
+        i.id
+        for i in homes.stage(home).scene.objects
+        if i.id not in {one.object_id for one in wrong}
     )
     assert env.step(action("report", clean, LABELS[0]))[1] == pytest.approx(-1 / len(wanted))
     *_, done, cut, info = env.step(action("stop"))

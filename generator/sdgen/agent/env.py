@@ -126,6 +126,11 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         return cls(_Fresh(catalog, library, build), build.n, library, options, **more)
 
     @property
+    def homes(self) -> int:
+        """How many homes there are to enter."""
+        return self._count
+
+    @property
     def episode(self) -> Episode:
         """The episode that goes on. Raises UsageError before the first reset."""
         if self._episode is None:

@@ -71,7 +71,7 @@ def test_no_option_is_left_out_of_the_command() -> None:
         **{"draw": "iid", "extensions": ("heat",), "views": 1, "width": 64, "height": 48},
         **{"sensors": ("rgb",), "rgb": "jpg", "supersample": 2, "renderer": "cpu"},
         **{"eye_height_m": 1.0, "twins": True, "toggles": True, "assets_only": True},
-        "only": ("spill",),
+        **{"only": ("spill",), "observability": True},
     }
     assert set(others) == set(BuildOptions.model_fields)
     lines = {command_of(usual.model_copy(update={name: v})) for name, v in others.items()}

@@ -7,9 +7,12 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator  # type: ignore[import-untyped]
 from sdgen.benchmark import detect, write_predictions
+from sdgen.cameras.lens import Lens
 from sdgen.dataset import Dataset
 from sdgen.dataset.schema import FILES, schema_of, schema_text, write_schemas
+from sdgen.dataset.text import record_bytes
 from sdgen.resources import data_path
+from sdgen.truth.observable import Observability, Observable
 
 from tests import toy
 
@@ -34,11 +37,33 @@ def test_writing_them_takes_stale_ones_away(tmp_path: Path) -> None:
     assert sorted(p.name for p in tmp_path.iterdir()) == sorted(f"{n}.schema.json" for n in FILES)
 
 
+CERTIFICATES = Observability(
+    lens=Lens(),
+    spacing_m=0.5,
+    headings=12,
+    pitches_deg=(0.0,),
+    positions_m=((0.5, 1.0),),
+    anomalies=(
+        Observable(
+            anomaly_id="a00",
+            object_id=17,
+            seen=((3,),),
+            sure=((2,),),
+            differs=((7,),),
+            poses_seen=2,
+            poses_differ=3,
+            best=(0, 0, 1),
+        ),
+    ),
+)
+
+
 @pytest.fixture(scope="module")
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = toy.build(tmp_path_factory.mktemp("set") / "d")
     data = Dataset(path)
     write_predictions(path.parent / "predictions.jsonl", detect(data, "always"))
+    (data[0].folder / "observability.json").write_bytes(record_bytes(CERTIFICATES))
     return path
 
 

@@ -51,11 +51,14 @@ def explore_table(
     for row in rows:
         table.add_row(*cells(row))
     echo_table(table)
-    hint("percent, but for false alarms, steps and metres a home; standard errors with --json")
+    hint(
+        "percent, but for false alarms (FA), steps and metres (m) a home; shown and found of what "
+        "can be seen; way: the shortest tour by it; seen: of the floor; standard errors with --json"
+    )
 
 
 #: Of the numbers of a row.
-HEADS = ("AS", "CAS", "false", "shown", "found", "steps", "metres", "tour/way", "seen")
+HEADS = ("AS", "CAS", "FA", "shown", "found", "steps", "m", "way", "seen")
 
 
 def cells(row: Row) -> tuple[str, ...]:

@@ -36,6 +36,7 @@ STORIES = [
     ROOT / "README.md",
     ROOT / "docs" / "python.md",
     ROOT / "docs" / "agent.md",
+    ROOT / "docs" / "mending.md",
     ROOT / "docs" / "extending.md",
     ROOT / "docs" / "exports.md",
     ROOT / "docs" / "base-homes.md",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import warnings
 from functools import partial
 from typing import Any
@@ -13,6 +14,7 @@ from sdgen.catalog.load import load_catalog
 from sdgen.dataset import Dataset
 from sdgen.errors import InputError, UsageError
 from sdgen.options import BuildOptions
+from sdgen.truth.observability import observability
 
 from tests.agent import homes
 from tests.shipped import shipped_library
@@ -174,3 +176,18 @@ def test_environments_run_in_processes_and_beside_each_other() -> None:
     beside.close()
     for name in seen:
         assert np.array_equal(seen[name], alike[name])
+
+
+def test_a_home_with_certificates_has_a_shortest_tour() -> None:
+    home = next(k for k in range(3) if homes.stage(k).anomalies)
+    stage = homes.stage(home)
+    found = observability(
+        shipped_library(), stage.scene, stage.anomalies, stage.catalog, homes.OPTIONS.camera
+    )
+    for certificates, told in ((found, True), (None, False)):
+        known = dataclasses.replace(stage, certificates=certificates)
+        env = HomeEnv(lambda _, known=known: known, 1, shipped_library(), homes.OPTIONS)
+        env.reset(seed=0)
+        score = env.step(action("stop"))[-1]["score"]
+        assert (score["observable"] is not None) == told
+        env.close()

@@ -14,10 +14,12 @@ from gymnasium import spaces
 
 from sdgen.agent.episode import Episode, Result
 from sdgen.agent.eyes import Eyes, Look
+from sdgen.agent.house import House
 from sdgen.agent.moves import AIMED, LABELS, MOVES, NOTIFY, Move
 from sdgen.agent.options import AgentOptions
 from sdgen.agent.score import score_episode
 from sdgen.agent.stage import Stage, check_models, fresh_stage, stage_of
+from sdgen.agent.tour import Tour, shortest_tour
 from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset
 from sdgen.errors import UsageError, did_you_mean
@@ -54,7 +56,8 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
 
     ``info`` of a reset tells the scene, the household and the rooms; of each step what was
     ``refused``, ``collided``, ``opened``, and the pictures of a scan; of the last one the
-    ``score``.
+    ``score`` (with the shortest tour where the home was built with ``--observability`` and the
+    lens is the certificates').
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 5}  # noqa: RUF012
@@ -171,10 +174,18 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
             info["scan"] = [self._observed(look) for look in result.looks]
         over = self.episode.over
         if over:
-            info["score"] = score_episode(self.episode).model_dump(mode="json")
+            info["score"] = score_episode(self.episode, self._tour()).model_dump(mode="json")
         reward = self._reward(result, target) if move == "report" else 0.0
         done = self.episode.done
         return self._observed(self._look), reward, done, over and not done, info
+
+    def _tour(self) -> Tour | None:
+        """The shortest tour of this home, where it was built with certificates for such a lens."""
+        stage = self.episode.stage
+        found = stage.certificates
+        if found is None or found.lens != self.options.camera:
+            return None
+        return shortest_tour(found, House(stage.scene, self._library).floor, self.episode.trail[0])
 
     def _reward(self, result: Result, target: int) -> float:
         """What the last report is worth."""

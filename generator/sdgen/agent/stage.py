@@ -13,18 +13,21 @@ from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline import make_scene
 from sdgen.scene import Anomaly, Household, Scene
+from sdgen.truth.observable import Observability
 from sdgen.validate.at_hand import other_models
 from sdgen.validate.problems import Problem
 
 
 @dataclass(frozen=True)
 class Stage:
-    """A scene, who lives there, its anomalies, and the catalogue they are of."""
+    """A scene, who lives there, its anomalies, the catalogue they are of, and certificates of from
+    where they can be seen (None: nobody has looked)."""
 
     scene: Scene
     household: Household
     anomalies: tuple[Anomaly, ...]
     catalog: Catalog
+    certificates: Observability | None = None
 
     @property
     def id(self) -> str:
@@ -35,7 +38,8 @@ class Stage:
 def stage_of(data: Dataset, item: SceneItem) -> Stage:
     """A scene of a data set. Raises InputError where its files disagree."""
     with derived_from(data, item):
-        return Stage(item.scene, item.household, item.anomalies.anomalies, data.catalog)
+        anomalies = item.anomalies.anomalies
+        return Stage(item.scene, item.household, anomalies, data.catalog, item.observability)
 
 
 def stages_of(data: Dataset) -> Iterator[Stage]:

@@ -86,8 +86,9 @@ def nearest_frontier(episode: Episode, _rng: Rng, _tour: Tour | None) -> list[Lo
 
 
 def planner(episode: Episode, _rng: Rng, tour: Tour | None) -> list[Look]:
-    """The shortest tour past a pose for each anomaly that can be seen: it knows the certificates,
-    and so bounds all others. ValueError without a tour."""
+    """The shortest tour past a pose for each anomaly that can be seen, and past others where a door
+    that it opened hides one: it knows the certificates and what its pictures show, and so bounds
+    all others. ValueError without a tour."""
     if tour is None:
         raise ValueError("the planner needs the tour of a scene's certificates")
     looks = [episode.look()]
@@ -95,6 +96,11 @@ def planner(episode: Episode, _rng: Rng, tour: Tour | None) -> list[Look]:
         if episode.over:
             break
         looks += episode.go(gaze.point, gaze.yaw_rad, gaze.pitch_rad).looks
+    for name, gazes in tour.more.items():
+        for gaze in gazes:
+            if episode.over or name in episode.account.first_shown:
+                break
+            looks += episode.go(gaze.point, gaze.yaw_rad, gaze.pitch_rad).looks
     return looks
 
 

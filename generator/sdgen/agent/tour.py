@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
@@ -28,16 +28,20 @@ Bools = npt.NDArray[np.bool_]
 _JOINED = 3.0
 #: More anomalies than this are toured a few at a time: sets double with each.
 _AT_ONCE = 10
+#: Poses that are tried where an anomaly was not seen after all.
+_OTHERS = 8
 
 
 @dataclass(frozen=True)
 class Tour:
     """Poses in their order, each with the ids of the anomalies that are first seen there, and how
-    long the walk past them is. ``unreachable``: anomalies that no pose one gets to sees."""
+    long the walk past them is. ``unreachable``: anomalies that no pose one gets to sees. ``more``:
+    other poses that see an anomaly, by its id, for when a door that was opened hides it."""
 
     stops: tuple[tuple[Gaze, tuple[str, ...]], ...]
     length_m: float
     unreachable: tuple[str, ...] = ()
+    more: Mapping[str, tuple[Gaze, ...]] = field(default_factory=dict)
 
 
 def shortest_tour(found: Observability, floor: Floor, start: Vec2, surely: bool = False) -> Tour:
@@ -64,7 +68,8 @@ def shortest_tour(found: Observability, floor: Floor, start: Vec2, surely: bool 
             out += [(_pose(found, masks[k], place - 1), (names[k],)) for k in fresh]
             done.update(fresh)
     lost = tuple(names[k] for k in range(len(names)) if k not in can)
-    return Tour(_together(out), _length(floor, start, out), lost)
+    more = {names[k]: _others(found, masks[k]) for k in can}
+    return Tour(_together(out), _length(floor, start, out), lost, more)
 
 
 def _joined(places: Array, floor: Floor, spacing_m: float) -> list[list[tuple[int, float]]]:
@@ -140,6 +145,17 @@ def _pose(found: Observability, mask: Bools, place: int) -> Gaze:
     turn = np.exp(2j * np.pi * headings / found.headings)
     heading = int(headings[np.argmax((turn * np.conj(turn.mean())).real)])
     return gaze_of(found, (place, pitch, heading))
+
+
+def _others(found: Observability, mask: Bools) -> tuple[Gaze, ...]:
+    """A few poses that see an anomaly, far from each other."""
+    places = np.flatnonzero(mask.any(axis=(1, 2)))
+    points = np.asarray(found.positions_m)[places]
+    chosen = [0]
+    while len(chosen) < min(_OTHERS, len(places)):
+        apart = np.linalg.norm(points[:, None] - points[chosen][None], axis=2).min(axis=1)
+        chosen.append(int(apart.argmax()))
+    return tuple(_pose(found, mask, int(places[k])) for k in chosen)
 
 
 def _together(

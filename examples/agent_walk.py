@@ -17,12 +17,17 @@ from sdgen.cameras.lens import Lens
 
 #: As many pixels of a thing as make it worth a word.
 SEEN = 20
-SUSPECT = {
-    "puddle": "unsafe",
-    "milk_carton": "unsanitary",
-    "knife": "unsafe for children",
-    "pill_bottle": "unsafe for children",
-}
+
+
+def suspected(name: str) -> str | None:
+    """What would be wrong with a thing of this name, wherever it is; None: nothing."""
+    if "puddle" in name:
+        return "unsafe"
+    if name in ("milk_carton", "raw_meat", "yogurt_cup", "cheese"):
+        return "unsanitary"
+    if name in ("knife", "scissors", "pizza_cutter", "screwdriver", "bleach_bottle", "pill_bottle"):
+        return "unsafe for children"
+    return None
 
 
 def explore(env: HomeEnv, home: int) -> dict[str, object]:
@@ -41,7 +46,7 @@ def explore(env: HomeEnv, home: int) -> dict[str, object]:
             for picture in info.get("scan", ()):
                 ids, counts = np.unique(picture["instance"], return_counts=True)
                 for key in ids[counts >= SEEN].tolist():
-                    label = SUSPECT.get(names.get(key, ""))
+                    label = suspected(names.get(key, ""))
                     if label is None or key in said or over:
                         continue
                     notify = "now" if children or "children" not in label else "silent"

@@ -72,27 +72,26 @@ def test_a_reset_tells_who_lives_there_and_no_truth() -> None:
 
 
 def test_rewards_add_up_to_cas_less_false_alarms() -> None:
+    """Whatever is said, said again, and taken back."""
     env = made()
     home = next(k for k in range(3) if any(a.report for a in homes.stage(k).anomalies))
     env.reset(seed=0, options={"home": home})
     wrong = homes.stage(home).anomalies
+    bad = {one.object_id for one in wrong}
     wanted = {one.object_id for one in wrong if one.report}
+    clean = [item.id for item in homes.stage(home).scene.objects if item.id not in bad][:2]
     paid = 0.0
-    for one in wrong:
-        for _ in range(2):  # the second time is worth nothing
-            paid += env.step(action("report", one.object_id, one.label))[1]
-    unwanted = len({one.object_id for one in wrong} - wanted)
-    assert paid == pytest.approx((len(wanted) - unwanted) / len(wanted))
-    clean = next(
-        i.id
-        for i in homes.stage(home).scene.objects
-        if i.id not in {one.object_id for one in wrong}
-    )
-    assert env.step(action("report", clean, LABELS[0]))[1] == pytest.approx(-1 / len(wanted))
+    said = [(key, notify) for key in (*bad, *clean) for notify in ("silent", "now")]
+    said += [(next(iter(wanted)), "silent"), (clean[0], "silent"), (next(iter(wanted)), "summary")]
+    for key, notify in said:
+        paid += env.step(action("report", key, LABELS[0], notify))[1]
     *_, done, cut, info = env.step(action("stop"))
     assert (done, cut) == (True, False)
-    assert info["score"]["AS"] == 1.0
-    assert info["score"]["false_alarms"] == 1.0
+    score, reports = info["score"], env.episode.reports
+    alarms = sum(reports[key].notify != "silent" for key in clean)
+    assert alarms == 1
+    assert paid == pytest.approx(score["CAS"] - alarms / len(wanted))
+    assert score["AS"] == 1.0
     env.close()
 
 
@@ -129,6 +128,11 @@ def test_a_scan_gives_all_its_pictures() -> None:
         ({"move": MOVES.index("go_to"), "target": 70_000}, "target: 70000"),
         ({"move": MOVES.index("report"), "target": 3, "label": 9}, "label: 9"),
         ({"move": 1, "speed": 3}, "no 'speed'"),
+        ({1: 2, "a": 3, "move": 1}, "no '1'"),
+        ({"move": [1, 2]}, "whole number"),
+        ({"move": True}, "whole number"),
+        ({"move": np.array([1, 2])}, "whole number"),
+        ({"move": 10**30}, "not in 0 to"),
     ],
 )
 def test_an_action_that_is_none_is_an_error_and_no_step(wrong: Any, why: str) -> None:
@@ -149,6 +153,9 @@ def test_bad_input_is_told() -> None:
         env.step(action("forward"))
     with pytest.raises(UsageError, match="home 9"):
         env.reset(options={"home": 9})
+    for options in ({"house": 1}, {"home": 1.5}, {"home": "x"}, [1]):
+        with pytest.raises(UsageError, match="reset"):
+            env.reset(options=options)
     with pytest.raises(UsageError, match="did you mean"):
         action("foward")
 

@@ -16,6 +16,7 @@ from sdgen.agent.walk import shut_doors
 from sdgen.errors import UsageError
 from sdgen.scene import ObjectInstance, Scene
 from sdgen.seeding import lane
+from shapely.geometry import Point
 
 from tests.agent import homes
 from tests.shipped import shipped_library
@@ -227,3 +228,22 @@ def test_what_it_opens_cannot_close_it_in() -> None:
         result = episode.open(item.id)
         assert episode.house.floor.holds(episode.gaze.point)
         assert (episode.house.scene == before) == (result.refused is not None)
+
+
+def test_who_has_no_more_steps_stops_on_the_way() -> None:
+    options = homes.OPTIONS.model_copy(update={"max_steps": 6})
+    episode = homes.episode(options=options)
+    start = episode.gaze.point
+    far = max(
+        (room.id for room in episode.stage.scene.home.rooms),
+        key=lambda key: episode.house.floor.outline_of(key).distance(Point(start)),
+    )
+    result = episode.go_to(far)
+    assert result.refused is None
+    assert episode.over
+    assert episode.steps == 6
+    assert episode.path_m <= 6 * 0.25 + 1e-9
+    assert episode.house.floor.holds(episode.gaze.point)
+    turning = homes.episode(options=options)
+    turning.turn(100)
+    assert turning.steps == 6

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from sdgen.agent.script import Line, read_script
-from sdgen.errors import InputError
+from sdgen.errors import InputError, UsageError
 
 from tests.agent import homes
 
@@ -41,3 +41,17 @@ def test_any_text_is_moves_or_an_error(text: str) -> None:
 def test_it_ends_with_the_episode() -> None:
     episode = homes.episode(options=homes.OPTIONS.model_copy(update={"max_steps": 5}))
     assert len([*Line("turn_left", 100).do(episode)]) == 5
+
+
+def test_things_are_called_by_name() -> None:
+    episode = homes.episode(options=homes.OPTIONS.model_copy(update={"max_steps": 1000}))
+    (to_kitchen, to_fridge, nowhere) = read_script("go_to kitchen, go_to fridge, open unicorn", "x")
+    (result,) = to_kitchen.do(episode)
+    assert result.refused is None
+    kinds = {room.id: room.type for room in episode.stage.scene.home.rooms}
+    assert kinds[episode.room_id] == "kitchen"
+    (result,) = to_fridge.do(episode)
+    fridge = episode.house.bodies[int(result.argument["object_id"])].item
+    assert fridge.category == "fridge"
+    with pytest.raises(UsageError, match="unicorn"):
+        list(nowhere.do(episode))

@@ -121,7 +121,7 @@ def test_keys_walk_in_a_terminal() -> None:
     os.close(theirs)
     told = b""
     todo = [(b"x stop", key) for key in (b"w", b"a", b"d", b"?", b"g")]
-    todo += [(b"id: ", b"65000\r"), (b"65000\r\n", b""), (b"object 65000", b"x")]
+    todo += [(b"none): ", b"65000\r"), (b"65000\r\n", b""), (b"object 65000", b"x")]
     at = 0
     with contextlib.suppress(OSError):  # its end of the terminal is closed
         while piece := os.read(ours, 65536):

@@ -7,6 +7,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
+from sdgen.actions import settled_states
 from sdgen.agent.walk import Floor
 from sdgen.cameras.lens import Gaze, Lens, camera_at, toward
 from sdgen.cameras.outdoors import outer_openings
@@ -123,3 +125,59 @@ def test_a_pose_of_the_lattice_is_where_its_numbers_say() -> None:
     assert gaze.point == certificates.positions_m[3]
     assert gaze.yaw_rad == pytest.approx(-math.pi / 2)
     assert gaze.pitch_rad == 0.0
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"seen": ()}, "a number for each"),
+        ({"sure": ((-1,),)}, "a number for each"),
+        ({"best": (0, 0, 99)}, "best is no pose"),
+        ({"poses_seen": 9}, "are not the bits"),
+    ],
+)
+def test_certificates_that_do_not_fit_are_refused(change: dict[str, object], why: str) -> None:
+    record = found().model_dump()
+    record["anomalies"][0] |= change
+    with pytest.raises(ValidationError, match=why):
+        Observability.model_validate(record)
+    bits = found().model_dump()
+    row = bits["anomalies"][0]["seen"][0]
+    bits["anomalies"][0]["seen"] = ((2**70, *row[1:]), *bits["anomalies"][0]["seen"][1:])
+    with pytest.raises(ValidationError, match="other bits"):
+        Observability.model_validate(bits)
+
+
+def test_sure_poses_of_an_open_front_door_show_it() -> None:
+    """Slits beside a leaf are narrow: what counts is how wide they are in the picture."""
+    stage = homes.stage()
+    door = next(i for i in stage.scene.objects if i.category == "front_door")
+    info = shipped_library().info(door.asset)
+    (joint,) = info.joints
+    ajar = settled_states(door.model_copy(update={"joints": {joint.name: joint.upper / 6}}), info)
+    objects = tuple(ajar if i.id == door.id else i for i in stage.scene.objects)
+    scene = stage.scene.model_copy(update={"objects": objects})
+    anomaly = stage.anomalies[0].model_copy(
+        update={
+            "object_id": door.id,
+            "evidence_parts": ("leaf",),
+            "evidence_objects": (),
+            "evidence_pixels_needed": 100,
+            "evidence_outdoors_needed": 100,
+        }
+    )
+    certificates = observability(shipped_library(), scene, [anomaly], stage.catalog, LENS)
+    (one,) = certificates.anomalies
+    sure = np.argwhere(seen_at(certificates, one.sure))
+    assert len(sure)
+    eyes = homes.eyes()
+    eyes.show(scene)
+    right = 0
+    for pose in sure[:: max(1, len(sure) // 20)][:20]:
+        place, pitch, heading = pose.tolist()
+        gaze = gaze_of(certificates, (place, pitch, heading))
+        look = eyes.look(gaze, Floor(scene).room_at(gaze.point), LENS, colours=False)
+        frame = Frame(look.camera, look.rgb, look.depth_mm, look.instance, look.part, {})
+        view = view_visibility(frame, part_names(scene), outer_openings(scene.home))
+        right += shows(view, anomaly, LENS.width, LENS.height)
+    assert right >= 0.95 * min(20, len(sure))

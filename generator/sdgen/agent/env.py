@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 from gymnasium import spaces
 
-from sdgen.agent.episode import Episode, Result
+from sdgen.agent.episode import Episode
 from sdgen.agent.eyes import Eyes, Look
 from sdgen.agent.house import House
 from sdgen.agent.moves import AIMED, LABELS, MOVES, NOTIFY, Move
@@ -50,9 +50,9 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
     counted (``info["refused"]`` says why).
 
     The reward of a report is 1 / |A+| for an anomaly that the household wants reported, minus that
-    for one that it does not want and for what is none; none for what is ``silent`` or was reported
-    before: a sum of CAS less false alarms a wanted anomaly. An episode ends (terminated) with
-    ``stop`` and is cut off (truncated) after ``options.max_steps``.
+    for one that it does not want and for what is none, none for what is ``silent``; less what was
+    said of the object before was worth: the sum is CAS less reported false alarms by |A+|. An
+    episode ends (terminated) with ``stop`` and is cut off (truncated) after ``options.max_steps``.
 
     ``info`` of a reset tells the scene, the household and the rooms; of each step what was
     ``refused``, ``collided``, ``opened``, and the pictures of a scan; of the last one the
@@ -84,7 +84,6 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         self._eyes: Eyes | None = None
         self._episode: Episode | None = None
         self._look: Look | None = None
-        self._paid: set[int] = set()
         self.observation_space: spaces.Space[Any] = _observations(self.options)
         self.action_space = spaces.Dict(
             {
@@ -145,16 +144,12 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
     ) -> tuple[Observation, dict[str, Any]]:
         """Enter a home. UsageError for one that is not there."""
         super().reset(seed=seed)
-        chosen = (options or {}).get("home")
-        home = int(self.np_random.integers(self._count)) if chosen is None else int(chosen)
-        if not 0 <= home < self._count:
-            raise UsageError(f"home {home}: there are {self._count}, from 0 on")
+        home = self._chosen(options)
         rng = lane(int(self.np_random.integers(2**31)), home, "agent")
         if self._eyes is None:
             renderer = process_renderer(self._renderer)
             self._eyes = Eyes(self._library, renderer, self.options.whole_home)
         self._episode = Episode(self._stages(home), self._library, self._eyes, self.options, rng)
-        self._paid = set()
         self._look = self._episode.look()
         return self._observed(self._look), self._told(self._episode.stage)
 
@@ -175,9 +170,25 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         over = self.episode.over
         if over:
             info["score"] = score_episode(self.episode, self._tour()).model_dump(mode="json")
-        reward = self._reward(result, target) if move == "report" else 0.0
         done = self.episode.done
-        return self._observed(self._look), reward, done, over and not done, info
+        return self._observed(self._look), result.reward, done, over and not done, info
+
+    def _chosen(self, options: object) -> int:
+        """The home that a reset asks for, or one drawn by its seed. Raises UsageError."""
+        drawn = int(self.np_random.integers(self._count))
+        if options is None:
+            return drawn
+        if not isinstance(options, Mapping):
+            raise UsageError(f"reset: options are a mapping: {options!r}")
+        unknown = sorted(map(str, set(options) - {"home"}))
+        if unknown:
+            raise UsageError(f"reset: no option {unknown[0]!r}: home is the one there is")
+        home = options.get("home", drawn)
+        if isinstance(home, bool) or not isinstance(home, int | np.integer):
+            raise UsageError(f"reset: home: {home!r} is no whole number")
+        if not 0 <= home < self._count:
+            raise UsageError(f"home {home}: there are {self._count}, from 0 on")
+        return int(home)
 
     def _tour(self) -> Tour | None:
         """The shortest tour of this home, where it was built with certificates for such a lens."""
@@ -186,18 +197,6 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         if found is None or found.lens != self.options.camera:
             return None
         return shortest_tour(found, House(stage.scene, self._library).floor, self.episode.trail[0])
-
-    def _reward(self, result: Result, target: int) -> float:
-        """What the last report is worth."""
-        said = self.episode.reports.get(target)
-        if result.refused is not None or said is None or said.notify == "silent":
-            return 0.0
-        if target in self._paid:
-            return 0.0
-        self._paid.add(target)
-        wanted = {one.object_id for one in self.episode.stage.anomalies if one.report}
-        share = 1.0 / max(1, len(wanted))
-        return share if target in wanted else -share
 
     def render(self) -> npt.NDArray[np.uint8] | None:
         """What the agent sees, (H, W, 3) uint8; None without a render mode."""
@@ -245,7 +244,7 @@ def _words(action: Any) -> tuple[str, int, str, Any]:
     """Move, target, label and notify of an action. Raises UsageError."""
     if not isinstance(action, Mapping):
         raise UsageError(f"an action is a mapping of move, target, label and notify: {action!r}")
-    unknown = sorted(set(action) - {"move", "target", "label", "notify"})
+    unknown = sorted(map(str, set(action) - {"move", "target", "label", "notify"}))
     if unknown or "move" not in action:
         what = f"no {unknown[0]!r}" if unknown else "no move"
         raise UsageError(f"an action has move, target, label and notify: {what}")
@@ -259,12 +258,13 @@ def _words(action: Any) -> tuple[str, int, str, Any]:
 
 def _number(action: Action, name: str, count: int) -> int:
     value = action.get(name, 0)
-    if isinstance(value, float) or not np.issubdtype(np.asarray(value).dtype, np.integer):
+    if isinstance(value, np.ndarray) and value.size == 1:
+        value = value.reshape(-1)[0]
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer):
         raise UsageError(f"action: {name}: {value!r} is no whole number")
-    number = int(np.asarray(value).reshape(()))
-    if not 0 <= number < count:
-        raise UsageError(f"action: {name}: {number} is not in 0 to {count - 1}")
-    return number
+    if not 0 <= value < count:
+        raise UsageError(f"action: {name}: {value} is not in 0 to {count - 1}")
+    return int(value)
 
 
 def _observations(options: AgentOptions) -> spaces.Dict:

@@ -16,7 +16,7 @@ from sdgen.agent.house import House
 from sdgen.agent.moves import LABELS, MOVES, NOTIFY, Move
 from sdgen.agent.options import AgentOptions
 from sdgen.agent.stage import Stage
-from sdgen.agent.ways import length_m
+from sdgen.agent.ways import first_part, length_m
 from sdgen.cameras.lens import Gaze, toward
 from sdgen.dataset.records import Report
 from sdgen.errors import UsageError, did_you_mean
@@ -37,7 +37,7 @@ class Result:
     """What came of a move, and of what it was told (``argument``): the pictures it gave, in order
     (one; of a scan one for each heading; of ``stop`` and of what was refused none), why it was
     refused (None: it was not), and whether it hit something. ``opened``: doors that were opened on
-    the way."""
+    the way; ``reward``: what a report is worth."""
 
     move: Move
     argument: Argument
@@ -45,6 +45,7 @@ class Result:
     refused: str | None = None
     collided: bool = False
     opened: tuple[int, ...] = ()
+    reward: float = 0.0
 
 
 class Episode:
@@ -126,6 +127,7 @@ class Episode:
 
     def turn(self, times: int = 1) -> Result:
         """Turn left, or right where ``times`` is negative; each is a step."""
+        times = self._left(times)
         yaw = self.gaze.yaw_rad + times * self.options.turn_rad
         self.gaze = self.gaze._replace(yaw_rad=math.remainder(yaw, 2 * math.pi))
         move: Move = "turn_left" if times >= 0 else "turn_right"
@@ -135,6 +137,7 @@ class Episode:
     def tilt(self, times: int = 1) -> Result:
         """Look further up, or down where ``times`` is negative, as far as the neck goes."""
         most = math.radians(self.options.pitch_most_deg)
+        times = self._left(times)
         pitch = self.gaze.pitch_rad + times * math.radians(self.options.look_deg)
         self.gaze = self.gaze._replace(pitch_rad=min(max(pitch, -most), most))
         move: Move = "look_up" if times >= 0 else "look_down"
@@ -193,13 +196,17 @@ class Episode:
         stuck = [why for door in opened if (why := self._moved(door, True)) is not None]
         if stuck:
             return self._refuse("go_to", asked, stuck[0])
+        # Who has no more steps stops on the way.
+        most_m = max(0, self._steps_left - len(opened)) * self.options.forward_m
+        short = length_m(way) > most_m
+        way = first_part(way, most_m)
         walked = length_m(way)
         yaw = self.gaze.yaw_rad
         if len(way) > 1:
             yaw = math.atan2(way[-1][1] - way[-2][1], way[-1][0] - way[-2][0])
         most = math.radians(self.options.pitch_most_deg)
         pitch = self.gaze.pitch_rad if pitch_rad is None else min(max(pitch_rad, -most), most)
-        self.gaze = Gaze(*way[-1], yaw if yaw_rad is None else yaw_rad, pitch)
+        self.gaze = Gaze(*way[-1], yaw if yaw_rad is None or short else yaw_rad, pitch)
         self.path_m += walked
         self.trail += way[1:]
         steps = max(1, math.ceil(walked / self.options.forward_m)) + len(opened)
@@ -234,7 +241,9 @@ class Episode:
     ) -> Result:
         """Say that an object is wrong, in place of what was said of it before.
 
-        UsageError for a label or a notify that nobody knows.
+        Worth 1 / |A+| for an anomaly that the household wants reported, minus that for one that it
+        does not want and for what is none, nothing where it is ``silent``; less what was said of it
+        before was worth. UsageError for a label or a notify that nobody knows.
         """
         if label not in LABELS:
             raise UsageError(f"no label {label!r}{did_you_mean(label, LABELS)}")
@@ -243,9 +252,17 @@ class Episode:
         asked = {"object_id": key, "label": label, "notify": notify}
         if key not in self.house.bodies:
             return self._refuse("report", asked, f"there is no object {key}")
+        before = self._worth(key)
         self.reports[key] = Report(object_id=key, label=label, notify=notify, score=score)
-        self.reported_at.setdefault(key, self.steps)
-        return self._seen("report", asked)
+        self.reported_at.setdefault(key, self.steps + 1)
+        return self._seen("report", asked, reward=self._worth(key) - before)
+
+    def _worth(self, key: int) -> float:
+        said = self.reports.get(key)
+        if said is None or said.notify == "silent":
+            return 0.0
+        wanted = {one.object_id for one in self.stage.anomalies if one.report}
+        return (1.0 if key in wanted else -1.0) / max(1, len(wanted))
 
     def stop(self) -> Result:
         """Say that one is done."""
@@ -292,9 +309,18 @@ class Episode:
         steps: int = 1,
         collided: bool = False,
         opened: tuple[int, ...] = (),
+        reward: float = 0.0,
     ) -> Result:
         self.steps += steps
-        return self._told(Result(move, asked, (self.look(),), None, collided, opened))
+        return self._told(Result(move, asked, (self.look(),), None, collided, opened, reward))
+
+    @property
+    def _steps_left(self) -> int:
+        return max(0, self.options.max_steps - self.steps)
+
+    def _left(self, times: int) -> int:
+        """As often as there are steps for, with its sign."""
+        return int(math.copysign(min(abs(times), max(1, self._steps_left)), times))
 
     def _refuse(self, move: Move, asked: Argument, why: str) -> Result:
         self.steps += 1

@@ -11,14 +11,16 @@ import numpy.typing as npt
 
 from sdgen.agent.eyes import Look
 from sdgen.dataset import SceneItem
-from sdgen.scene import Camera, Frame, Graph, Visibility
+from sdgen.errors import UsageError
+from sdgen.scene import Anomalies, Camera, Frame, Graph, Visibility
 from sdgen.truth.visibility import visibility_of
 
 
 @dataclass(frozen=True, repr=False)
 class Explored(SceneItem):
     """A scene as one agent saw it: its views are the agent's pictures, its graph is made out of
-    them. Nothing else of the scene is shown to a detector that keeps to views and graph."""
+    them. It has no labels and no true graph; ``scene`` is there for who makes out the graph, and
+    detectors keep off it."""
 
     looks: tuple[Look, ...] = ()
 
@@ -28,6 +30,16 @@ class Explored(SceneItem):
         return tuple(
             look.camera.model_copy(update={"index": k}) for k, look in enumerate(self.looks)
         )
+
+    @cached_property
+    def anomalies(self) -> Anomalies:
+        """Raises UsageError: what an agent saw has no labels."""
+        raise UsageError("what an agent saw has no anomalies.json: they are to be found")
+
+    @cached_property
+    def scene_graph(self) -> Graph:
+        """Raises UsageError: of what an agent saw there is ``shown_graph``."""
+        raise UsageError("what an agent saw has no graph.json: shown_graph is made out of it")
 
     def has(self, view: int, name: str) -> bool:
         """Whether a picture has what this file would hold."""
@@ -73,11 +85,13 @@ class Explored(SceneItem):
 
 def explored(item: SceneItem, looks: Iterable[Look]) -> Explored:
     """A scene as these pictures show it."""
+    seen = tuple(looks)
+    told = {"views": len(seen), "anomalies": 0, "hazards": {}, "lookalikes": 0}
     return Explored(
         item.root,
-        item.entry,
+        item.entry.model_copy(update=told),
         "perceived",
         checked=item.checked,
         eyes=item.eyes,
-        looks=tuple(looks),
+        looks=seen,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from sdgen.cameras.lens import Lens
 from sdgen.scene import Record
@@ -36,6 +36,12 @@ class AgentOptions(Record):
     start: Literal["scene", "random"] = "scene"
     max_steps: int = Field(default=500, ge=1, le=1_000_000)
     whole_home: bool = False
+
+    @model_validator(mode="after")
+    def _within_neck(self) -> AgentOptions:
+        if abs(self.pitch_deg) > self.pitch_most_deg:
+            raise ValueError(f"pitch_deg is beyond the {self.pitch_most_deg:g} of pitch_most_deg")
+        return self
 
     @property
     def turn_rad(self) -> float:

@@ -37,8 +37,9 @@ class EpisodeScore(Record):
     ``sdgen evaluate`` (None: not defined for it).
 
     ``path_m`` was walked in ``steps``; ``shortest_m`` is the tour that sees all that can be seen,
-    ``path_ratio`` how much of the walk it is (0 to 1; both None without certificates, or where
-    nothing can be seen). ``coverage``: the share of the floor plan that was seen. ``refused``:
+    ``path_ratio`` how much of the walk it is, times the share of the observable that was shown (0
+    to 1, as SPL: Anderson et al. 2018; both None without certificates, or where nothing can be
+    seen). ``coverage``: the share of the floor plan that was seen. ``refused``:
     moves that could not be done, ``collisions``: steps into something.
     """
 
@@ -71,8 +72,10 @@ def score_episode(episode: Episode, tour: Tour | None = None) -> EpisodeScore:
     finds = tuple(_find(episode, one, tour) for one in anomalies)
     shortest = tour.length_m if tour is not None and tour.stops else None
     ratio = None
-    if shortest is not None:
-        ratio = shortest / max(shortest, episode.path_m) if shortest else 1.0
+    seen = [find.shown is not None for find in finds if find.observable]
+    if shortest is not None and seen:
+        least = shortest / max(shortest, episode.path_m) if shortest else 1.0
+        ratio = least * sum(seen) / len(seen)
     return EpisodeScore(
         scene=episode.stage.id,
         AS=scores.as_,

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from sdgen.agent.episode import Episode, Result
 from sdgen.agent.moves import AIMED, LABELS, MOVES, NOTIFY, Move
-from sdgen.errors import InputError, did_you_mean
+from sdgen.errors import InputError, UsageError, did_you_mean
 from sdgen.scene import LARGEST_ID, Notify
 
 #: A move may be repeated so often in one line.
@@ -21,7 +21,7 @@ class Line:
 
     move: Move
     times: int = 1
-    target: int = 0
+    target: int | str = 0
     label: str = ""
     notify: Notify = "now"
 
@@ -30,14 +30,34 @@ class Line:
         for _ in range(self.times):
             if episode.over:
                 return
-            yield episode.do(self.move, self.target, self.label, self.notify)
+            target = meant(episode, self.target) if self.move in AIMED else 0
+            yield episode.do(self.move, target, self.label, self.notify)
+
+
+def meant(episode: Episode, target: int | str) -> int:
+    """The id of what is called by an id, by the type of a room, or by the category of an object
+    (the nearest one). UsageError for what is not there."""
+    if isinstance(target, int):
+        return target
+    rooms = [room.id for room in episode.stage.scene.home.rooms if room.type == target]
+    if rooms:
+        return rooms[0]
+    here = episode.gaze.point
+    things = {key: body.item.category for key, body in episode.house.bodies.items()}
+    near = [
+        (episode.house.away_m(here, key), key) for key, name in things.items() if name == target
+    ]
+    if not near:
+        known = sorted({*things.values(), *(r.type for r in episode.stage.scene.home.rooms)})
+        raise UsageError(f"no room or object called {target!r}{did_you_mean(target, known)}")
+    return min(near)[1]
 
 
 def read_script(text: str, where: str) -> tuple[Line, ...]:
     """Lines of a script: a move a line (or between commas), empty lines and what follows a ``#``
     left out.
 
-    ``forward 4``, ``turn_left 3``, ``look_down``, ``scan``, ``go_to 17``, ``open 17``,
+    ``forward 4``, ``turn_left 3``, ``look_down``, ``scan``, ``go_to kitchen``, ``open 17``,
     ``report 17 unsafe for children now``, ``stop``. Raises InputError with all that is wrong.
     """
     problems: list[str] = []
@@ -67,11 +87,12 @@ def _line(words: Sequence[str]) -> Line:
         times = _number(move, rest[0], _MOST_TIMES) if rest else 1
         return Line(move, times)
     if not rest:
-        raise ValueError(f"{move} takes the id of a room or an object")
-    target = _number(move, rest[0], LARGEST_ID)
+        raise ValueError(f"{move} takes a room or an object: its id, its type or category")
+    named = re.fullmatch("[a-z][a-z0-9_]*", rest[0], re.ASCII) is not None
+    target = rest[0] if named else _number(move, rest[0], LARGEST_ID)
     if move != "report":
         if len(rest) > 1:
-            raise ValueError(f"{move} takes one id, and no more")
+            raise ValueError(f"{move} takes one of them, and no more")
         return Line(move, target=target)
     said = rest[1:]
     notify: Notify = "now"
@@ -80,8 +101,8 @@ def _line(words: Sequence[str]) -> Line:
         said = said[:-1]
     label = " ".join(said)
     if label not in LABELS:
-        known = ", ".join(LABELS)
-        raise ValueError(f"report takes an id and a label ({known}): not {label!r}")
+        known, ways = ", ".join(LABELS), ", ".join(NOTIFY)
+        raise ValueError(f"report takes an object, a label ({known}) and {ways}: not {label!r}")
     return Line(move, target=target, label=label, notify=notify)
 
 

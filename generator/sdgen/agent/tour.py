@@ -1,8 +1,9 @@
-"""The shortest tour that sees every anomaly that can be seen: what no explorer walks less than.
+"""The shortest tour that sees every anomaly that can be seen, among the certificates' places.
 
-Places of the certificates' lattice that see each other are joined by straight ways; the shortest
-walk that passes, for each anomaly, a place from which it can be seen is found exactly among them
-(Dijkstra over place and set of anomalies seen). It is then drawn tight over the free floor.
+Places of the lattice that see each other are joined by straight ways; the shortest walk that
+passes, for each anomaly, a place from which it can be seen is found exactly among them (Dijkstra
+over place and set of anomalies seen). It is then drawn tight over the free floor. Between places of
+the lattice there may be shorter ones, by as much as its spacing for each anomaly.
 """
 
 from __future__ import annotations

@@ -123,3 +123,18 @@ def _bends(shape: BaseGeometry) -> Iterator[Vec2]:
 def length_m(way: Sequence[Vec2]) -> float:
     """How long a way is."""
     return math.fsum(math.dist(a, b) for a, b in pairwise(way))
+
+
+def first_part(way: Sequence[Vec2], most_m: float) -> tuple[Vec2, ...]:
+    """As much of a way, from its start, as is so long."""
+    out = [way[0]]
+    left = most_m
+    for a, b in pairwise(way):
+        far = math.dist(a, b)
+        if far > left:
+            share = left / far
+            out.append((a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])))
+            break
+        out.append(b)
+        left -= far
+    return tuple(out)

@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.cameras.lens import Gaze, Lens, pose_at
-from sdgen.cameras.outdoors import STRIP_PIXELS, in_strips, passes
+from sdgen.cameras.outdoors import STRIP_PIXELS, passes
 from sdgen.cameras.sight import Cast, Hits
 from sdgen.geometry import Array, look_at, vec3
 from sdgen.scene import Opening
@@ -68,12 +68,19 @@ class Glimpse:
         return out
 
     def _in_strips(self, seen: Bools, x: Array, lens: Lens) -> Bools:
-        """Which of the seen rays lie in strips that are wide enough to tell."""
-        rows = seen.reshape(-1, self.across)
-        wide = np.abs(np.diff(x.reshape(-1, self.across)[:, :2], axis=1))[:, 0]
-        least = STRIP_PIXELS * lens.width / REFERENCE_SIZE[0] / np.maximum(wide, 1e-9)
-        told = in_strips(rows, least) / np.maximum(rows.sum(axis=1), 1)
-        return np.asarray((rows * told[:, None]).reshape(seen.shape))
+        """Which of the seen rays lie in strips that are wide enough to tell, in whole pixels."""
+        rows, at = seen.reshape(-1, self.across), x.reshape(-1, self.across)
+        width = np.abs(np.diff(at, axis=1, append=2 * at[:, -1:] - at[:, -2:-1]))
+        total = np.cumsum(np.where(rows, width, 0.0), axis=1)
+        total = np.pad(total, ((0, 0), (1, 0)))
+        edges = np.diff(np.pad(rows, ((0, 0), (1, 1))).astype(np.int8), axis=1)
+        (row, first), (_, last) = np.nonzero(edges == 1), np.nonzero(edges == -1)
+        least = math.ceil(STRIP_PIXELS * lens.width / REFERENCE_SIZE[0])
+        tells = total[row, last] - total[row, first] >= least
+        marks = np.zeros((len(rows), self.across + 1), dtype=np.int8)
+        marks[row[tells], first[tells]] += 1
+        marks[row[tells], last[tells]] -= 1
+        return np.asarray(np.cumsum(marks, axis=1)[:, :-1].reshape(seen.shape) > 0)
 
 
 def turns_of(yaws_rad: Sequence[float], pitches_rad: Sequence[float]) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -14,12 +15,13 @@ from sdgen.cli.shared_options import ASSETS, RENDERER
 from sdgen.errors import UsageError
 
 if TYPE_CHECKING:
-    from sdgen.dataset import Dataset
     from sdgen.detectors.run import Detector
 
 #: As ``sdgen.agent.explorers`` and ``sdgen.detectors`` have them, loaded only when they are used.
 EXPLORERS = ("random", "rooms", "frontier", "planner")
 METHODS = ("rules", "never", "always", "chance")
+#: As ``Lens`` has it.
+LARGEST = 2048
 
 
 @click.command(short_help="Walk through a home, or have it explored.")
@@ -37,7 +39,7 @@ METHODS = ("rules", "never", "always", "chance")
     type=click.Choice(EXPLORERS),
     multiple=True,
     help="Have it explored: random walk, room by room, nearest frontier, or a planner that knows "
-    "from where the anomalies can be seen. Repeatable without SCENE.",
+    "from where the anomalies can be seen. Repeatable without SCENE [default there: all four].",
 )
 @click.option(
     "--method",
@@ -102,7 +104,7 @@ METHODS = ("rules", "never", "always", "chance")
 )
 @click.option(
     "--pitch",
-    type=click.FloatRange(-80.0, 80.0),
+    type=click.FloatRange(-60.0, 60.0),
     default=0.0,
     metavar="DEGREES",
     help="Its pitch at the start; up is positive [default: 0].",
@@ -175,6 +177,11 @@ def explore(
 
     alone = scene is not None
     _check(alone, script, explorers, methods, models, output, lerobot, plan_file, split, limit)
+    if max(pixels) > LARGEST:
+        raise UsageError(f"--size: an agent's camera has at most {LARGEST} pixels along a side")
+    for name, value in (("fov", fov), ("eye-height", eye_height), ("pitch", pitch)):
+        if not math.isfinite(value):
+            raise UsageError(f"--{name} {value}: no number")
     options = AgentOptions(
         camera=Lens(width=pixels[0], height=pixels[1], fov_x_deg=fov, height_m=eye_height),
         pitch_deg=pitch,
@@ -192,7 +199,9 @@ def explore(
         return
     from sdgen.cli.explore_one import Walk, explore_one
 
-    item = data.scene(_scene_id(data, scene))
+    item = data.scene(_scene_id(scene))
+    if script is None and not explorers and not (sys.stdin.isatty() and sys.stdout.isatty()):
+        raise UsageError("no terminal to take keys from: say --do MOVES or --explorer NAME")
     walk = Walk(script, explorers[0] if explorers else None, detectors, output, video, lerobot,
                 plan_file)  # fmt: skip
     explore_one(data, item, library, walk, options, seed, renderer, as_json)
@@ -227,8 +236,9 @@ def _check(
             raise UsageError("--method and --trained: one of them, for one scene")
         if (methods or models) and not explorers:
             raise UsageError("--method and --trained go with --explorer")
-        if script is None and not explorers and not (sys.stdin.isatty() and sys.stdout.isatty()):
-            raise UsageError("no terminal to take keys from: say --do MOVES or --explorer NAME")
+        source = context.get_parameter_source("video")
+        if source is click.core.ParameterSource.COMMANDLINE and output is None:
+            raise UsageError("--video goes with --out")
     else:
         names = ("script", "output", "lerobot", "plan_file", "video")
         flags = ("--do", "--out", "--lerobot", "--plan", "--video")
@@ -247,8 +257,8 @@ def _check(
         check_output(plan_file)
 
 
-def _scene_id(data: Dataset, text: str) -> str:
-    """``3`` is scene 000003. InputError of the data set for one that is not there."""
+def _scene_id(text: str) -> str:
+    """``3`` is scene 000003."""
     return f"{int(text):06d}" if text.isascii() and text.isdigit() and len(text) < 6 else text
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import click
 import numpy as np
+
+from sdgen.errors import UsageError
 
 if TYPE_CHECKING:
     from sdgen.agent.episode import Episode, Result
@@ -16,6 +19,8 @@ if TYPE_CHECKING:
 _HALF = "\u2580"
 #: Columns of the picture, and things that are named below it.
 _COLUMNS, _NAMED = 80, 8
+#: Lines of text below the picture.
+_LINES = 6
 
 HELP = (
     "w forward   a/d turn left/right   q/e look up/down   s scan   g go to   o open   c close   "
@@ -41,28 +46,54 @@ def by_keys(episode: Episode) -> None:
     }
     _show(episode, episode.look())
     while not episode.over:
-        key = click.getchar()
-        if key in plain:
-            result = plain[key]()
-        elif key in aimed:
-            result = aimed[key](click.prompt("id", type=int))
-        elif key == "r":
-            result = _report(episode)
-        else:
+        try:
+            result = _done(episode, plain, aimed)
+        except (KeyboardInterrupt, EOFError, click.Abort):
+            result = episode.stop()  # what was walked is kept
+        except UsageError as error:
+            click.echo(str(error))
+            continue
+        if result is None:
             click.echo(HELP)
             continue
-        if result.looks:
-            _show(episode, result.looks[-1])
+        for look in result.looks:
+            _show(episode, look)
         if result.refused is not None:
             click.echo(f"refused: {result.refused}")
         if result.collided:
             click.echo("something is in the way")
 
 
-def _report(episode: Episode) -> Result:
+def _done(
+    episode: Episode,
+    plain: dict[str, Callable[[], Result]],
+    aimed: dict[str, Callable[[int], Result]],
+) -> Result | None:
+    """What came of the next key; None for one that means nothing, or that was taken back."""
+    key = click.getchar()
+    if key in plain:
+        return plain[key]()
+    if key not in aimed and key != "r":
+        return None
+    target = _asked(episode)
+    if target is None:
+        return None
+    return _report(episode, target) if key == "r" else aimed[key](target)
+
+
+def _asked(episode: Episode) -> int | None:
+    """The id of a room or object, by its name too; None where only Enter is pressed."""
+    from sdgen.agent.script import meant
+
+    word = click.prompt("id or name (Enter: none)", default="", show_default=False).strip()
+    if not word:
+        return None
+    return meant(episode, int(word) if word.isascii() and word.isdigit() else word)
+
+
+def _report(episode: Episode, key: int) -> Result:
     from sdgen.agent.moves import LABELS, NOTIFY
 
-    key = click.prompt("id", type=int)
     label = click.prompt("label", type=click.Choice(LABELS))
     notify = click.prompt("notify", type=click.Choice(NOTIFY), default="now")
     return episode.report(key, label, notify)
@@ -79,9 +110,11 @@ def _show(episode: Episode, look: Look) -> None:
     click.echo(HELP)
 
 
-def blocks(look: Look, columns: int = _COLUMNS) -> str:
-    """A picture as lines of coloured half blocks."""
+def blocks(look: Look) -> str:
+    """A picture as lines of coloured half blocks, as large as the terminal takes."""
     height, width = look.rgb.shape[:2]
+    wide, high = shutil.get_terminal_size()
+    columns = max(2, min(_COLUMNS, wide, (high - _LINES) * 2 * width // height))
     rows = max(2, round(columns * height / width) // 2 * 2)
     across = (np.arange(columns) + 0.5) * width / columns
     down = (np.arange(rows) + 0.5) * height / rows

@@ -62,6 +62,8 @@ def explore_one(
     from sdgen.seeding import lane
 
     lines = _script(walk.script)
+    if lines is None and walk.explorer is None:
+        hint("opening the home ...")
     check_models(data, library)
     stage = stage_of(data, item)
     found = certificates(data, item, library, options)
@@ -85,7 +87,8 @@ def explore_one(
 
             by_keys(episode)
         score = score_episode(episode, tour)
-    film = recorder.film(score.model_dump(mode="json"))
+    said = [episode.reports[key].model_dump(mode="json") for key in sorted(episode.reports)]
+    film = recorder.film({**score.model_dump(mode="json"), "reports": said})
     _write(walk, film, library, stage.scene, found, episode.trail)
     if as_json:
         click.echo(json.dumps(score.model_dump(mode="json"), indent=1))
@@ -104,7 +107,7 @@ def _script(text: str | None) -> Any:
         return read_script(text, "--do")
     path = Path(text[1:])
     try:
-        return read_script(read_bytes(path, str(path)).decode("utf-8"), str(path))
+        return read_script(read_bytes(path, str(path)).decode("utf-8-sig"), str(path))
     except UnicodeDecodeError:
         raise InputError([f"{path}: no text in UTF-8"]) from None
 
@@ -138,21 +141,27 @@ def _write(
     found: Observability,
     trail: Sequence[Vec2],
 ) -> None:
+    # What may fail comes first: nothing is to be half written.
+    if walk.lerobot is not None:
+        from sdgen.agent.film.lerobot import write_lerobot
+
+        camera = film.options.camera
+        even = camera.width % 2 == camera.height % 2 == 0
+        write_lerobot([film], walk.lerobot, pictures="video" if even else "image")
+        hint(f"{walk.lerobot}: a LeRobot data set of one episode")
+    if walk.plan is not None:
+        from sdgen.agent.plan import certificate_plan
+        from sdgen.dataset.output_file import output_file
+
+        with output_file(walk.plan) as file:
+            certificate_plan(scene, library.infos, found, trail).save(file, "PNG")
+        hint(f"{walk.plan}")
     if walk.output is not None:
         from sdgen.agent.film.folder import write_folder
 
         write_folder(film, walk.output, walk.video)
-        hint(f"{walk.output}: {len(film.steps)} steps")
-    if walk.lerobot is not None:
-        from sdgen.agent.film.lerobot import write_lerobot
-
-        write_lerobot([film], walk.lerobot)
-        hint(f"{walk.lerobot}: a LeRobot data set of one episode")
-    if walk.plan is not None:
-        from sdgen.agent.plan import certificate_plan
-
-        certificate_plan(scene, library.infos, found, trail).save(walk.plan)
-        hint(f"{walk.plan}")
+        count = len(film.steps)
+        hint(f"{walk.output}: {count} picture{'s' * (count != 1)}")
 
 
 #: Why something was missed, in words.
@@ -172,9 +181,10 @@ def _echo(score: EpisodeScore) -> None:
     def said(value: float | None) -> str:
         return "-" if value is None else f"{value:.2f}"
 
+    tour = "no tour" if score.shortest_m is None else f"shortest tour {score.shortest_m:.1f} m"
     click.echo(
-        f"scene {score.scene}: {score.steps} steps, {score.path_m:.1f} m walked "
-        f"(shortest tour {said(score.shortest_m)} m), {score.coverage:.0%} of the floor seen, "
+        f"scene {score.scene}: {score.steps} step{'s' * (score.steps != 1)}, "
+        f"{score.path_m:.1f} m walked ({tour}), {score.coverage:.0%} of the floor seen, "
         f"{score.refused} refused, {score.collisions} collisions"
     )
     click.echo(

@@ -219,10 +219,16 @@ class SceneItem:
 
     @cached_property
     def observability(self) -> Observability | None:
-        """``observability.json``; None where the scene was built without it."""
+        """``observability.json``; None where the scene was built without it. InputError, too, where
+        it speaks of other anomalies than the scene has."""
         if OBSERVABILITY_FILE not in self.entry.files:
             return None
-        return self.read(Observability, OBSERVABILITY_FILE)
+        found = self.read(Observability, OBSERVABILITY_FILE)
+        told = [(one.anomaly_id, one.object_id) for one in found.anomalies]
+        if told != [(one.id, one.object_id) for one in self.anomalies.anomalies]:
+            where = self.where(OBSERVABILITY_FILE)
+            raise InputError([f"{where}: anomalies: not those of anomalies.json"])
+        return found
 
     @cached_property
     def cameras(self) -> tuple[Camera, ...]:

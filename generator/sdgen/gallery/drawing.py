@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from sdgen.geometry import Vec2, apply, box_corners
 from sdgen.library.records import AssetInfo
-from sdgen.scene import Camera, Scene
+from sdgen.scene import Camera, ObjectInstance, Scene
 from sdgen.vocabulary import OPENINGS
 
 #: SVG units a metre. Letters and lines (style.css.j2) are measured in these units: homes of 6 to
@@ -92,7 +92,12 @@ def draw_home(
         Shape("walkway", drawn(z.polygon_m), z.kind) for z in scene.zones if z.kind == "walkway"
     ]
     late = []
-    for item in sorted(scene.objects, key=lambda o: (o.pose.position_m[2], o.id)):
+
+    def height(item: ObjectInstance) -> tuple[float, float, int]:
+        """What lies below is drawn first: of what stands on the floor, the rugs."""
+        return item.pose.position_m[2], infos[item.asset].extents_m[2], item.id
+
+    for item in sorted(scene.objects, key=height):
         x, y, _ = infos[item.asset].extents_m
         box = box_corners((-x / 2, -y / 2, 0.0), (x / 2, y / 2, 0.0))[[0, 2, 6, 4]]
         world = item.pose.matrix()

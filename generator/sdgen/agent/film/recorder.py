@@ -22,17 +22,18 @@ class Recorder:
         self._steps: list[Step] = []
         self._add("start", {}, look, look.gaze)
 
-    def add(self, result: Result, reward: float = 0.0) -> None:
+    def add(self, result: Result) -> None:
         """What came of a move."""
         last = self._steps[-1]
         looks = result.looks or (None,)
+        first = self._episode.steps - len(looks) + 1 if result.move == "scan" else 0
         for k, look in enumerate(looks):
+            steps = first + k if result.move == "scan" else self._episode.steps
             end = k == len(looks) - 1
-            told = (result.refused, reward) if end else (None, 0.0)
+            told = (result.refused, result.reward) if end else (None, 0.0)
             gaze = self._episode.gaze if look is None else look.gaze
-            self._add(
-                result.move, result.argument, look, gaze, *told, self._episode.over and end, last
-            )
+            over = self._episode.over and end
+            self._add(result.move, result.argument, look, gaze, *told, over, steps, last)
 
     def _add(
         self,
@@ -43,6 +44,7 @@ class Recorder:
         refused: str | None = None,
         reward: float = 0.0,
         done: bool = False,
+        steps: int = 0,
         last: Step | None = None,
     ) -> None:
         sensors = self._episode.options.sensors
@@ -67,6 +69,7 @@ class Recorder:
                 refused=refused,
                 reward=reward,
                 done=done,
+                steps=steps,
                 **kept,
             )
         )

@@ -32,7 +32,8 @@ class FilmRecord(Record):
 
 
 class StepRecord(Record):
-    """A line of ``trajectory.jsonl``: an action, and where the agent is and looks after it.
+    """A line of ``trajectory.jsonl``: an action, where the agent is and looks after it, and how
+    many ``steps`` it has taken by then.
 
     ``camera`` is a view like those of a data set, with ``K`` and ``world_from_camera``; ``files``
     are the pictures that there are.
@@ -49,6 +50,7 @@ class StepRecord(Record):
     refused: str | None
     reward: float
     done: bool
+    steps: int
     files: dict[Picture, str]
 
 
@@ -84,6 +86,7 @@ def step_record(step: Step) -> StepRecord:
         refused=step.refused,
         reward=step.reward,
         done=step.done,
+        steps=step.steps,
         files={name: picture_file(step.index, name) for name in PICTURES if name in step.pictures},
     )
 
@@ -103,4 +106,5 @@ def step_of(line: StepRecord, pictures: dict[Picture, Any]) -> Step:
         refused=line.refused,
         reward=line.reward,
         done=line.done,
+        steps=line.steps,
     )

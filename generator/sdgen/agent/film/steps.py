@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
@@ -28,8 +29,9 @@ class Step:
 
     ``argument`` is what the action was given. Data sets to learn from look there for ``forward_m``,
     ``turn_rad`` and ``look_rad`` (else they take what really changed) and for ``object_id``.
-    ``refused`` says why nothing happened. ``rgb`` is (H, W, 3) uint8, ``depth_mm`` and ``instance``
-    are (H, W) uint16. Raises ValueError for pictures that are not the camera's.
+    ``refused`` says why nothing happened, ``steps`` how many steps the agent has taken by then.
+    ``rgb`` is (H, W, 3) uint8, ``depth_mm`` and ``instance`` are (H, W) uint16. Raises ValueError
+    for pictures that are not the camera's.
     """
 
     index: int
@@ -44,6 +46,7 @@ class Step:
     refused: str | None = None
     reward: float = 0.0
     done: bool = False
+    steps: int = 0
 
     def __post_init__(self) -> None:
         size = (self.camera.height, self.camera.width)
@@ -63,8 +66,9 @@ class Step:
 
     @property
     def caption(self) -> str:
-        """``12 forward 0.25``: what was done, on one line."""
-        words = [str(self.index), self.action, *(_shown(v) for v in self.argument.values())]
+        """``12 turn_left 30 deg``: steps taken and what was done, on one line."""
+        words = [str(self.steps), self.action]
+        words += [_shown(name, value) for name, value in self.argument.items()]
         return " ".join(words) + (f": {self.refused}" if self.refused else "")
 
 
@@ -80,5 +84,7 @@ class Film:
     summary: Mapping[str, Any] = field(default_factory=dict)
 
 
-def _shown(value: float | str) -> str:
+def _shown(name: str, value: float | str) -> str:
+    if name.endswith("_rad") and not isinstance(value, str):
+        return f"{math.degrees(value):.0f} deg"
     return f"{value:.3g}" if isinstance(value, float) else str(value)

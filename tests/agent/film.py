@@ -56,5 +56,6 @@ def _step(k: int, steps: int, lens: Lens, rgb: bool) -> Step:
         refused="a chair is in the way" if k == 1 else None,
         reward=0.5 * k,
         done=k == steps - 1,
+        steps=k,
         **pictures,
     )

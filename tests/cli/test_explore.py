@@ -41,7 +41,9 @@ def test_a_script_is_walked_filmed_and_scored(
     assert [line["action"] for line in lines] == [
         "start", "forward", "forward", "turn_left", "turn_left", "go_to", *["scan"] * 12, "stop",
     ]  # fmt: skip
-    assert json.loads((walk / "episode.json").read_text())["summary"] == score
+    summary = json.loads((walk / "episode.json").read_text())["summary"]
+    assert summary == {**score, "reports": []}
+    assert [line["steps"] for line in lines][-3:] == [16, 17, 18]
     with Image.open(walk / "video.gif") as film, Image.open(plan) as drawn:
         assert film.n_frames == len(lines)
         assert min(drawn.size) > 200

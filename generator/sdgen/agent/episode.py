@@ -192,24 +192,24 @@ class Episode:
         way = self.house.floor.route(self.gaze.point, point, doors=True)
         if way is None:
             return self._refuse("go_to", asked, "no way leads there")
+        # Who has no more steps stops on the way.
+        left = self._steps_left
+        way = first_part(way, left * self.options.forward_m)
         opened = self.house.floor.shut_on(way)
         stuck = [why for door in opened if (why := self._moved(door, True)) is not None]
         if stuck:
             return self._refuse("go_to", asked, stuck[0])
-        # Who has no more steps stops on the way.
-        most_m = max(0, self._steps_left - len(opened)) * self.options.forward_m
-        short = length_m(way) > most_m
-        way = first_part(way, most_m)
+        way = first_part(way, max(0, left - len(opened)) * self.options.forward_m)
         walked = length_m(way)
         yaw = self.gaze.yaw_rad
         if len(way) > 1:
             yaw = math.atan2(way[-1][1] - way[-2][1], way[-1][0] - way[-2][0])
         most = math.radians(self.options.pitch_most_deg)
         pitch = self.gaze.pitch_rad if pitch_rad is None else min(max(pitch_rad, -most), most)
-        self.gaze = Gaze(*way[-1], yaw if yaw_rad is None or short else yaw_rad, pitch)
+        self.gaze = Gaze(*way[-1], yaw if yaw_rad is None or way[-1] != point else yaw_rad, pitch)
         self.path_m += walked
         self.trail += way[1:]
-        steps = max(1, math.ceil(walked / self.options.forward_m)) + len(opened)
+        steps = max(1, math.ceil(walked / self.options.forward_m - 1e-6)) + len(opened)
         return self._seen("go_to", asked, steps, opened=opened)
 
     def open(self, key: int) -> Result:

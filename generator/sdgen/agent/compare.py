@@ -74,8 +74,8 @@ def compare(
     """The rows of all explorers with all detectors, and of the detectors without exploring.
 
     An explorer looks, then each detector says what it makes of the same pictures; ``limit``: of
-    the first so many homes. UsageError for
-    an explorer nobody knows; InputError for another library than the data set was built with.
+    the first so many homes. UsageError for an explorer nobody knows; InputError for another library
+    than the data set was built with.
     """
     for name in explorers:
         if name not in EXPLORERS:

@@ -292,11 +292,6 @@ class Episode:
             return self.report(target, label, notify)
         raise UsageError(f"no move {move!r}{did_you_mean(move, MOVES)}")
 
-    def say(self, reports: Iterable[Report]) -> None:
-        """Report all of these where the agent stands, each a step."""
-        for one in reports:
-            self.report(one.object_id, one.label, one.notify, one.score)
-
     def conclude(self, reports: Iterable[Report]) -> None:
         """Have these be all that was said, at the end: no steps are taken for them."""
         self.reports = {one.object_id: one for one in reports}

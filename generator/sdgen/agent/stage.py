@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sdgen.catalog.records import Catalog
@@ -40,11 +39,6 @@ def stage_of(data: Dataset, item: SceneItem) -> Stage:
     with derived_from(data, item):
         anomalies = item.anomalies.anomalies
         return Stage(item.scene, item.household, anomalies, data.catalog, item.observability)
-
-
-def stages_of(data: Dataset) -> Iterator[Stage]:
-    """All scenes of a data set, one after another."""
-    return (stage_of(data, item) for item in data)
 
 
 def fresh_stage(

@@ -96,10 +96,6 @@ class Floor:
         spot = Point(point)
         return min(self._rooms, key=lambda room: room[1].distance(spot))[0]
 
-    def of_room(self, room_id: int) -> BaseGeometry:
-        """The part of the free floor that lies in a room. KeyError for one that is not there."""
-        return self.shape.intersection(self.outline_of(room_id))
-
     def within_reach(self, start: Vec2) -> BaseGeometry:
         """The part of the floor that can be got to from a point, doors being opened on the way."""
         pieces = polygons(self.open_shape)

@@ -33,7 +33,14 @@ def stage(index: int = 0) -> Stage:
 
 @cache
 def eyes() -> Eyes:
+    """For all tests of a module: whoever uses them lets go of them at its end."""
     return Eyes(shipped_library(), process_renderer())
+
+
+def let_go() -> None:
+    """EGL allows one renderer a process: other modules draw with their own."""
+    eyes().close()
+    eyes.cache_clear()
 
 
 def episode(of: Stage | None = None, options: AgentOptions = OPTIONS, seed: int = 0) -> Episode:

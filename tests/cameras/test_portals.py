@@ -12,6 +12,7 @@ from sdgen.render.process import process_renderer
 from sdgen.seeding import lane
 
 from tests.agent import homes
+from tests.agent.conftest import no_renderer_is_left as no_renderer_is_left
 from tests.shipped import shipped_library
 
 LENS = Lens(width=96, height=96)

@@ -21,6 +21,7 @@ from sdgen.truth.visibility import part_names, shows, view_visibility
 from shapely.geometry import Point
 
 from tests.agent import homes
+from tests.agent.conftest import no_renderer_is_left as no_renderer_is_left
 from tests.shipped import shipped_library
 
 LENS = Lens(width=160, height=120)

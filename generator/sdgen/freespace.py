@@ -201,6 +201,20 @@ class Grid:
         return left
 
 
+def lattice_points(shape: BaseGeometry, spacing_m: float) -> list[Vec2]:
+    """Points of a square lattice within a shape, by x and then y."""
+    if shape.is_empty:
+        return []
+    x0, y0, x1, y1 = shape.bounds
+    xs, ys = (
+        np.arange(math.ceil(low / spacing_m), math.floor(high / spacing_m) + 1) * spacing_m
+        for low, high in ((x0, x1), (y0, y1))
+    )
+    x, y = (axis.ravel() for axis in np.meshgrid(xs, ys, indexing="ij"))
+    inside = shapely.contains_xy(shape, x, y)
+    return list(zip(x[inside].tolist(), y[inside].tolist(), strict=True))
+
+
 class Pieces:
     """A shape taken apart once, to draw points from it."""
 

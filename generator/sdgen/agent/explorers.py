@@ -15,7 +15,7 @@ from sdgen.agent.episode import Episode
 from sdgen.agent.eyes import Look
 from sdgen.agent.tour import Tour
 from sdgen.agent.ways import length_m
-from sdgen.freespace import polygons
+from sdgen.freespace import lattice_points, polygons
 from sdgen.geometry import Vec2
 from sdgen.seeding import Rng
 
@@ -129,14 +129,7 @@ def _lattice(shape: shapely.Geometry, spacing_m: float) -> list[Vec2]:
     """Points of a square lattice within a shape; of each piece without any, one."""
     out: list[Vec2] = []
     for piece in polygons(shape):
-        x0, y0, x1, y1 = piece.bounds
-        xs, ys = (
-            np.arange(math.ceil(low / spacing_m), math.floor(high / spacing_m) + 1) * spacing_m
-            for low, high in ((x0, x1), (y0, y1))
-        )
-        x, y = (axis.ravel() for axis in np.meshgrid(xs, ys, indexing="ij"))
-        inside = shapely.contains_xy(piece, x, y)
-        found = list(zip(x[inside].tolist(), y[inside].tolist(), strict=True))
+        found = lattice_points(piece, spacing_m)
         if not found:
             middle = piece.representative_point()
             found = [(float(middle.x), float(middle.y))]

@@ -25,6 +25,7 @@ from sdgen.cameras.parts import part_numbers, part_points
 from sdgen.cameras.portals import Portals
 from sdgen.cameras.sight import Cast, Hits
 from sdgen.catalog.records import Catalog
+from sdgen.freespace import lattice_points
 from sdgen.geometry import Array, Vec2
 from sdgen.hazards.twin import undone
 from sdgen.library import Library
@@ -124,12 +125,7 @@ def lattice(scene: Scene, spacing_m: float = SPACING_M) -> tuple[Vec2, ...]:
     """Places of the free space on a square lattice, and one of each piece that none lies in."""
     rings = [Polygon(ring).buffer(0) for ring in scene.free_space]
     shape = shapely.union_all(rings)
-    x0, y0, x1, y1 = shape.bounds
-    xs = np.arange(math.ceil(x0 / spacing_m), math.floor(x1 / spacing_m) + 1) * spacing_m
-    ys = np.arange(math.ceil(y0 / spacing_m), math.floor(y1 / spacing_m) + 1) * spacing_m
-    x, y = (axis.ravel() for axis in np.meshgrid(xs, ys, indexing="ij"))
-    inside = shapely.contains_xy(shape, x, y)
-    points = [(round(a, 3), round(b, 3)) for a, b in zip(x[inside], y[inside], strict=True)]
+    points = [(round(x, 3), round(y, 3)) for x, y in lattice_points(shape, spacing_m)]
     for room in scene.home.rooms:
         part = shape.intersection(Polygon(room.polygon_m))
         if not part.is_empty and not any(shapely.intersects_xy(part, *point) for point in points):

@@ -164,8 +164,8 @@ def main() -> None:
     parser.add_argument("--steps", type=int, default=10_000)
     args = parser.parse_args()
     data, library = Dataset(args.dataset), load_library()
-    certificates(data, library, args.homes, args.poses)
     speed(data, library, min(12, args.homes))
+    certificates(data, library, args.homes, args.poses)
     floor(data, library, min(10, args.homes), args.steps)
 
 

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 
+import numpy as np
 from sdgen.agent.eyes import Eyes
+from sdgen.agent.house import House
 from sdgen.agent.walk import Floor
-from sdgen.cameras.lens import Gaze, Lens, camera_at
+from sdgen.cameras.lens import Gaze, Lens, camera_at, toward
 from sdgen.cameras.portals import Portals, arc_of
+from sdgen.freespace import random_point
 from sdgen.render.process import process_renderer
 from sdgen.seeding import lane
 
@@ -50,6 +54,37 @@ def test_a_camera_sees_less_than_one_that_turns() -> None:
         seen = portals.rooms(camera_at(gaze, here, LENS))
         assert here in seen
         assert seen <= around <= {room.id for room in scene.home.rooms}
+
+
+def test_nothing_is_seen_through_a_shut_door() -> None:
+    """Shut, a room with one door is seen alone, and its pictures are those of the whole home."""
+    library, scene = shipped_library(), homes.stage().scene
+    ways = [one for one in scene.home.openings if len(one.room_ids) == 2]
+    count = Counter(room for one in ways for room in one.room_ids)
+    door = next(o for o in ways if o.kind == "door" and 1 in (count[k] for k in o.room_ids))
+    here, beyond = sorted(door.room_ids, key=lambda room: count[room])
+    floor, rng = Floor(scene), lane(5, 0, "poses")
+    point = random_point(floor.main.intersection(floor.outline_of(here)), rng)
+    assert point is not None
+    house = House(scene, library)
+    assert house.moved(door.object_id, False, point) is None
+
+    assert beyond in Portals(scene.home).rooms_around(point)
+    assert Portals(scene.home, {door.object_id}).rooms_around(point) == {here}
+    gazes = []
+    for _ in range(20):
+        end = random_point(house.floor.main.intersection(floor.outline_of(here)), rng)
+        assert end is not None
+        yaw, pitch = toward(np.array([*end, LENS.height_m]), np.array(door.center_m))
+        gazes.append(Gaze(*end, yaw + float(rng.normal(0, 0.3)), pitch / 2))
+    with Eyes(library, process_renderer(), whole_home=True) as whole:
+        looks = []
+        for eyes in (whole, homes.eyes()):
+            eyes.show(house.scene)
+            looks.append([eyes.look(gaze, here, LENS) for gaze in gazes])
+    for one, other in zip(*looks, strict=True):
+        assert (one.instance == other.instance).all()
+        assert (one.depth_mm == other.depth_mm).all()
 
 
 def test_an_arc_is_the_field_of_view_and_wider_when_looking_down() -> None:

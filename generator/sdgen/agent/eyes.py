@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.agent.walk import shut_doors
 from sdgen.cameras.lens import Gaze, Lens, camera_at
 from sdgen.cameras.portals import Portals
 from sdgen.closing import Closing
@@ -17,7 +18,7 @@ from sdgen.render.opengl import to_millimetres
 from sdgen.render.outdoors import clear_panes, paint_outdoors
 from sdgen.render.process import ProcessRenderer
 from sdgen.scene import Camera, Scene
-from sdgen.vocabulary import DOORS
+from sdgen.vocabulary import DOORS, LEAVES
 
 #: Rooms that are out of sight are let go of after so many pictures: to draw them costs more by
 #: then than it will to bring them back.
@@ -55,7 +56,7 @@ class Eyes(Closing):
     def show(self, scene: Scene) -> None:
         """Look at this scene from now on, in place of the one before."""
         self._scene = scene
-        self._portals = Portals(scene.home)
+        self._portals = Portals(scene.home, _tight(scene))
         self._panes = clear_panes(self._library, scene)
         self._landings = landings(scene.home)
         self._rooms_of = {} if self._whole else self._reached(scene)
@@ -64,8 +65,16 @@ class Eyes(Closing):
     def _reached(self, scene: Scene) -> dict[int, frozenset[int]]:
         """The rooms that each node is drawn with: those that a thing is in, that a wall is of; all
         for doors and windows, which stand in two walls. A home's walls are seen from outside, too,
-        so through an open front door all of them."""
-        out = {one.id: frozenset((one.room_id,)) for one in scene.home.structures}
+        so through an open front door all of them; and those beyond a shut door through its cracks,
+        a pixel in one of thirty pictures taken before one."""
+        tight = _tight(scene)
+        beyond = {room.id: {room.id} for room in scene.home.rooms}
+        for opening in scene.home.openings:
+            if opening.object_id in tight:
+                a, b = opening.room_ids
+                beyond[a].add(b)
+                beyond[b].add(a)
+        out = {one.id: frozenset(beyond[one.room_id]) for one in scene.home.structures}
         for opening in scene.home.openings:
             if len(opening.room_ids) == 1 and opening.kind in DOORS:
                 states = scene.object(opening.object_id).states
@@ -118,3 +127,11 @@ class Eyes(Closing):
         """Let go of the renderer, which is closed when nobody uses it; a second call does
         nothing."""
         self._renderer.give_back(self)
+
+
+def _tight(scene: Scene) -> set[int]:
+    """Ids of the shut doors through which nothing is seen: those of one leaf, as between two there
+    is a slit."""
+    shut = shut_doors(scene)
+    openings = (one for one in scene.home.openings if one.object_id in shut)
+    return {one.object_id for one in openings if LEAVES.get(one.kind) == 1}

@@ -2,14 +2,14 @@
 
 Portals (Luebke and Georges 1995): what is seen of the next room lies within the angle of the
 doorway to it, and so on from there. Walls reach from floor to ceiling, so angles on the plan do.
-Leaves and furniture are taken for see-through: of what is named some may be hidden, but nothing
-that is seen is missing.
+Leaves that are not shut and furniture are taken for see-through: of what is named some may be
+hidden, but nothing that is seen is missing.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 import numpy as np
 from shapely.geometry import Point, Polygon
@@ -27,15 +27,16 @@ _FRAME_M = 0.05
 
 
 class Portals:
-    """The rooms of one home and the doorways between them."""
+    """The rooms of one home and the doorways between them, but those that are ``shut``: ids of the
+    doors in them."""
 
-    def __init__(self, home: Home) -> None:
+    def __init__(self, home: Home, shut: Collection[int] = ()) -> None:
         self._rooms = {room.id: Polygon(room.polygon_m) for room in home.rooms}
         self._doors: dict[int, list[tuple[Polygon, Opening, int]]] = {
             key: [] for key in self._rooms
         }
         for opening in home.openings:
-            if len(opening.room_ids) == 2:
+            if len(opening.room_ids) == 2 and opening.object_id not in shut:
                 hole = opening_rectangle(opening, HALF_WALL_M + _FRAME_M)
                 a, b = opening.room_ids
                 self._doors[a].append((hole, opening, b))

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import base64
+import io
+
+import numpy as np
 import pytest
+from PIL import Image
 from sdgen.agent.compare import certificates, compare
 from sdgen.agent.explored import explored
 from sdgen.agent.explorers import EXPLORERS
@@ -11,12 +16,15 @@ from sdgen.agent.options import AgentOptions
 from sdgen.agent.score import score_episode
 from sdgen.agent.tour import shortest_tour
 from sdgen.cameras.lens import Lens
+from sdgen.chat.question import Question
+from sdgen.detectors.pictured import Pictured
 from sdgen.detectors.rules import rules
 from sdgen.errors import UsageError
 from sdgen.seeding import lane
 from sdgen.truth.observable import Observability
 
 from tests.agent import homes
+from tests.detectors.asking import Scripted
 from tests.shared import Shared
 from tests.shipped import shipped_library
 
@@ -118,3 +126,21 @@ def test_the_table_tells_what_exploring_costs() -> None:
     assert sum(walk.misses.values()) > 0
     with pytest.raises(UsageError, match="no explorer"):
         compare(homes.sample(), shipped_library(), ["best"], {"rules": rules}, OPTIONS)
+
+
+def test_a_detector_that_sends_pictures_sees_what_was_explored() -> None:
+    episode = homes.episode(options=OPTIONS)
+    looks = [episode.look(), *episode.scan().looks]
+    seen = explored(homes.sample()[0], looks)
+    sent: list[Question] = []
+
+    def says(question: Question) -> str:
+        sent.append(question)
+        return "none"
+
+    assert Pictured(Scripted(says), per="view")(homes.sample(), seen) == ()
+    shown = [question.pictures[0] for question in sent]
+    # After a full turn one sees again what one saw first.
+    assert len({picture.digest for picture in shown}) == len(looks) - 1
+    with Image.open(io.BytesIO(base64.b64decode(shown[3].url().partition(",")[2]))) as image:
+        assert (np.asarray(image) == looks[3].rgb).all()

@@ -25,7 +25,7 @@ Explorer = Callable[[Episode, Rng, "Tour | None"], list[Look]]
 
 #: Of a random walk's moves, this share is a step ahead.
 _AHEAD = 0.6
-#: Whoever scans a room sees all of it from within so far, metres: a knife is 15 to 20 pixels long there.
+#: Whoever scans a room sees all of it from within so far, metres: a knife is some 15 pixels long.
 _SCAN_M = 1.5
 #: Places to scan from are chosen among those of a lattice, so far apart.
 _LATTICE_M = 0.5

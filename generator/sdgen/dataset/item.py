@@ -244,6 +244,11 @@ class SceneItem:
                 return self.folder / view_folder(view) / f"rgb.{kind}"
         return None
 
+    def rgb_digest(self, view: int) -> str | None:
+        """What tells a view's colour picture from any other: sha256, None when there is none."""
+        path = self.rgb_path(view)
+        return None if path is None else self.entry.files[f"{view_folder(view)}/{path.name}"]
+
     def has(self, view: int, name: str) -> bool:
         """True when the manifest lists this file of a view."""
         return f"{view_folder(view)}/{name}" in self.entry.files

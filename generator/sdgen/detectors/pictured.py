@@ -186,12 +186,15 @@ class Pictured:
         return Question(text, pictures, answer_tokens=_LINE_TOKENS * len(pictures))
 
     def _picture(self, item: SceneItem, shot: Shot) -> Picture:
-        path = item.rgb_path(shot.view)
-        if path is None:
+        digest = item.rgb_digest(shot.view)
+        if digest is None:
             raise InputError([f"{item.where(view_folder(shot.view))}: has no colour picture"])
-        name = f"{view_folder(shot.view)}/{path.name}"
-        digest = f"{item.entry.files[name]} {shot.width}x{shot.height}"
-        return Picture(digest, shot.width, shot.height, partial(_encoded, item, shot))
+        return Picture(
+            f"{digest} {shot.width}x{shot.height}",
+            shot.width,
+            shot.height,
+            partial(_encoded, item, shot),
+        )
 
     def _object(self, one: Pointing, look: Look, finder: _Finder) -> int | None:
         """The object that a line of an answer means, None for none."""
@@ -276,9 +279,8 @@ def _encoded(item: SceneItem, shot: Shot) -> tuple[str, bytes]:
     picture = Image.fromarray(item.rgb(shot.view))
     if picture.size != (shot.width, shot.height):
         picture = picture.resize((shot.width, shot.height), Image.Resampling.LANCZOS)
-    path = item.rgb_path(shot.view)
     buffer = io.BytesIO()
-    if path is not None and path.suffix == ".png":
+    if item.has(shot.view, "rgb.png"):
         picture.save(buffer, "PNG")
         return "image/png", buffer.getvalue()
     picture.save(buffer, "JPEG", quality=_QUALITY)

@@ -136,9 +136,9 @@ def explored_scores(
     episode = Episode(stage, library, eyes, options, lane(seed, item.entry.index, "agent"))
     floor, start = episode.house.floor, episode.gaze.point
     tour = shortest_tour(found, floor, start)
-    surely = shortest_tour(found, floor, start, surely=True)
+    clearly = shortest_tour(found, floor, start, episode.stage.places)
     rng = lane(seed, item.entry.index, f"explorer:{explorer}")
-    looks = EXPLORERS[explorer](episode, rng, surely)
+    looks = EXPLORERS[explorer](episode, rng, clearly)
     seen = explored(item, looks)
     for name, detector in detectors.items():
         with derived_from(data, item):

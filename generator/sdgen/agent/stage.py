@@ -8,6 +8,7 @@ from sdgen.catalog.records import Catalog
 from sdgen.dataset import Dataset, SceneItem
 from sdgen.dataset.derived import derived_from
 from sdgen.errors import InputError
+from sdgen.geometry import Vec2
 from sdgen.library import Library
 from sdgen.options import BuildOptions
 from sdgen.pipeline import make_scene
@@ -32,6 +33,12 @@ class Stage:
     def id(self) -> str:
         """The scene's id."""
         return self.scene.id
+
+    @property
+    def places(self) -> dict[str, Vec2]:
+        """Where the object of each anomaly is on the plan, by the anomaly's id."""
+        at = {one.id: self.scene.object(one.object_id).pose.position_m for one in self.anomalies}
+        return {key: (x, y) for key, (x, y, _) in at.items()}
 
 
 def stage_of(data: Dataset, item: SceneItem) -> Stage:

@@ -80,8 +80,8 @@ def explore_one(
                     if result.refused is not None:
                         hint(f"refused: {result.move}: {result.refused}")
         elif walk.explorer is not None:
-            surely = shortest_tour(found, floor, start, surely=True)
-            _explore(data, item, episode, walk, surely, seed)
+            clearly = shortest_tour(found, floor, start, episode.stage.places)
+            _explore(data, item, episode, walk, clearly, seed)
         else:
             from sdgen.cli.explore_keys import by_keys
 

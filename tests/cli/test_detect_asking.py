@@ -125,7 +125,14 @@ def test_one_that_is_killed_goes_on_where_it_was(homes: Path, tmp_path: Path) ->
     with unreliable(Unreliable(reliable=True, pause_s=0.6)) as fake:
         line = words(homes, out, fake.url, "--batch", "1", "--concurrency", "2")
         command = [sys.executable, "-m", "sdgen", *line]
-        started = subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env={**os.environ})
+        # Tests that run in the background of a shell ignore SIGINT, and hand that down.
+        started = subprocess.Popen(
+            command,
+            stderr=subprocess.PIPE,
+            text=True,
+            env={**os.environ},
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        )
         until = time.monotonic() + 60
         while len(list(cache.glob("*.json"))) < 4 and time.monotonic() < until:
             time.sleep(0.01)

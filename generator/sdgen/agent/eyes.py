@@ -56,18 +56,18 @@ class Eyes(Closing):
     def show(self, scene: Scene) -> None:
         """Look at this scene from now on, in place of the one before."""
         self._scene = scene
-        self._portals = Portals(scene.home, _tight(scene))
+        tight = _tight(scene)
+        self._portals = Portals(scene.home, tight)
         self._panes = clear_panes(self._library, scene)
         self._landings = landings(scene.home)
-        self._rooms_of = {} if self._whole else self._reached(scene)
+        self._rooms_of = {} if self._whole else self._reached(scene, tight)
         self._renderer.release(self)
 
-    def _reached(self, scene: Scene) -> dict[int, frozenset[int]]:
+    def _reached(self, scene: Scene, tight: set[int]) -> dict[int, frozenset[int]]:
         """The rooms that each node is drawn with: those that a thing is in, that a wall is of; all
         for doors and windows, which stand in two walls. A home's walls are seen from outside, too,
         so through an open front door all of them; and those beyond a shut door through its cracks,
         a pixel in one of thirty pictures taken before one."""
-        tight = _tight(scene)
         beyond = {room.id: {room.id} for room in scene.home.rooms}
         for opening in scene.home.openings:
             if opening.object_id in tight:

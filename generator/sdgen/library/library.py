@@ -60,6 +60,7 @@ class Library:
         self._held: OrderedDict[str, Model] = OrderedDict()
         self._objs: dict[str, dict[str, Path]] = {}
         self._textures: dict[str, Path] = {}
+        self._worn: dict[str, dict[str, Path]] = {}
         self._bounds: dict[str, Mapping[str, Floats]] = {}
         self._above: dict[tuple[str, tuple[str, ...]], Above | None] = {}
         self._ways: dict[str, tuple[Above | None, Reach]] = {}
@@ -184,12 +185,7 @@ class Library:
     def objs(self, asset_id: str) -> Mapping[str, Path]:
         """OBJ file of every part, unpacked into the cache on first use."""
         if asset_id not in self._objs:
-            asset = self.assets[asset_id]
-            folder = self._folder_of[asset_id]
-            textures = {
-                part.name: cached_texture(folder / (part.texture or asset.texture))
-                for part in asset.parts
-            }
+            textures = self.textures(asset_id)
             names = "\n".join(f"{k}={v.name}" for k, v in sorted(textures.items()))
             # By what was read, not by what lies on disk now: the file may have changed since.
             meshes = self.mesh(asset_id)
@@ -200,6 +196,16 @@ class Library:
             ]
             self._objs[asset_id] = unpack(digest(names.encode(), *arrays), meshes, textures)
         return self._objs[asset_id]
+
+    def textures(self, asset_id: str) -> Mapping[str, Path]:
+        """Texture file of every part, in the cache."""
+        if asset_id not in self._worn:
+            asset, folder = self.assets[asset_id], self._folder_of[asset_id]
+            self._worn[asset_id] = {
+                part.name: cached_texture(folder / (part.texture or asset.texture))
+                for part in asset.parts
+            }
+        return self._worn[asset_id]
 
     def folder_of(self, asset_id: str) -> Path:
         """The folder a model comes from (KeyError when there is none)."""

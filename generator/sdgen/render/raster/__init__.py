@@ -1,0 +1,1 @@
+"""Our own OpenGL: a scene's triangles in one pass into colours, ids, normals and depth."""

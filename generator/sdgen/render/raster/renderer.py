@@ -1,0 +1,117 @@
+"""Our own OpenGL without a display: by a GPU, or by Mesa on the CPU."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Collection
+from typing import ClassVar
+
+import moderngl
+import numpy as np
+import numpy.typing as npt
+
+from sdgen.errors import RendererError
+from sdgen.library import Library
+from sdgen.render.opengl import projection_matrix, scaled, view_matrix
+from sdgen.render.protocol import Picture, Probe, Renderer
+from sdgen.render.raster.buffers import Buffers
+from sdgen.render.raster.drawn import drawn_parts
+from sdgen.render.raster.geometry import Geometry
+from sdgen.render.raster.shaders import GEOMETRY_PIXEL, GEOMETRY_VERTEX
+from sdgen.render.raster.shelf import Shelf
+from sdgen.scene import Camera, Scene
+
+#: Buffers of so many picture sizes are kept.
+_SIZES = 3
+
+
+class GlRenderer(Renderer):
+    """Draws in one pass. Raises RendererError where no OpenGL 3.3 starts."""
+
+    name: ClassVar[str] = "OpenGL"
+
+    def __init__(self) -> None:
+        try:
+            more = {"backend": "egl"} if sys.platform == "linux" else {}
+            self._context = moderngl.create_standalone_context(require=330, **more)
+        except Exception as error:  # glcontext raises Exception itself
+            raise RendererError(f"OpenGL does not start: {error}") from None
+        info = self._context.info
+        self.renderer_string = f"OpenGL {info['GL_RENDERER']} {info['GL_VERSION']}"
+        self._program = self._context.program(GEOMETRY_VERTEX, GEOMETRY_PIXEL)
+        self._shelf = Shelf(self._context)
+        self._geometry: Geometry | None = None
+        self._buffers: dict[tuple[int, int], Buffers] = {}
+
+    @staticmethod
+    def probe() -> Probe:
+        """Whether it starts here; nothing is started in this process."""
+        raise NotImplementedError
+
+    def load(self, library: Library, scene: Scene) -> None:
+        """Put ``scene`` in place of what was loaded before."""
+        if self._geometry is not None:
+            self._geometry.release()
+        parts = drawn_parts(library, scene)
+        self._geometry = Geometry(self._context, self._program, parts, self._shelf)
+
+    def show_only(self, node_ids: Collection[int] | None) -> None:
+        """Draw of the loaded scene these nodes alone, by id; None: all."""
+        self._loaded().show_only(node_ids)
+
+    def draw(self, camera: Camera) -> Picture:
+        """What ``camera`` sees of the loaded scene."""
+        geometry, buffers = self._loaded(), self._drawn(camera, 1)
+        ids = buffers.ids()
+        raw = np.frombuffer(buffers.albedo.read(alignment=1), dtype=np.uint8)
+        rgb = raw.reshape(camera.height, camera.width, 4)[::-1, :, :3]
+        return Picture(
+            rgb=np.ascontiguousarray(rgb),
+            depth_m=buffers.depth_m(),
+            instance=geometry.nodes[ids],
+            part=geometry.numbers[ids],
+        )
+
+    def draw_colours(self, camera: Camera, factor: int) -> npt.NDArray[np.uint8]:
+        """Its colours alone, ``factor`` times as many pixels along each side."""
+        raw = np.frombuffer(self._drawn(camera, factor).albedo.read(alignment=1), dtype=np.uint8)
+        return np.ascontiguousarray(
+            raw.reshape(camera.height * factor, camera.width * factor, 4)[::-1, :, :3]
+        )
+
+    def close(self) -> None:
+        """Let go of OpenGL; a second call does nothing."""
+        if self._geometry is not None:
+            self._geometry.release()
+            self._geometry = None
+        for buffers in self._buffers.values():
+            buffers.release()
+        self._buffers = {}
+        self._shelf.clear()
+        self._context.release()
+
+    def _loaded(self) -> Geometry:
+        if self._geometry is None:
+            raise RendererError("nothing is loaded")
+        return self._geometry
+
+    def _drawn(self, camera: Camera, factor: int) -> Buffers:
+        width, height = camera.width * factor, camera.height * factor
+        buffers = self._sized(width, height)
+        k = scaled(np.asarray(camera.K), factor)
+        lens = projection_matrix(k, 0, 0, width, height, camera.near_m, camera.far_m)
+        view = view_matrix(np.asarray(camera.world_from_camera))
+        clip = np.array(lens).reshape(4, 4).T @ np.array(view).reshape(4, 4).T
+        buffers.frame.use()
+        self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
+        buffers.frame.clear(0.0, 0.0, 0.0, 0.0)
+        self._program["clip_from_world"].write(clip.T.astype(np.float32).tobytes())
+        self._loaded().draw(clip)
+        return buffers
+
+    def _sized(self, width: int, height: int) -> Buffers:
+        if (width, height) not in self._buffers:
+            if len(self._buffers) >= _SIZES:
+                self._buffers.pop(next(iter(self._buffers))).release()
+            self._buffers[width, height] = Buffers(self._context, width, height)
+        return self._buffers[width, height]

@@ -12,22 +12,26 @@ import numpy.typing as npt
 from sdgen.geometry import Array, apply
 from sdgen.library import Library
 from sdgen.library.states import object_from_part
-from sdgen.render.outdoors import clear_panes
 from sdgen.render.shell import ceiling_level_m, structure_faces
 from sdgen.scene import ObjectInstance, Scene, Structure
 
 Floats = npt.NDArray[np.float32]
 Ints = npt.NDArray[np.uint32]
 
-#: A part whose colour factor is beyond this gives light of its own: burners, flames, screens.
-_GLOWS = 1.0
+#: A part whose colour factor is this or more gives light of its own: burners, flames, screens.
+_GLOWS = 1.4
+#: Parts of windows that light comes through.
+_PANES = ("pane", "frosted")
+#: Faces of the shell reach so far over their edges, metres: where they meet, rounding would leave
+#: cracks between them.
+_OVER_M = 0.0015
 
 
 @dataclass(frozen=True, eq=False)
 class Drawn:
     """One part: whose it is (``number`` counts an object's drawn parts from 1, and is 0 for
     structures), its triangles in the world, and how it looks. ``glows``: it gives light; ``clear``:
-    one sees through it outdoors."""
+    light comes through it."""
 
     node_id: int
     number: int
@@ -48,12 +52,11 @@ class Drawn:
 def drawn_parts(library: Library, scene: Scene) -> list[Drawn]:
     """All parts of a scene: structures by id, then objects by id."""
     ceiling_m = ceiling_level_m(scene.home.structures)
-    panes = set(clear_panes(library, scene))
     out: list[Drawn] = []
     for structure in sorted(scene.home.structures, key=lambda s: s.id):
         out += _of_structure(library, structure, ceiling_m)
     for item in sorted(scene.objects, key=lambda o: o.id):
-        out += _of_object(library, item, panes)
+        out += _of_object(library, item)
     return out
 
 
@@ -62,11 +65,13 @@ def _of_structure(library: Library, structure: Structure, ceiling_m: float) -> I
         quads = face.vertices_m.reshape(-1, 4, 3)
         flat = np.cross(quads[:, 1] - quads[:, 0], quads[:, 2] - quads[:, 0])
         flat /= np.maximum(np.linalg.norm(flat, axis=1, keepdims=True), 1e-12)
+        middles = quads.mean(axis=1, keepdims=True)
+        quads = quads + _OVER_M * np.sign(np.round(quads - middles, 6))
         corners = np.arange(0, 4 * len(quads), 4)[:, None] + (0, 1, 2, 0, 2, 3)
         yield Drawn(
             structure.id,
             0,
-            face.vertices_m.astype(np.float32),
+            quads.reshape(-1, 3).astype(np.float32),
             np.repeat(flat, 4, axis=0).astype(np.float32),
             face.uvs.astype(np.float32),
             corners.reshape(-1, 3).astype(np.uint32),
@@ -75,9 +80,7 @@ def _of_structure(library: Library, structure: Structure, ceiling_m: float) -> I
         )
 
 
-def _of_object(
-    library: Library, item: ObjectInstance, panes: set[tuple[int, int]]
-) -> Iterator[Drawn]:
+def _of_object(library: Library, item: ObjectInstance) -> Iterator[Drawn]:
     info, meshes = library.info(item.asset), library.mesh(item.asset)
     textures, pose = library.textures(item.asset), item.pose.matrix()
     for number, name in enumerate(info.variants[item.variant], start=1):
@@ -92,6 +95,6 @@ def _of_object(
             mesh.faces.astype(np.uint32),
             textures[name],
             red_green_blue,
-            max(red_green_blue) > _GLOWS,
-            (item.id, number) in panes,
+            max(red_green_blue) >= _GLOWS or name == "glow",
+            item.category == "window" and name in _PANES,
         )

@@ -119,4 +119,6 @@ def _outside(boxes: Array, clip_from_world: Array) -> npt.NDArray[np.bool_]:
     # Of each box the corner that lies furthest on the inner side decides.
     normals, offsets = planes[:, :3], planes[:, 3]
     furthest = np.where(normals[:, None] > 0, boxes[None, :, 1], boxes[None, :, 0])
-    return np.asarray((((furthest * normals[:, None]).sum(axis=2) + offsets[:, None]) < 0).any(axis=0))
+    return np.asarray(
+        (((furthest * normals[:, None]).sum(axis=2) + offsets[:, None]) < 0).any(axis=0)
+    )

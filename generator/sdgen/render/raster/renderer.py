@@ -12,11 +12,14 @@ import numpy.typing as npt
 
 from sdgen.errors import RendererError
 from sdgen.library import Library
+from sdgen.render.light.home_light import light_of_home
+from sdgen.render.light.sky import DayTime
 from sdgen.render.opengl import projection_matrix, scaled, view_matrix
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.raster.buffers import Buffers
 from sdgen.render.raster.drawn import drawn_parts
 from sdgen.render.raster.geometry import Geometry
+from sdgen.render.raster.lighting import Lighting, Passes
 from sdgen.render.raster.shaders import GEOMETRY_PIXEL, GEOMETRY_VERTEX
 from sdgen.render.raster.shelf import Shelf
 from sdgen.scene import Camera, Scene
@@ -42,6 +45,10 @@ class GlRenderer(Renderer):
         self._shelf = Shelf(self._context)
         self._geometry: Geometry | None = None
         self._buffers: dict[tuple[int, int], Buffers] = {}
+        self._passes = Passes(self._context)
+        self._lighting: Lighting | None = None
+        self.time: DayTime = "day"
+        self.sun = (225.0, 35.0)
 
     @staticmethod
     def probe() -> Probe:
@@ -52,7 +59,12 @@ class GlRenderer(Renderer):
         """Put ``scene`` in place of what was loaded before."""
         if self._geometry is not None:
             self._geometry.release()
+            self._geometry = None
+        if self._lighting is not None:
+            self._lighting.release()
         parts = drawn_parts(library, scene)
+        light = light_of_home(scene, parts, self.time, *self.sun)
+        self._lighting = Lighting(self._context, light.rooms, light.sun, light.sky.sun)
         self._geometry = Geometry(self._context, self._program, parts, self._shelf)
 
     def show_only(self, node_ids: Collection[int] | None) -> None:
@@ -63,10 +75,9 @@ class GlRenderer(Renderer):
         """What ``camera`` sees of the loaded scene."""
         geometry, buffers = self._loaded(), self._drawn(camera, 1)
         ids = buffers.ids()
-        raw = np.frombuffer(buffers.albedo.read(alignment=1), dtype=np.uint8)
-        rgb = raw.reshape(camera.height, camera.width, 4)[::-1, :, :3]
+        assert self._lighting is not None
         return Picture(
-            rgb=np.ascontiguousarray(rgb),
+            rgb=self._passes.picture(buffers, camera, _clip(camera, 1), self._lighting),
             depth_m=buffers.depth_m(),
             instance=geometry.nodes[ids],
             part=geometry.numbers[ids],
@@ -98,10 +109,7 @@ class GlRenderer(Renderer):
     def _drawn(self, camera: Camera, factor: int) -> Buffers:
         width, height = camera.width * factor, camera.height * factor
         buffers = self._sized(width, height)
-        k = scaled(np.asarray(camera.K), factor)
-        lens = projection_matrix(k, 0, 0, width, height, camera.near_m, camera.far_m)
-        view = view_matrix(np.asarray(camera.world_from_camera))
-        clip = np.array(lens).reshape(4, 4).T @ np.array(view).reshape(4, 4).T
+        clip = _clip(camera, factor)
         buffers.frame.use()
         self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         buffers.frame.clear(0.0, 0.0, 0.0, 0.0)
@@ -115,3 +123,12 @@ class GlRenderer(Renderer):
                 self._buffers.pop(next(iter(self._buffers))).release()
             self._buffers[width, height] = Buffers(self._context, width, height)
         return self._buffers[width, height]
+
+
+def _clip(camera: Camera, factor: int) -> npt.NDArray[np.float64]:
+    """4x4 that brings points of the world to OpenGL's clip space."""
+    k = scaled(np.asarray(camera.K), factor)
+    size = (camera.width * factor, camera.height * factor)
+    lens = projection_matrix(k, 0, 0, *size, camera.near_m, camera.far_m)
+    view = view_matrix(np.asarray(camera.world_from_camera))
+    return np.asarray(np.array(lens).reshape(4, 4).T @ np.array(view).reshape(4, 4).T)

@@ -1,0 +1,191 @@
+"""Light in the air of each room, in cells of a grid: from six sides, as ambient cubes have it.
+
+From the middle of each cell rays go out evenly on the sphere. What they meet gives on light that it
+gets from the sun, from lamps and from the cells before it; through windows they see the sky. That
+is repeated, a bounce at a time. (Ambient cubes: McTaggart 2004, "Half-Life 2 / Valve Source
+Shading"; irradiance volumes: Greger et al. 1998.)
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+from shapely.geometry import Polygon
+
+from sdgen.geometry import Array
+from sdgen.render.light.sunlight import SunMap
+from sdgen.render.light.world import LightWorld, Met
+from sdgen.scene import Room
+
+#: Edges of the cells, metres, near enough for whole numbers of them to fill a room.
+CELL_M = 0.3
+_RAYS = 64
+_BOUNCES = 5
+#: A cell of whose rays more than this share meet things from behind lies within one.
+_WITHIN = 0.3
+#: What lights a surface is found so far before it, metres.
+BEFORE_M = 0.14
+#: Directions of the six sides: +x, -x, +y, -y, +z, -z.
+_SIDES = np.concatenate([np.eye(3), -np.eye(3)])[[0, 3, 1, 4, 2, 5]]
+
+
+@dataclass(frozen=True)
+class Lamp:
+    """A lamp that is on: where, and the light that it gives, W/sr in red, green and blue."""
+
+    at_m: Array
+    power: Array
+
+
+@dataclass(frozen=True, eq=False)
+class RoomLight:
+    """The light in one room: where its grid begins, the edges of its cells, and ``cube``, light
+    from the six sides, (X, Y, Z, 6, 3)."""
+
+    room: Room
+    corner_m: Array
+    cell_m: Array
+    cube: npt.NDArray[np.float32]
+
+
+class _Grid:
+    """A room's cells: their middles, and what their numbers among all cells are; -1: outside."""
+
+    def __init__(self, room: Room, height_m: float, first: int) -> None:
+        self.room = room
+        outline = Polygon(room.polygon_m)
+        x0, y0, x1, y1 = outline.bounds
+        size = np.array([x1 - x0, y1 - y0, height_m])
+        counts = np.maximum(2, np.rint(size / CELL_M).astype(int))
+        self.corner_m, self.cell_m = np.array([x0, y0, 0.0]), size / counts
+        at = np.stack(np.meshgrid(*(np.arange(n) + 0.5 for n in counts), indexing="ij"), axis=-1)
+        middles = at * self.cell_m + self.corner_m
+        self.inside = shapely.contains_xy(outline, middles[..., 0], middles[..., 1])
+        self.middles = middles[self.inside]
+        self.number = np.full(tuple(counts), -1)
+        self.number[self.inside] = first + np.arange(len(self.middles))
+
+    def at(self, points_m: Array) -> npt.NDArray[np.int64]:
+        """Numbers of the cells of points (N, 3); -1: in none."""
+        cell = np.floor((points_m - self.corner_m) / self.cell_m).astype(int)
+        inside = ((cell >= 0) & (cell < self.number.shape)).all(axis=1)
+        out = np.full(len(points_m), -1)
+        out[inside] = self.number[tuple(cell[inside].T)]
+        return out
+
+
+def light_of_rooms(
+    world: LightWorld,
+    rooms: Sequence[Room],
+    height_m: float,
+    sky: Callable[[Array], Array],
+    sun: tuple[SunMap, Array] | None,
+    lamps: Sequence[Lamp],
+) -> list[RoomLight]:
+    """The light in each room. ``sky`` gives radiance by direction (N, 3); ``sun``: its map, and
+    its light on a surface that faces it."""
+    grids: list[_Grid] = []
+    for room in rooms:
+        grids.append(_Grid(room, height_m, sum(len(grid.middles) for grid in grids)))
+    middles = np.concatenate([grid.middles for grid in grids])
+    rays = _even_directions(_RAYS)
+    origins = np.repeat(middles, _RAYS, axis=0)
+    directions = np.tile(rays, (len(middles), 1))
+    met = world.meet(origins, directions)
+    within = met.behind.reshape(-1, _RAYS).mean(axis=1) > _WITHIN
+    first = _direct(world, met, sun, lamps)
+    before = met.point_m[met.hit] + BEFORE_M * met.normal[met.hit]
+    cell = np.max([grid.at(before) for grid in grids], axis=0)
+    weights = np.clip(rays @ _SIDES.T, 0.0, None)
+    weights *= math.pi / weights.sum(axis=0)
+    radiance = np.where(met.hit[:, None], 0.0, sky(directions))
+    facing, share = _facing(met.normal[met.hit])
+    gives = met.albedo[met.hit] / math.pi
+    got = first
+    cubes: list[Array] = []
+    for _ in range(_BOUNCES):
+        radiance[met.hit] = gives * got
+        cube = np.einsum("csk,sd->cdk", radiance.reshape(len(middles), _RAYS, 3), weights)
+        cubes = [_smooth(grid, cube, within) for grid in grids]
+        cube = np.concatenate([one[grid.inside] for one, grid in zip(cubes, grids, strict=True)])
+        there = (cube[cell[:, None], facing] * share[..., None]).sum(axis=1)
+        got = first + np.where(cell[:, None] >= 0, there, 0.0)
+    return [
+        RoomLight(grid.room, grid.corner_m, grid.cell_m, one.astype(np.float32))
+        for grid, one in zip(grids, cubes, strict=True)
+    ]
+
+
+def _even_directions(count: int) -> Array:
+    """Directions spread evenly on the sphere, (N, 3): a Fibonacci lattice."""
+    k = np.arange(count) + 0.5
+    z = 1 - 2 * k / count
+    turn = math.pi * (1 + 5**0.5) * k
+    flat = np.sqrt(1 - z * z)
+    return np.stack([flat * np.cos(turn), flat * np.sin(turn), z], axis=1)
+
+
+def _direct(
+    world: LightWorld, met: Met, sun: tuple[SunMap, Array] | None, lamps: Sequence[Lamp]
+) -> Array:
+    """Light that what was met gets straight from the sun and from lamps."""
+    at, normal = met.point_m[met.hit], met.normal[met.hit]
+    out = np.zeros((len(at), 3))
+    if sun is not None:
+        out += sun[0].shines(at, normal)[:, None] * sun[1]
+    for lamp in lamps:
+        to = lamp.at_m - at
+        far = np.maximum(np.linalg.norm(to, axis=1), 0.05)
+        to /= far[:, None]
+        slant = (to * normal).sum(axis=1)
+        near = np.flatnonzero((slant > 0) & (far < 7.0))
+        free = world.distance_m(at[near] + 0.02 * normal[near], to[near]) > far[near] - 0.3
+        lit = near[free]
+        out[lit] += (slant[lit] / far[lit] ** 2)[:, None] * lamp.power
+    return out
+
+
+def _facing(normals: Array) -> tuple[npt.NDArray[np.int64], Array]:
+    """The three sides that light each normal (N, 3), and their shares."""
+    side = np.arange(3) * 2 + (normals < 0)
+    return side.astype(np.int64), normals**2
+
+
+def _smooth(grid: _Grid, cube: Array, within: npt.NDArray[np.bool_]) -> Array:
+    """A room's cells, (X, Y, Z, 6, 3): those that lie within things or beyond the walls have what
+    is around them, and all a little of their neighbours'."""
+    out = np.full((*grid.number.shape, 6, 3), np.nan)
+    numbers = grid.number[grid.inside]
+    known = cube[numbers]
+    known[within[numbers]] = np.nan
+    out[grid.inside] = known
+    while True:
+        empty = np.isnan(out[..., 0, 0])
+        if not empty.any() or empty.all():
+            break
+        beside = np.stack([_shifted(out, axis, step) for axis in range(3) for step in (-1, 1)])
+        there = ~np.isnan(beside[..., :1, :1])
+        total = np.where(there, beside, 0.0).sum(axis=0)
+        count = there.sum(axis=0)
+        filled = empty & (count[..., 0, 0] > 0)
+        out[filled] = (total / np.maximum(count, 1))[filled]
+    out = np.nan_to_num(out)
+    for axis in range(3):
+        out = 0.5 * out + 0.25 * (
+            _shifted(out, axis, -1, edge=True) + _shifted(out, axis, 1, edge=True)
+        )
+    return out
+
+
+def _shifted(values: Array, axis: int, step: int, edge: bool = False) -> Array:
+    """Each cell's neighbour along an axis; beyond the grid nothing, or the cell itself."""
+    out = np.roll(values, step, axis=axis)
+    rim = [slice(None)] * values.ndim
+    rim[axis] = slice(0, 1) if step > 0 else slice(-1, None)
+    out[tuple(rim)] = values[tuple(rim)] if edge else np.nan
+    return out

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 import sys
 from collections.abc import Collection
 from typing import ClassVar
@@ -24,8 +25,30 @@ from sdgen.render.raster.shaders import GEOMETRY_PIXEL, GEOMETRY_VERTEX
 from sdgen.render.raster.shelf import Shelf
 from sdgen.scene import Camera, Scene
 
+DEBIAN_PACKAGES = ("libegl1", "libgl1-mesa-dri", "libgl1")
+INSTALL_HINT = f"On Debian or Ubuntu: apt-get install {' '.join(DEBIAN_PACKAGES)}"
+#: Starting takes half a second; a driver that hangs would hang for ever.
+_PROBE_S = 60.0
+_PROBE = """
+from sdgen.render.raster.renderer import open_context, string_of
+print(string_of(open_context()))
+"""
 #: Buffers of so many picture sizes are kept.
 _SIZES = 3
+
+
+def open_context() -> moderngl.Context:
+    """OpenGL without a display. Raises RendererError where none starts."""
+    more = {"backend": "egl"} if sys.platform == "linux" else {}
+    try:
+        return moderngl.create_standalone_context(require=330, **more)
+    except Exception as error:  # glcontext raises nothing more special
+        raise RendererError(f"OpenGL does not start: {error}") from None
+
+
+def string_of(context: moderngl.Context) -> str:
+    """What draws, for ``dataset.json``."""
+    return f"OpenGL {context.info['GL_RENDERER']} {context.info['GL_VERSION']}"
 
 
 class GlRenderer(Renderer):
@@ -34,13 +57,8 @@ class GlRenderer(Renderer):
     name: ClassVar[str] = "OpenGL"
 
     def __init__(self) -> None:
-        try:
-            more = {"backend": "egl"} if sys.platform == "linux" else {}
-            self._context = moderngl.create_standalone_context(require=330, **more)
-        except Exception as error:  # glcontext raises Exception itself
-            raise RendererError(f"OpenGL does not start: {error}") from None
-        info = self._context.info
-        self.renderer_string = f"OpenGL {info['GL_RENDERER']} {info['GL_VERSION']}"
+        self._context = open_context()
+        self.renderer_string = string_of(self._context)
         self._program = self._context.program(GEOMETRY_VERTEX, GEOMETRY_PIXEL)
         self._shelf = Shelf(self._context)
         self._geometry: Geometry | None = None
@@ -52,8 +70,23 @@ class GlRenderer(Renderer):
 
     @staticmethod
     def probe() -> Probe:
-        """Whether it starts here; nothing is started in this process."""
-        raise NotImplementedError
+        """Start OpenGL in a process of its own: a driver may end it, or hang."""
+        try:
+            done = subprocess.run(
+                [sys.executable, "-c", _PROBE],
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=_PROBE_S,
+                check=False,
+            )
+        except (OSError, subprocess.SubprocessError) as error:
+            return Probe(False, reason=f"the test process failed: {error}", hint=INSTALL_HINT)
+        said = (done.stdout + done.stderr).strip().splitlines()
+        if done.returncode == 0 and said:
+            return Probe(True, said[0])
+        why = said[-1][:160] if said else f"the test process ended with code {done.returncode}"
+        return Probe(False, reason=why, hint=INSTALL_HINT)
 
     def load(self, library: Library, scene: Scene) -> None:
         """Put ``scene`` in place of what was loaded before."""

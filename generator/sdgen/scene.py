@@ -20,6 +20,7 @@ from sdgen.rejection import Cause, Causes
 from sdgen.rejection import Stage as PipelineStage
 from sdgen.vocabulary import (
     EVIDENCE_PIXELS,
+    DayTime,
     Facing,
     OpeningKind,
     Season,
@@ -147,6 +148,15 @@ class Outdoors(Record):
     variant: int = Field(default=0, ge=0)
 
 
+class Daylight(Record):
+    """When a home is seen, and where the sun stands then: its azimuth from +x towards +y, and how
+    high it is. By night there is none, and in the evening and by night ceiling lamps are on."""
+
+    time: DayTime = "day"
+    sun_azimuth_deg: float = Field(default=225.0, ge=0.0, lt=360.0)
+    sun_elevation_deg: float = Field(default=35.0, ge=0.0, le=90.0)
+
+
 class Home(Record):
     """Rooms and their shell, before anything stands in them, and the style they share."""
 
@@ -154,6 +164,7 @@ class Home(Record):
     kind: Literal["base", "procedural"]
     style: str = ""
     outdoors: Outdoors = Outdoors()
+    daylight: Daylight = Daylight()
     rooms: tuple[Room, ...]
     structures: tuple[Structure, ...]
     openings: tuple[Opening, ...]

@@ -9,7 +9,7 @@ import numpy as np
 
 from sdgen.geometry import Array
 from sdgen.render.light.rooms import Lamp, RoomLight, light_of_rooms
-from sdgen.render.light.sky import DayTime, Sky, sky_of
+from sdgen.render.light.sky import Sky, sky_of
 from sdgen.render.light.sunlight import SunMap
 from sdgen.render.light.world import LightWorld
 from sdgen.render.raster.drawn import Drawn
@@ -33,23 +33,18 @@ class HomeLight:
     lamps: tuple[Lamp, ...]
 
 
-def light_of_home(
-    scene: Scene,
-    parts: Sequence[Drawn],
-    time: DayTime = "day",
-    azimuth_deg: float = 225.0,
-    elevation_deg: float = 35.0,
-) -> HomeLight:
+def light_of_home(scene: Scene, parts: Sequence[Drawn]) -> HomeLight:
     """Find the light of a scene whose drawn parts these are."""
     world = LightWorld(parts)
-    sky = sky_of(time, scene.home.outdoors.weather, azimuth_deg, elevation_deg)
+    daylight = scene.home.daylight
+    sky = sky_of(daylight, scene.home.outdoors.weather)
     ceiling = ceiling_level_m(scene.home.structures)
     high = ceiling if np.isfinite(ceiling) else _HIGH_M
     corners = np.array([c for room in scene.home.rooms for c in room.polygon_m])
     low, top = (*corners.min(axis=0), 0.0), (*corners.max(axis=0), high)
     sun = SunMap(world, sky.towards, np.array(low), np.array(top))
     lamps: tuple[Lamp, ...] = ()
-    if time != "day":
+    if daylight.time != "day":
         lamps = tuple(_ceiling_lamps(scene))
     shining = (sun, sky.sun) if sky.sun.any() else None
     rooms = light_of_rooms(world, scene.home.rooms, high, sky.radiance, shining, lamps)

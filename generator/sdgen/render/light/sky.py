@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from sdgen.geometry import Array
+from sdgen.scene import Daylight
 from sdgen.vocabulary import Weather
-
-DayTime = Literal["day", "evening", "night"]
 
 #: Light of the sun on what faces it, by weather, and of the sky: at noon, and in the evening.
 _SUN = np.array((14.0, 12.4, 10.2))
@@ -39,15 +38,17 @@ class Sky(NamedTuple):
         return np.asarray(share * self.overhead)
 
 
-def sky_of(time: DayTime, weather: Weather, azimuth_deg: float, elevation_deg: float) -> Sky:
+def sky_of(daylight: Daylight, weather: Weather) -> Sky:
     """What comes from the sky at a time of day under such weather."""
-    turn, rise = math.radians(azimuth_deg), math.radians(elevation_deg)
+    turn, rise = (
+        math.radians(angle) for angle in (daylight.sun_azimuth_deg, daylight.sun_elevation_deg)
+    )
     towards = np.array(
         [math.cos(turn) * math.cos(rise), math.sin(turn) * math.cos(rise), math.sin(rise)]
     )
-    if time == "night":
+    if daylight.time == "night":
         return Sky(towards, np.zeros(3), _NIGHT)
     share = _SUN_SHARE[weather]
-    if time == "evening":
+    if daylight.time == "evening":
         return Sky(towards, share * _LOW_SUN, _DUSK)
     return Sky(towards, share * _SUN, _CLEAR if share == 1.0 else _GREY)

@@ -14,7 +14,6 @@ import numpy.typing as npt
 from sdgen.errors import RendererError
 from sdgen.library import Library
 from sdgen.render.light.home_light import light_of_home
-from sdgen.render.light.sky import DayTime
 from sdgen.render.opengl import projection_matrix, scaled, view_matrix
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.raster.buffers import Buffers
@@ -65,8 +64,6 @@ class GlRenderer(Renderer):
         self._buffers: dict[tuple[int, int], Buffers] = {}
         self._passes = Passes(self._context)
         self._lighting: Lighting | None = None
-        self.time: DayTime = "day"
-        self.sun = (225.0, 35.0)
 
     @staticmethod
     def probe() -> Probe:
@@ -96,7 +93,7 @@ class GlRenderer(Renderer):
         if self._lighting is not None:
             self._lighting.release()
         parts = drawn_parts(library, scene)
-        light = light_of_home(scene, parts, self.time, *self.sun)
+        light = light_of_home(scene, parts)
         self._lighting = Lighting(self._context, light.rooms, light.sun, light.sky.sun)
         self._geometry = Geometry(self._context, self._program, parts, self._shelf)
 

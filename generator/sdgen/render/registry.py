@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 #: Name → module and class, imported when asked for. ``auto`` takes the first one that starts.
 RENDERERS: Mapping[str, str] = {
-    "egl": "sdgen.render.egl:EglRenderer",
+    "egl": "sdgen.render.raster.renderer:GlRenderer",
     "cpu": "sdgen.render.tiny:TinyRenderer",
 }
 AUTO = "auto"

@@ -322,7 +322,8 @@ class Household(Record):
 
 class Camera(Record):
     """``view.json``: an OpenCV camera; ``K`` is for pixel centres at integer coordinates, and
-    nothing of the scene or its twins is before it at less than ``near_m``."""
+    nothing of the scene or its twins is before it at less than ``near_m``. ``daylight``: the hour
+    at which it looks, and where the sun stands."""
 
     index: int
     kind: Literal["room", "near"]
@@ -338,6 +339,7 @@ class Camera(Record):
     ]
     near_m: Coordinate
     far_m: Coordinate
+    daylight: Daylight | None = None
 
 
 class VisibleObject(Record):

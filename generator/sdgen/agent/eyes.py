@@ -13,9 +13,7 @@ from sdgen.cameras.portals import Portals
 from sdgen.closing import Closing
 from sdgen.facts import bodies_of
 from sdgen.library import Library
-from sdgen.render.landing import landings
 from sdgen.render.opengl import to_millimetres
-from sdgen.render.outdoors import clear_panes, paint_outdoors
 from sdgen.render.process import ProcessRenderer
 from sdgen.scene import Camera, Scene
 from sdgen.vocabulary import DOORS, LEAVES
@@ -58,8 +56,6 @@ class Eyes(Closing):
         self._scene = scene
         tight = _tight(scene)
         self._portals = Portals(scene.home, tight)
-        self._panes = clear_panes(self._library, scene)
-        self._landings = landings(scene.home)
         self._rooms_of = {} if self._whole else self._reached(scene, tight)
         self._renderer.release(self)
 
@@ -94,14 +90,9 @@ class Eyes(Closing):
         black."""
         camera = camera_at(gaze, room_id, lens)
         self._load(camera)
-        picture = self._renderer.draw(camera)
-        rgb = np.zeros_like(picture.rgb)
-        if colours:
-            drawn = picture.rgb, picture.instance, picture.part
-            outdoors = self._scene.home.outdoors
-            rgb = paint_outdoors(*drawn, self._panes, outdoors, camera, self._landings)
+        picture = self._renderer.draw(camera, colours)
         depth_mm = to_millimetres(picture.depth_m, picture.instance > 0)
-        return Look(gaze, camera, rgb, depth_mm, picture.instance, picture.part)
+        return Look(gaze, camera, picture.rgb, depth_mm, picture.instance, picture.part)
 
     def _load(self, camera: Camera) -> None:
         """See to it that all that this camera sees is drawn."""

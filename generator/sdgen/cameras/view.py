@@ -17,7 +17,7 @@ from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, pixel_rays
 from sdgen.freespace import ROBOT_RADIUS_M
 from sdgen.geometry import Array, look_at, vec3
 from sdgen.options import EYE_HEIGHT_M
-from sdgen.scene import Camera, Room
+from sdgen.scene import Camera, Home, Room
 from sdgen.seeding import Rng
 
 #: Robots differ, and one height would be a regularity to learn.
@@ -56,7 +56,7 @@ def poses_of(views: Sequence[View]) -> Array:
 
 
 def to_cameras(
-    views: Sequence[View], rooms: Sequence[Room], size: tuple[int, int], rng: Rng
+    views: Sequence[View], home: Home, size: tuple[int, int], rng: Rng
 ) -> tuple[Camera, ...]:
     """Cameras of ``size`` (width, height) of these views, in a drawn order."""
     order = rng.permutation(len(views))
@@ -64,13 +64,14 @@ def to_cameras(
         Camera(
             index=index,
             kind=views[k].kind,
-            room_id=_room_id(rooms, views[k]),
+            room_id=_room_id(home.rooms, views[k]),
             width=size[0],
             height=size[1],
             K=intrinsics(*size),
             world_from_camera=matrix4(views[k].world_from_camera),
             near_m=NEAR_M,
             far_m=FAR_M,
+            daylight=home.daylight,
         )
         for index, k in enumerate(order.tolist())
     )

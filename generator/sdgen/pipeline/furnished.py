@@ -24,6 +24,7 @@ from sdgen.geometry import Vec2
 from sdgen.hazards.certify import facts_of
 from sdgen.home.arrange import furnish_by_rules
 from sdgen.home.context import HomeContext, Models
+from sdgen.home.daylight import daylight_random
 from sdgen.home.fittings import add_fittings
 from sdgen.home.furnish import fill_openings, furnish_as_drawn, leave_open, stand_open
 from sdgen.home.generate import generate_home
@@ -166,8 +167,10 @@ def furnished_home(
     ids: Iterator[int],
     rng: Rng,
     tenants: Tenants | None = None,
+    daylight_rng: Rng | None = None,
 ) -> FurnishedHome | Rejection:
-    """A furnished, still empty home. ``ids`` are used up.
+    """A furnished, still empty home. ``ids`` are used up. When it is seen comes from
+    ``daylight_rng``; without, it is an ordinary day.
 
     ``tenants`` are whom it is furnished for: their things may be in it and no others'; None: for
     anybody, with anything.
@@ -178,6 +181,9 @@ def furnished_home(
     theirs = models if tenants is None else tenants.models(models, catalog)
     styled = style.models(theirs)
     home = build_shell(spec, style, library, ids, rng)
+    if daylight_rng is not None:
+        daylight = daylight_random(home.outdoors.season, daylight_rng)
+        home = home.model_copy(update={"daylight": daylight})
     properties: Mapping[str, tuple[str, ...]] = {c.name: c.properties for c in catalog.categories}
     looked_at = frozenset(name for name, traits in properties.items() if "LOOKABLE" in traits)
     layout = fill_openings(spec, home, Layout(library, ids, looked_at), style, models, rng)

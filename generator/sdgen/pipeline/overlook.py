@@ -147,7 +147,7 @@ def looked_at(
     views = pick(home.views, shown, is_anomaly, options.views, rng)
     size = (options.width, options.height)
     raised = [view.at(options.eye_height_m) for view in views]
-    return Looked(to_cameras(raised, scene.home.rooms, size, rng), kept)
+    return Looked(to_cameras(raised, scene.home, size, rng), kept)
 
 
 def marked_as(anomaly: Anomaly) -> Marked:

@@ -129,6 +129,7 @@ def furnish_for(
         node_ids(spec.lane(f"ids:{home_attempt}")),
         spec.lane(f"furnish:{home_attempt}"),
         spec.tenants,
+        spec.lane("daylight"),
     )
 
 

@@ -9,9 +9,7 @@ import numpy.typing as npt
 
 from sdgen.library import Library
 from sdgen.render.alone import AlonePixels
-from sdgen.render.landing import landings
 from sdgen.render.opengl import to_millimetres
-from sdgen.render.outdoors import clear_panes, paint_outdoors
 from sdgen.render.protocol import Renderer
 from sdgen.scene import Camera, Frame, Scene
 
@@ -34,16 +32,11 @@ def render_frames(
         return
     renderer.load(library, scene)
     alone_pixels = AlonePixels(library, scene)
-    panes, behind = clear_panes(library, scene), landings(scene.home)
     for camera in cameras:
-        picture = renderer.draw(camera)
+        picture = renderer.draw(camera, colours="rgb" in sensors and supersample == 1)
         rgb, seen = picture.rgb, picture.instance > 0
-        if "rgb" in sensors:
-            if supersample > 1:
-                rgb = box_filter(renderer.draw_colours(camera, supersample), supersample)
-            world = scene.home.outdoors
-            drawn = rgb, picture.instance, picture.part
-            rgb = paint_outdoors(*drawn, panes, world, camera, behind)
+        if "rgb" in sensors and supersample > 1:
+            rgb = box_filter(renderer.draw_colours(camera, supersample), supersample)
         yield Frame(
             camera=camera,
             rgb=rgb,

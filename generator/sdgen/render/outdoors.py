@@ -1,27 +1,92 @@
 """What lies outside the windows and an open front door: the world round the home, painted in.
 
-The plugin clears to a fixed lilac, and can draw no pane that one sees through. Pixels of the
-background and of clear panes are painted by the directions of their rays instead.
+Nothing is drawn there: pixels of the background and of clear panes get their colours by the
+directions of their rays.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.geometry import Array
 from sdgen.library import Library
-from sdgen.render.landing import Landing, seen_on
+from sdgen.render.landing import landings, seen_on
 from sdgen.render.panorama import COLUMNS, HIGHEST, LOWEST, ROWS, panorama
-from sdgen.scene import Camera, Outdoors, Scene
+from sdgen.scene import Camera, Scene
 
 #: What windows call a pane that one sees through.
 CLEAR_PANE = "pane"
 #: So much of a pane's own colour stays: what it mirrors of a bright room.
 GLASS = 0.06
 GLASS_COLOUR = 235.0
+
+
+class SeenOutside(NamedTuple):
+    """Pixels through which one looks outdoors, the colours there (N, 3), 0 to 255, and how much of
+    these one sees, (N,): panes are a little paler."""
+
+    rows: npt.NDArray[np.int64]
+    columns: npt.NDArray[np.int64]
+    colours: Array
+    share: Array
+
+
+class Outside:
+    """The world outside of one scene's home."""
+
+    def __init__(self, library: Library, scene: Scene) -> None:
+        self._outdoors = scene.home.outdoors
+        self._panes = clear_panes(library, scene)
+        self._landings = landings(scene.home)
+
+    def seen(
+        self, instance: npt.NDArray[np.uint16], part: npt.NDArray[np.uint8], camera: Camera
+    ) -> SeenOutside:
+        """What a camera sees of it in a picture of any size, by node and part of each pixel: where
+        nothing is drawn (``instance`` 0) and on clear panes. Through a doorway with a landing one
+        sees that."""
+        glass = np.zeros(instance.shape, dtype=bool)
+        for object_id, number in self._panes:
+            glass |= (instance == object_id) & (part == number)
+        rows, columns = np.nonzero((instance == 0) | glass)
+        share = np.where(glass[rows, columns], 1.0 - GLASS, 1.0)
+        if len(rows) == 0:
+            return SeenOutside(rows, columns, np.zeros((0, 3)), share)
+        k, pose = np.asarray(camera.K), np.asarray(camera.world_from_camera)
+        factor = instance.shape[1] / camera.width
+        u, v = (columns + 0.5) / factor - 0.5, (rows + 0.5) / factor - 0.5
+        rays = np.stack(
+            [(u - k[0, 2]) / k[0, 0], (v - k[1, 2]) / k[1, 1], np.ones(len(rows))], axis=1
+        )
+        rays = rays @ pose[:3, :3].T
+        rise = rays[:, 2] / np.linalg.norm(rays, axis=1)
+        turn = np.arctan2(rays[:, 1], rays[:, 0]) / (2 * math.pi) % 1.0
+        colours = _sampled(panorama(self._outdoors), turn, rise)
+        for landing in self._landings:
+            there, on_it = seen_on(landing, pose[:3, 3], rays)
+            colours[there] = on_it
+        return SeenOutside(rows, columns, colours, share)
+
+    def paint(
+        self,
+        rgb: npt.NDArray[np.uint8],
+        instance: npt.NDArray[np.uint16],
+        part: npt.NDArray[np.uint8],
+        camera: Camera,
+    ) -> npt.NDArray[np.uint8]:
+        """A picture (H, W, 3) with what is seen of the world; a copy if there is any such pixel."""
+        seen = self.seen(instance, part, camera)
+        if len(seen.rows) == 0:
+            return rgb
+        share = seen.share[:, None]
+        out: npt.NDArray[np.uint8] = rgb.copy()
+        painted = seen.colours * share + GLASS_COLOUR * (1 - share)
+        out[seen.rows, seen.columns] = np.rint(painted)
+        return out
 
 
 def clear_panes(library: Library, scene: Scene) -> tuple[tuple[int, int], ...]:
@@ -33,41 +98,6 @@ def clear_panes(library: Library, scene: Scene) -> tuple[tuple[int, int], ...]:
         for number, name in enumerate(library.info(item.asset).variants[item.variant], start=1)
         if name == CLEAR_PANE
     )
-
-
-def paint_outdoors(
-    rgb: npt.NDArray[np.uint8],
-    instance: npt.NDArray[np.uint16],
-    part: npt.NDArray[np.uint8],
-    panes: Sequence[tuple[int, int]],
-    outdoors: Outdoors,
-    camera: Camera,
-    landings: Sequence[Landing] = (),
-) -> npt.NDArray[np.uint8]:
-    """The picture (H, W, 3) with the world painted where nothing is drawn (``instance`` 0) and, a
-    little paler, on the panes; a copy if there is any such pixel. Through a doorway with a landing
-    one sees that."""
-    glass = np.zeros(instance.shape, dtype=bool)
-    for object_id, number in panes:
-        glass |= (instance == object_id) & (part == number)
-    rows, columns = np.nonzero((instance == 0) | glass)
-    if len(rows) == 0:
-        return rgb
-    k, pose = np.asarray(camera.K), np.asarray(camera.world_from_camera)
-    rays = np.stack(
-        [(columns - k[0, 2]) / k[0, 0], (rows - k[1, 2]) / k[1, 1], np.ones(len(rows))], axis=1
-    )
-    rays = rays @ pose[:3, :3].T
-    rise = rays[:, 2] / np.linalg.norm(rays, axis=1)
-    turn = np.arctan2(rays[:, 1], rays[:, 0]) / (2 * math.pi) % 1.0
-    seen = _sampled(panorama(outdoors), turn, rise)
-    for landing in landings:
-        there, colours = seen_on(landing, pose[:3, 3], rays)
-        seen[there] = colours
-    share = np.where(glass[rows, columns], GLASS, 0.0)[:, None]
-    out: npt.NDArray[np.uint8] = rgb.copy()
-    out[rows, columns] = np.rint(seen * (1 - share) + GLASS_COLOUR * share)
-    return out
 
 
 def _sampled(

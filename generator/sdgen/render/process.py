@@ -48,9 +48,10 @@ class ProcessRenderer:
         """Draw of what was loaded these nodes alone, by id; None: all."""
         self._started().show_only(node_ids)
 
-    def draw(self, camera: Camera) -> Picture:
-        """What a camera sees of what was loaded. RendererError where nothing was."""
-        return self._started().draw(camera)
+    def draw(self, camera: Camera, colours: bool = True) -> Picture:
+        """What a camera sees of what was loaded; without ``colours``, ``rgb`` is black.
+        RendererError where nothing was."""
+        return self._started().draw(camera, colours)
 
     def _started(self) -> Renderer:
         if self._renderer is None:

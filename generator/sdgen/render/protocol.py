@@ -60,8 +60,9 @@ class Renderer(Closing, Protocol):
         """Draw of the loaded scene these nodes alone, by id; None: all."""
         ...
 
-    def draw(self, camera: Camera) -> Picture:
-        """What ``camera`` sees of the loaded scene."""
+    def draw(self, camera: Camera, colours: bool = True) -> Picture:
+        """What ``camera`` sees of the loaded scene, and of the world outside its windows; without
+        ``colours``, ``rgb`` is black."""
         ...
 
     def draw_colours(self, camera: Camera, factor: int) -> npt.NDArray[np.uint8]:

@@ -1,60 +1,72 @@
-"""All the light in one home."""
+"""All the light in one home.
+
+It comes from what belongs to the home: the shell, and what is fixed in it, all shut but for the
+doors between rooms. So a scene and its twin have the same, but for lamps that are on in one alone.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from sdgen.geometry import Array
-from sdgen.render.light.rooms import Lamp, RoomLight, light_of_rooms
+from sdgen.library import Library
+from sdgen.render.light.lamps import lamps_of
+from sdgen.render.light.rooms import RoomLight, light_of_rooms
 from sdgen.render.light.sky import Sky, sky_of
 from sdgen.render.light.sunlight import SunMap
 from sdgen.render.light.world import LightWorld
-from sdgen.render.raster.drawn import Drawn
+from sdgen.render.raster.drawn import Drawn, parts_of
 from sdgen.render.shell import ceiling_level_m
 from sdgen.scene import Scene
+from sdgen.vocabulary import DayTime
 
 #: Of a home without a ceiling, metres.
 _HIGH_M = 2.6
-#: A ceiling lamp hangs so far below its origin, metres, and gives so much, W/sr.
-_BELOW_M = 0.2
-_LAMP = np.array((5.0, 4.1, 2.9))
+_FRONT_DOOR = "front_door"
 
 
 @dataclass(frozen=True, eq=False)
 class HomeLight:
     """The light in the rooms of a home, the sky outside, and the sun's map."""
 
+    time: DayTime
     rooms: list[RoomLight]
     sky: Sky
     sun: SunMap
-    lamps: tuple[Lamp, ...]
 
 
-def light_of_home(scene: Scene, parts: Sequence[Drawn]) -> HomeLight:
+def light_of_home(library: Library, scene: Scene, parts: Sequence[Drawn]) -> HomeLight:
     """Find the light of a scene whose drawn parts these are."""
-    world = LightWorld(parts)
-    daylight = scene.home.daylight
-    sky = sky_of(daylight, scene.home.outdoors.weather)
-    ceiling = ceiling_level_m(scene.home.structures)
-    high = ceiling if np.isfinite(ceiling) else _HIGH_M
-    corners = np.array([c for room in scene.home.rooms for c in room.polygon_m])
+    home = scene.home
+    ceiling_m = ceiling_level_m(home.structures)
+    high = ceiling_m if np.isfinite(ceiling_m) else _HIGH_M
+    standing = [*_standing(library, scene, parts)]
+    world = LightWorld(standing, roofed=bool(np.isfinite(ceiling_m)))
+    sky = sky_of(home.daylight, home.outdoors.weather)
+    corners = np.array([c for room in home.rooms for c in room.polygon_m])
     low, top = (*corners.min(axis=0), 0.0), (*corners.max(axis=0), high)
     sun = SunMap(world, sky.towards, np.array(low), np.array(top))
-    lamps: tuple[Lamp, ...] = ()
-    if daylight.time != "day":
-        lamps = tuple(_ceiling_lamps(scene))
     shining = (sun, sky.sun) if sky.sun.any() else None
-    rooms = light_of_rooms(world, scene.home.rooms, high, sky.radiance, shining, lamps)
-    return HomeLight(rooms, sky, sun, lamps)
+    enclosed = any(one.category == "wall" for one in home.structures)
+    rooms = light_of_rooms(
+        world, home.rooms, high, sky.radiance, shining, lamps_of(parts), enclosed
+    )
+    return HomeLight(home.daylight.time, rooms, sky, sun)
 
 
-def _ceiling_lamps(scene: Scene) -> list[Lamp]:
-    down: Array = np.array((0.0, 0.0, _BELOW_M))
-    return [
-        Lamp(np.array(item.pose.position_m) - down, _LAMP)
-        for item in scene.objects
-        if item.category == "ceiling_lamp"
-    ]
+def _standing(library: Library, scene: Scene, parts: Sequence[Drawn]) -> Iterator[Drawn]:
+    """The parts that light meets."""
+    between = {one.object_id for one in scene.home.openings if one.kind != _FRONT_DOOR}
+    fixed = {item.id: item for item in scene.objects if item.fixed}
+    moved = {
+        key for key, item in fixed.items()
+        if key not in between and (item.variant != "default" or any(item.joints.values()))
+    }  # fmt: skip
+    yield from (
+        part for part in parts if part.number == 0 or part.node_id in fixed.keys() - moved
+    )
+    for key in sorted(moved):
+        shut = fixed[key].model_copy(update={"variant": "default", "joints": {}})
+        yield from parts_of(library, shut, lit=False)

@@ -22,10 +22,14 @@ from sdgen.render.light.sunlight import SunMap
 from sdgen.render.light.world import LightWorld, Met
 from sdgen.scene import Room
 
-#: Edges of the cells, metres, near enough for whole numbers of them to fill a room.
+#: Edges of the cells, metres, near enough for whole numbers of them to fill a room; longer where
+#: a home would have more cells than this: what light costs grows with them.
 CELL_M = 0.3
+_MOST_CELLS = 4000
 _RAYS = 64
 _BOUNCES = 5
+#: Lamps light so far, metres, and cells nearer than this as if they were so far off.
+_LAMP_REACH_M, _LAMP_NEAR_M = 7.0, 0.35
 #: A cell of whose rays more than this share meet things from behind lies within one.
 _WITHIN = 0.3
 #: What lights a surface is found so far before it, metres.
@@ -36,9 +40,11 @@ _SIDES = np.concatenate([np.eye(3), -np.eye(3)])[[0, 3, 1, 4, 2, 5]]
 
 @dataclass(frozen=True)
 class Lamp:
-    """A lamp that is on: where, and the light that it gives, W/sr in red, green and blue."""
+    """A lamp that is on: where, how far its own body reaches, and the light that it gives, W/sr in
+    red, green and blue."""
 
     at_m: Array
+    radius_m: float
     power: Array
 
 
@@ -56,16 +62,17 @@ class RoomLight:
 class _Grid:
     """A room's cells: their middles, and what their numbers among all cells are; -1: outside."""
 
-    def __init__(self, room: Room, height_m: float, first: int) -> None:
+    def __init__(self, room: Room, height_m: float, cell_m: float, first: int) -> None:
         self.room = room
         outline = Polygon(room.polygon_m)
         x0, y0, x1, y1 = outline.bounds
         size = np.array([x1 - x0, y1 - y0, height_m])
-        counts = np.maximum(2, np.rint(size / CELL_M).astype(int))
+        counts = np.maximum(2, np.rint(size / cell_m).astype(int))
         self.corner_m, self.cell_m = np.array([x0, y0, 0.0]), size / counts
         at = np.stack(np.meshgrid(*(np.arange(n) + 0.5 for n in counts), indexing="ij"), axis=-1)
         middles = at * self.cell_m + self.corner_m
-        self.inside = shapely.contains_xy(outline, middles[..., 0], middles[..., 1])
+        inside = shapely.contains_xy(outline, middles[:, :, 0, 0], middles[:, :, 0, 1])
+        self.inside = np.repeat(inside[:, :, None], counts[2], axis=2)
         self.middles = middles[self.inside]
         self.number = np.full(tuple(counts), -1)
         self.number[self.inside] = first + np.arange(len(self.middles))
@@ -86,12 +93,16 @@ def light_of_rooms(
     sky: Callable[[Array], Array],
     sun: tuple[SunMap, Array] | None,
     lamps: Sequence[Lamp],
+    enclosed: bool = True,
 ) -> list[RoomLight]:
     """The light in each room. ``sky`` gives radiance by direction (N, 3); ``sun``: its map, and
-    its light on a surface that faces it."""
+    its light on a surface that faces it. Where nothing is ``enclosed`` by walls, light is nearly
+    the same everywhere, and found at a few places only."""
     grids: list[_Grid] = []
+    volume = sum(Polygon(room.polygon_m).area for room in rooms) * height_m
+    cell_m = max(CELL_M, (volume / _MOST_CELLS) ** (1 / 3)) if enclosed else math.inf
     for room in rooms:
-        grids.append(_Grid(room, height_m, sum(len(grid.middles) for grid in grids)))
+        grids.append(_Grid(room, height_m, cell_m, sum(len(grid.middles) for grid in grids)))
     middles = np.concatenate([grid.middles for grid in grids])
     rays = _even_directions(_RAYS)
     origins = np.repeat(middles, _RAYS, axis=0)
@@ -115,10 +126,40 @@ def light_of_rooms(
         cube = np.concatenate([one[grid.inside] for one, grid in zip(cubes, grids, strict=True)])
         there = (cube[cell[:, None], facing] * share[..., None]).sum(axis=1)
         got = first + np.where(cell[:, None] >= 0, there, 0.0)
+    straight = _from_lamps(world, middles, lamps)
+    lit = [_smooth(grid, straight, within) for grid in grids] if lamps else []
+    cubes = [a + b for a, b in zip(cubes, lit, strict=True)] if lamps else cubes
     return [
         RoomLight(grid.room, grid.corner_m, grid.cell_m, one.astype(np.float32))
         for grid, one in zip(grids, cubes, strict=True)
     ]
+
+
+def _from_lamps(world: LightWorld, middles: Array, lamps: Sequence[Lamp]) -> Array:
+    """What cells get straight from lamps, on each of their six sides, (N, 6, 3)."""
+    out = np.zeros((len(middles), 6, 3))
+    for lamp in lamps:
+        near, to, far = _free_ways(world, middles, lamp)
+        strength = np.clip(to @ _SIDES.T, 0.0, None) / np.maximum(far, _LAMP_NEAR_M)[:, None] ** 2
+        out[near] += strength[..., None] * lamp.power
+    return out
+
+
+def _free_ways(
+    world: LightWorld, points_m: Array, lamp: Lamp, normals: Array | None = None
+) -> tuple[npt.NDArray[np.int64], Array, Array]:
+    """Which points (N, 3) a lamp lights (of those on a surface, on its lit side), the directions to
+    it and how far it is."""
+    to = lamp.at_m - points_m
+    far = np.maximum(np.linalg.norm(to, axis=1), 0.05)
+    to /= far[:, None]
+    reached = far < _LAMP_REACH_M
+    if normals is not None:
+        reached &= (to * normals).sum(axis=1) > 0
+    near = np.flatnonzero(reached)
+    start = points_m[near] if normals is None else points_m[near] + 0.02 * normals[near]
+    near = near[world.distance_m(start, to[near]) > far[near] - lamp.radius_m]
+    return near, to[near], far[near]
 
 
 def _even_directions(count: int) -> Array:
@@ -139,14 +180,9 @@ def _direct(
     if sun is not None:
         out += sun[0].shines(at, normal)[:, None] * sun[1]
     for lamp in lamps:
-        to = lamp.at_m - at
-        far = np.maximum(np.linalg.norm(to, axis=1), 0.05)
-        to /= far[:, None]
-        slant = (to * normal).sum(axis=1)
-        near = np.flatnonzero((slant > 0) & (far < 7.0))
-        free = world.distance_m(at[near] + 0.02 * normal[near], to[near]) > far[near] - 0.3
-        lit = near[free]
-        out[lit] += (slant[lit] / far[lit] ** 2)[:, None] * lamp.power
+        lit, to, far = _free_ways(world, at, lamp, normal)
+        slant = (to * normal[lit]).sum(axis=1)
+        out[lit] += (slant / np.maximum(far, _LAMP_NEAR_M) ** 2)[:, None] * lamp.power
     return out
 
 

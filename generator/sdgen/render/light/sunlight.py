@@ -11,7 +11,7 @@ from sdgen.geometry import Array
 from sdgen.render.light.world import LightWorld
 
 #: Rays lie so far apart, metres: a window's bar is two of them wide.
-_APART_M = 0.03
+_APART_M = 0.025
 #: They begin so far before the home, and are drawn over so much beside it, metres.
 _BEFORE_M, _BESIDE_M = 5.0, 0.3
 
@@ -42,7 +42,10 @@ class SunMap:
         begin = self.corner_m[2] - _BEFORE_M
         origins = start @ self.axes[:2] + begin * along
         far = world.distance_m(origins, np.broadcast_to(along, origins.shape))
-        depth = np.where(np.isfinite(far), far + begin, 1e6)
+        # What meets nothing in the home ends at the ground that it stands on, or light would come in
+        # beneath the walls.
+        ground = -origins[:, 2] / along[2] if along[2] < 0 else np.full(len(origins), np.inf)
+        depth = np.minimum(np.minimum(far, ground) + begin, 1e6)
         self.depth_m: npt.NDArray[np.float32] = depth.reshape(rows, columns).astype(np.float32)
 
     def shines(self, points_m: Array, normals: Array) -> Array:

@@ -18,8 +18,13 @@ from sdgen.render.raster.drawn import Drawn
 
 #: What is smaller than this, metres, throws no light back and no shade: it gets a contact shade.
 _LARGE_M = 0.25
+#: Rugs and what is spilt lie as flat as the floor they hide.
+_FLAT_M = 0.03
 #: sRGB to linear, near enough.
 _GAMMA = 2.2
+
+
+_NONE = np.zeros((0, 3, 3))
 
 
 class Met(NamedTuple):
@@ -35,16 +40,16 @@ class Met(NamedTuple):
 
 
 class LightWorld:
-    """The large parts of a scene, and a roof over them, for rays."""
+    """The large parts of a scene and, where it is ``roofed``, a roof over them, for rays."""
 
-    def __init__(self, parts: Sequence[Drawn]) -> None:
-        large = [part for part in parts if not part.clear and _large(part)]
+    def __init__(self, parts: Sequence[Drawn], roofed: bool) -> None:
+        large = [part for part in parts if _large(part)]
         corners = [part.vertices[part.faces] for part in large]
-        roof = _roof(np.concatenate([part.box() for part in large]))
+        roof = _roof(np.concatenate([part.box() for part in large])) if roofed else _NONE
         self._triangles = np.concatenate([*corners, roof]).astype(np.float32)
         counts = [len(part.faces) for part in large]
         albedo = np.array([_albedo(part) for part in large]).reshape(-1, 3)
-        self._albedo = np.concatenate([np.repeat(albedo, counts, axis=0), np.zeros((2, 3))])
+        self._albedo = np.concatenate([np.repeat(albedo, counts, axis=0), np.zeros((len(roof), 3))])
         sides = self._triangles[:, 1:] - self._triangles[:, :1]
         normals = np.cross(sides[:, 0], sides[:, 1]).astype(np.float64)
         length = np.linalg.norm(normals, axis=1, keepdims=True)
@@ -88,17 +93,20 @@ def _roof(corners_m: Array) -> Array:
 
 
 def _large(part: Drawn) -> bool:
-    low, high = part.box()
-    return part.number == 0 or bool((high - low).max() > _LARGE_M)
+    if part.number == 0:
+        return True
+    size = np.ptp(part.box(), axis=0)
+    see_through = part.clear or part.translucent or part.glows
+    return not see_through and bool(size.max() > _LARGE_M and size[2] > _FLAT_M)
 
 
 def _albedo(part: Drawn) -> Array:
     tint = np.minimum(part.rgb, 1.0) ** _GAMMA
-    return np.asarray(_mean(part.texture) * tint, dtype=np.float64)
+    return np.asarray(mean_colour(part.texture) * tint, dtype=np.float64)
 
 
 @lru_cache(maxsize=4096)
-def _mean(texture: Path) -> Array:
+def mean_colour(texture: Path) -> Array:
     """A texture's mean colour, linear."""
     with Image.open(texture) as image:
         small = image.convert("RGB").resize((1, 1), Image.Resampling.BOX)

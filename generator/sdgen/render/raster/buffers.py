@@ -8,35 +8,53 @@ import numpy.typing as npt
 
 
 class Buffers:
-    """Albedo and glow, whose each pixel is, normals, and depth along the camera's axis, (H, W)."""
+    """What is opaque: ``albedo`` and glow, ``fine`` times as many pixels along each side, normals,
+    and depth along the camera's axis. What is seen through, the nearest of it: ``veil`` (colour and
+    how much of it hides), ``veil_normal`` and ``veil_depth``. And whose each pixel is. All (H, W);
+    depth is 0 where nothing is."""
 
-    def __init__(self, context: moderngl.Context, width: int, height: int) -> None:
-        size = (width, height)
+    def __init__(self, context: moderngl.Context, width: int, height: int, fine: int) -> None:
+        size, larger = (width, height), (width * fine, height * fine)
         self.size = size
-        self.albedo = context.texture(size, 4)
-        self.whose = context.texture(size, 4)
-        self.normal = context.texture(size, 4, dtype="f2")
-        self.depth = context.texture(size, 1, dtype="f4")
-        self._z = context.depth_renderbuffer(size)
-        self._textures = (self.albedo, self.whose, self.normal, self.depth)
-        for texture in self._textures:
-            texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
-        self.frame = context.framebuffer(self._textures, self._z)
+        self.albedo = context.texture(larger, 4)
+        self.whose, self.veil = (context.texture(size, 4) for _ in range(2))
+        self.normal, self.veil_normal = (context.texture(size, 4, dtype="f2") for _ in range(2))
+        self.depth, self.veil_depth = (context.texture(size, 1, dtype="f4") for _ in range(2))
+        z, fine_z = context.depth_renderbuffer(size), context.depth_renderbuffer(larger)
+        of_veils = (self.veil_normal, self.veil_depth, self.veil)
+        self.colours = context.framebuffer([self.albedo], fine_z)
+        self.solid = context.framebuffer([self.whose, self.normal, self.depth], z)
+        self.veils = context.framebuffer([self.whose, *of_veils], z)
+        #: Emptied by themselves: whose pixels are and how deep has been drawn by then.
+        self._own_veils = context.framebuffer(of_veils)
+        self._held = (self.colours, self.solid, self.veils, self._own_veils, z, fine_z, self.albedo)
+        self._held += (self.whose, self.normal, self.depth, *of_veils)
+
+    def clear(self) -> None:
+        """Empty all of them."""
+        for frame in (self._own_veils, self.solid, self.colours):
+            frame.clear(0.0, 0.0, 0.0, 0.0)
 
     def ids(self) -> npt.NDArray[np.int64]:
         """Numbers of the parts, from 1; 0: nothing."""
-        raw = np.frombuffer(self.whose.read(alignment=1), dtype=np.uint8)
+        raw = np.frombuffer(self.whose.read(alignment=1), dtype="<u4")
         width, height = self.size
-        found = raw.reshape(height, width, 4)[::-1, :, :3].astype(np.int64)
-        return np.asarray(found[..., 0] + 256 * found[..., 1] + 65536 * found[..., 2])
+        return (raw.reshape(height, width)[::-1] & 0xFFFFFF).astype(np.int64)
 
-    def depth_m(self) -> npt.NDArray[np.float64]:
+    def depth_m(self, veiled: bool) -> npt.NDArray[np.float64]:
         """Depth along the camera's axis, metres; 0 where nothing is."""
-        raw = np.frombuffer(self.depth.read(alignment=1), dtype=np.float32)
+        depth = self._plane(self.depth)
+        if veiled:
+            before = self._plane(self.veil_depth)
+            depth = np.where(before > 0, before, depth)
+        return depth.astype(np.float64)
+
+    def _plane(self, texture: moderngl.Texture) -> npt.NDArray[np.float32]:
         width, height = self.size
-        return raw.reshape(height, width)[::-1].astype(np.float64)
+        raw = np.frombuffer(texture.read(alignment=1), dtype=np.float32)
+        return raw.reshape(height, width)[::-1]
 
     def release(self) -> None:
         """Let go of all of it."""
-        for held in (self.frame, self._z, *self._textures):
+        for held in self._held:
             held.release()

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import Any, Literal
 
 import moderngl
 import numpy as np
@@ -10,110 +11,123 @@ import numpy.typing as npt
 
 from sdgen.geometry import Array
 from sdgen.render.raster.drawn import Drawn
-from sdgen.render.raster.shelf import Shelf, Size
+from sdgen.render.raster.textures import Textures
 
-#: Position, normal, place on the texture, colour factor by half (up to 2) with glow, and layer of
-#: the texture with the part's number.
+Bools = npt.NDArray[np.bool_]
+
+#: The programs by what they draw: what is opaque, its colours, and what is seen through.
+Programs = Mapping[Literal["solid", "colours", "veils"], moderngl.Program]
+
+#: Position, normal, place on the texture, colour factor by half (up to 2) with how much of the part
+#: is seen through or, of what is not, whether it glows, and the part's number.
 _CORNER = np.dtype(
-    [("at", "f4", 3), ("normal", "f4", 3), ("uv", "f4", 2), ("colour", "u1", 4), ("tag", "f4", 2)]
+    [("at", "f4", 3), ("normal", "f4", 3), ("uv", "f4", 2), ("colour", "u1", 4), ("number", "f4")]
 )
-_LAYOUT = ("3f 3f 2f 4f1 2f", "at", "normal", "uv", "colour", "tag")
+_LAYOUT = "3f 3f 2f 4f1 1f"
+_NAMES = ("at", "normal", "uv", "colour", "number")
 
 
-class Batch:
-    """Parts that wear textures of one size: their buffers, and where each part's corners are."""
+class Geometry:
+    """The parts of one scene, numbered from 1 in their order, in one buffer. Those that wear one
+    texture lie side by side; those that are seen through come last."""
 
     def __init__(
         self,
         context: moderngl.Context,
-        program: moderngl.Program,
-        size: Size,
-        parts: Sequence[tuple[int, Drawn]],
-        shelf: Shelf,
+        programs: Programs,
+        parts: Sequence[Drawn],
+        textures: Textures,
     ) -> None:
-        self.size = size
-        #: Numbers of the parts among all of the scene's, in the order in which they are drawn.
-        self.parts = np.array([number for number, _ in parts])
-        ends = np.cumsum([3 * len(part.faces) for _, part in parts])
-        self._first, self._end = np.concatenate([[0], ends[:-1]]), ends
-        corners = np.zeros(sum(len(part.vertices) for _, part in parts), dtype=_CORNER)
+        self.nodes = np.array([0, *(part.node_id for part in parts)], dtype=np.uint16)
+        self.numbers = np.array([0, *(part.number for part in parts)], dtype=np.uint8)
+        self.veils = np.array([False, *(part.translucent for part in parts)], dtype=np.bool_)
+        worn = textures.bring(list(dict.fromkeys(part.texture for part in parts)))
+        place = {path: k for k, path in enumerate(worn)}
+        order = sorted(
+            range(len(parts)), key=lambda k: (parts[k].translucent, place[parts[k].texture], k)
+        )
+        self._order = np.array(order, dtype=np.int64)
+        self._boxes = np.array([parts[k].box() for k in order]).reshape(-1, 2, 3)
+        self._late = self.veils[1:][self._order]
+        self._shown = np.ones(len(parts), dtype=np.bool_)
+        sorts = np.array([place[parts[k].texture] for k in order], dtype=np.int64)
+        self._worn = [*worn.values()]
+        #: Which texture each wears, and whether it is the first to.
+        self._sorts = sorts.tolist()
+        self._turns = np.diff(sorts, prepend=-1) != 0
+        ends = np.cumsum([3 * len(parts[k].faces) for k in order])
+        self._first, self._end = np.concatenate([[0], ends[:-1]]).astype(int), ends
+        corners = np.zeros(sum(len(part.vertices) for part in parts), dtype=_CORNER)
         faces, start = [], 0
-        for number, part in parts:
+        for k in order:
+            part = parts[k]
             own = corners[start : start + len(part.vertices)]
             own["at"], own["normal"], own["uv"] = part.vertices, part.normals, part.uvs
             tint = np.rint(np.clip(np.array(part.rgb) / 2, 0, 1) * 255)
-            own["colour"] = (*tint, 255 * part.glows)
-            own["tag"] = (shelf.place(part.texture).layer, number + 1)
+            # Opaque parts use the fourth byte to say whether they give light.
+            own["colour"] = (*tint, round(255 * part.alpha) if part.translucent else 255 * part.glows)
+            own["number"] = k + 1
             faces.append(part.faces + np.uint32(start))
             start += len(part.vertices)
         self._corners = context.buffer(corners.tobytes())
         self._faces = context.buffer(np.concatenate(faces).tobytes())
-        self._array = context.vertex_array(
-            program, [(self._corners, *_LAYOUT)], self._faces, index_element_size=4
-        )
-
-    def draw(self, wanted: npt.NDArray[np.bool_]) -> None:
-        """Draw those of all parts of the scene that are wanted."""
-        for first, end in self._runs(wanted[self.parts]):
-            self._array.render(vertices=end - first, first=first)
-
-    def _runs(self, wanted: npt.NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
-        """From where to where there are corners of wanted parts, those side by side as one."""
-        edges = np.flatnonzero(np.diff(np.concatenate([[False], wanted, [False]]).astype(np.int8)))
-        for begin, end in edges.reshape(-1, 2).tolist():
-            yield int(self._first[begin]), int(self._end[end - 1])
-
-    def release(self) -> None:
-        """Let go of the buffers."""
-        for held in (self._array, self._corners, self._faces):
-            held.release()
-
-
-class Geometry:
-    """The parts of one scene, numbered in their order."""
-
-    def __init__(
-        self,
-        context: moderngl.Context,
-        program: moderngl.Program,
-        parts: Sequence[Drawn],
-        shelf: Shelf,
-    ) -> None:
-        shelf.bring(part.texture for part in parts)
-        self.nodes = np.array([0, *(part.node_id for part in parts)], dtype=np.uint16)
-        self.numbers = np.array([0, *(part.number for part in parts)], dtype=np.uint8)
-        self._boxes = np.array([part.box() for part in parts]).reshape(-1, 2, 3)
-        self._shelf = shelf
-        by_size: dict[Size, list[tuple[int, Drawn]]] = {}
-        for number, part in enumerate(parts):
-            by_size.setdefault(shelf.place(part.texture).size, []).append((number, part))
-        self._batches = [
-            Batch(context, program, size, some, shelf) for size, some in sorted(by_size.items())
-        ]
-        self._shown = np.ones(len(parts), dtype=np.bool_)
+        self._arrays = {
+            name: context.vertex_array(
+                program, [_bound(self._corners, program)], self._faces, index_element_size=4
+            )
+            for name, program in programs.items()
+        }
 
     def show_only(self, node_ids: Collection[int] | None) -> None:
         """Draw these nodes alone, by id; None: all."""
         every = node_ids is None
-        self._shown[:] = every or np.isin(self.nodes[1:], [*(node_ids or ())])
+        self._shown[:] = every or np.isin(self.nodes[1:][self._order], [*(node_ids or ())])
 
-    def draw(self, clip_from_world: Array) -> None:
-        """Draw what this camera may see."""
+    def seen(self, clip_from_world: Array) -> tuple[Bools, Bools]:
+        """What this camera may see: the parts that are opaque, and those that are not."""
         wanted = self._shown & ~_outside(self._boxes, clip_from_world)
-        for batch in self._batches:
-            self._shelf.use(batch.size, 0)
-            batch.draw(wanted)
+        return wanted & ~self._late, wanted & self._late
+
+    def draw(self, wanted: Bools, what: Literal["solid", "colours", "veils"]) -> None:
+        """Draw those parts that are wanted."""
+        array, textured = self._arrays[what], what != "solid"
+        for begin, end in self._runs(wanted, textured):
+            if textured:
+                self._worn[self._sorts[begin]].use(0)
+            first = int(self._first[begin])
+            array.render(vertices=int(self._end[end - 1]) - first, first=first)
+
+    def _runs(self, wanted: Bools, textured: bool) -> Iterator[tuple[int, int]]:
+        """From where to where there are wanted parts; ``textured``: that wear one texture."""
+        starts = wanted.copy()
+        starts[1:] &= ~wanted[:-1]
+        if textured:
+            starts |= wanted & self._turns
+        begins = np.flatnonzero(starts)
+        # A run ends where the next begins or, before that, where a part is not wanted.
+        gaps = np.append(np.flatnonzero(~wanted), len(wanted))
+        stops = np.minimum(
+            np.append(begins[1:], len(wanted)), gaps[np.searchsorted(gaps, begins)]
+        )
+        yield from zip(begins.tolist(), stops.tolist(), strict=True)
 
     def release(self) -> None:
-        """Let go of all buffers."""
-        for batch in self._batches:
-            batch.release()
+        """Let go of the buffers; textures stay."""
+        for held in (*self._arrays.values(), self._corners, self._faces):
+            held.release()
 
 
-def _outside(boxes: Array, clip_from_world: Array) -> npt.NDArray[np.bool_]:
+def _bound(corners: moderngl.Buffer, program: moderngl.Program) -> tuple[Any, ...]:
+    """The corners as a program takes them: what it does not use is left out, which OpenGL does."""
+    padded = " ".join(
+        kind if name in program else f"{int(kind[0]) * (1 if kind == '4f1' else 4)}x"
+        for kind, name in zip(_LAYOUT.split(), _NAMES, strict=True)
+    )
+    return (corners, padded, *(name for name in _NAMES if name in program))
+
+
+def _outside(boxes: Array, clip_from_world: Array) -> Bools:
     """Which boxes (N, 2, 3) lie wholly beyond one of the six planes of what a camera sees."""
-    if len(boxes) == 0:
-        return np.zeros(0, dtype=np.bool_)
     rows = clip_from_world
     planes = np.stack([rows[3] + sign * rows[k] for k in range(3) for sign in (1, -1)])
     # Of each box the corner that lies furthest on the inner side decides.

@@ -6,9 +6,9 @@ _PLACE = """
 uniform sampler2D normal_map, depth_map;
 uniform mat4 world_from_camera; uniform vec4 lens; uniform vec3 eye;
 in vec2 uv;
+ivec2 here() { return ivec2(gl_FragCoord.xy); }
 // lens: x and y of the ray through the picture's corner (0, 0), and how far they go across it.
-vec3 place(vec2 at) {
-    float z = texture(depth_map, at).r;
+vec3 place(vec2 at, float z) {
     return (world_from_camera * vec4((lens.xy + at * lens.zw) * z, z, 1.0)).xyz;
 }
 """
@@ -18,101 +18,180 @@ SHADE = (
     _PLACE
     + """
 uniform mat4 clip_from_world;
+uniform ivec2 size;                    // of the picture
 out vec2 shade;
-const float REACH = 0.32; const int RAYS = 12;
+const float REACH = 0.32; const int RAYS = 8;
 void main() {
-    float z = texture(depth_map, uv).r;
+    ivec2 own = ivec2(uv * vec2(size));
+    float z = texelFetch(depth_map, own, 0).r;
     shade = vec2(1.0, z);
     if (z == 0.0) return;
-    vec3 p = place(uv), n = texture(normal_map, uv).xyz;
+    vec3 p = place((vec2(own) + 0.5) / vec2(size), z), n = texelFetch(normal_map, own, 0).xyz;
     if (dot(n, eye - p) < 0.0) n = -n;
     ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
     float turn = float((cell.x * 5 + cell.y * 7 + cell.x * cell.y * 3) & 15) / 16.0;
     vec3 t = normalize(cross(n, abs(n.z) < 0.9 ? vec3(0, 0, 1) : vec3(1, 0, 0)));
     vec3 b = cross(n, t);
+    // How clip space changes along each of the three: one product of a matrix instead of many.
+    vec4 from = clip_from_world * vec4(p + n * 0.01, 1.0);
+    vec4 by_t = clip_from_world * vec4(t, 0.0), by_b = clip_from_world * vec4(b, 0.0);
+    vec4 by_n = clip_from_world * vec4(n, 0.0);
     float hidden = 0.0;
     for (int k = 0; k < RAYS; k++) {
         float f = (float(k) + 0.5) / float(RAYS);
         float angle = 6.2831853 * turn + float(k) * 2.3999632;
-        vec3 way = (t * cos(angle) + b * sin(angle)) * sqrt(f) + n * sqrt(1.0 - f);
-        vec3 s = p + n * 0.01 + way * REACH * (0.15 + 0.85 * fract(float(k) * 0.618034 + turn));
-        vec4 c = clip_from_world * vec4(s, 1.0);
-        vec2 at = c.xy / c.w * 0.5 + 0.5;
-        if (any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) continue;
-        float before = c.w - texture(depth_map, at).r;
-        if (before > 0.012 && before < 0.5) hidden += 1.0;
+        float far = REACH * (0.15 + 0.85 * fract(float(k) * 0.618034 + turn));
+        float flat_ = far * sqrt(f), up = far * sqrt(1.0 - f);
+        vec4 c = from + by_t * (cos(angle) * flat_) + by_b * (sin(angle) * flat_) + by_n * up;
+        ivec2 at = ivec2((c.xy / c.w * 0.5 + 0.5) * vec2(size));
+        // Beyond the picture's edge what is at the edge is taken for what is there.
+        float before = c.w - texelFetch(depth_map, clamp(at, ivec2(0), size - 1), 0).r;
+        hidden += step(0.012, before) * step(before, 0.5);
     }
     shade.x = 1.0 - 0.85 * hidden / float(RAYS);
 }
 """
 )
 
-#: At most so many rooms in a home.
-ROOMS = 24
-
-LIGHT = (
-    _PLACE
-    + f"""
-const int ROOMS = {ROOMS};
-"""
-    + """
-uniform sampler2D albedo_map, shade_map, sun_map, room_map;
-uniform sampler3D side_0, side_1, side_2, side_3, side_4, side_5;
-uniform vec2 pixel;
-uniform vec4 plan;                     // of the room map: corner, cells a metre
-uniform vec4 corner[ROOMS], cell[ROOMS], count[ROOMS];  // of the rooms' grids; count.w: offset
-uniform vec3 cells;                    // of all grids side by side
-uniform vec3 sun_right, sun_up, sun_along, sun_corner, sun, sun_light;
-uniform float sun_step, exposure;
-out vec4 colour;
-float shaded(float z) {
-    float sum = 0.0, weight = 0.0;
+#: A mean of shade over turns of its directions, of what is as deep.
+BLUR = """
+#version 330
+uniform sampler2D shade_map;
+uniform ivec2 last;
+out vec2 shade;
+void main() {
+    ivec2 own = ivec2(gl_FragCoord.xy);
+    float z = texelFetch(shade_map, own, 0).g, sum = 0.0, weight = 1e-6;
     for (int i = -2; i < 2; i++) for (int j = -2; j < 2; j++) {
-        vec2 near = texture(shade_map, uv + (vec2(i, j) + 0.5) * pixel).rg;
-        float alike = exp(-40.0 * abs(near.g - z) / z);
+        vec2 near = texelFetch(shade_map, clamp(own + ivec2(i, j), ivec2(0), last), 0).rg;
+        float alike = max(0.0, 1.0 - 20.0 * abs(near.g - z) / max(z, 0.01));
         sum += near.r * alike; weight += alike;
     }
-    return weight > 0.001 ? sum / weight : 1.0;
+    shade = vec2(sum / weight, z);
 }
+"""
+
+#: Light from the cells of rooms, and what a camera makes of it.
+_CELLS = (
+    _PLACE
+    + """
+uniform sampler2D room_map, rooms;
+uniform sampler3D sides;               // of all grids side by side, for +x, -x, +y, -y, +z, -z
+uniform vec4 plan;                     // of the room map: corner, cells a metre
+uniform vec3 cells;                    // of all grids and sides together
+uniform float side;                    // how many cells each of the six takes
+uniform vec3 exposure;
+const float PI = 3.14159265;
+// Light on a surface at p that faces n, from the cells of the room that p is in.
 vec3 around(vec3 p, vec3 n) {
     vec3 q = p + 0.14 * n;
     float room = texture(room_map, (q.xy - plan.xy) * plan.zw).r * 255.0;
-    if (room < 0.5) { room = texture(room_map, (p.xy - plan.xy) * plan.zw).r * 255.0; }
-    if (room < 0.5) return vec3(1.0);
-    int k = int(room + 0.5) - 1;
-    vec3 at = clamp((q - corner[k].xyz) / cell[k].xyz, vec3(0.5), count[k].xyz - 0.5);
-    at = (at + vec3(count[k].w, 0.0, 0.0)) / cells;
-    vec3 share = n * n;
-    return share.x * (n.x > 0.0 ? texture(side_0, at) : texture(side_1, at)).rgb
-         + share.y * (n.y > 0.0 ? texture(side_2, at) : texture(side_3, at)).rgb
-         + share.z * (n.z > 0.0 ? texture(side_4, at) : texture(side_5, at)).rgb;
+    if (room < 0.5) room = texture(room_map, (p.xy - plan.xy) * plan.zw).r * 255.0;
+    int k = max(int(room + 0.5) - 1, 0);
+    vec4 corner = texelFetch(rooms, ivec2(0, k), 0), count = texelFetch(rooms, ivec2(2, k), 0);
+    vec3 at = (q - corner.xyz) / texelFetch(rooms, ivec2(1, k), 0).xyz;
+    at = clamp(at, vec3(0.5), count.xyz - 0.5);
+    at = (at + vec3(count.w, 0.0, 0.0)) / cells;
+    vec3 share = n * n, up = (vec3(0.0, 2.0, 4.0) + vec3(lessThan(n, vec3(0.0)))) * side / cells.z;
+    vec3 found = share.x * texture(sides, at + vec3(0.0, 0.0, up.x)).rgb
+        + share.y * texture(sides, at + vec3(0.0, 0.0, up.y)).rgb
+        + share.z * texture(sides, at + vec3(0.0, 0.0, up.z)).rgb;
+    return room < 0.5 ? vec3(1.0) : found;
 }
-float sunny(vec3 p, vec3 n) {
-    vec3 q = p + 0.03 * n;
-    vec2 at = vec2(dot(q, sun_right), dot(q, sun_up)) - sun_corner.xy;
-    float depth = dot(q, sun_along) - 0.03, sum = 0.0;
-    for (int i = -2; i <= 2; i++) for (int j = -2; j <= 2; j++)
-        sum += step(depth, texelFetch(sun_map, ivec2(at / sun_step + 0.8 * vec2(i, j)), 0).r);
-    return sum / 25.0;
+// sRGB, near enough (Chapman 2012), without a power.
+vec3 linear(vec3 c) { return c * (c * (c * 0.305306 + 0.682171) + 0.012523); }
+vec3 shown(vec3 x) {
+    vec3 a = sqrt(x), b = sqrt(a);
+    return clamp(0.662003 * a + 0.684122 * b - 0.323584 * sqrt(b) - 0.022541 * x, 0.0, 1.0);
 }
 // Narkowicz 2015, "ACES filmic tone mapping curve".
 vec3 toned(vec3 x) {
-    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+    return shown(clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0));
+}
+"""
+)
+
+#: Mesa on a CPU computes both ways of every question: what need not be done is left out instead.
+_SUNNY = """
+uniform sampler2D sun_map;
+uniform vec3 sun_right, sun_up, sun_along, sun_corner, sun, sun_light;
+uniform float sun_step;
+vec3 sunny(vec3 p, vec3 n) {
+    vec3 q = p + 0.01 * n;
+    vec2 at = (vec2(dot(q, sun_right), dot(q, sun_up)) - sun_corner.xy) / sun_step;
+    float slant = dot(n, sun), depth = dot(q, sun_along) - 0.02, sum = 0.0;
+    // How the depth of the surface itself changes from cell to cell (receiver plane depth bias,
+    // Isidoro 2006): without it a surface shades itself, or light comes in at corners.
+    vec2 rise = vec2(dot(n, sun_right), dot(n, sun_up)) / max(slant, 0.1) * sun_step;
+    vec2 low = floor(at - 0.5);
+    float core = 0.0;
+    for (int i = -1; i < 3; i++) for (int j = -1; j < 3; j++) {
+        ivec2 cell = ivec2(low) + ivec2(i, j);
+        vec2 off = vec2(cell) + 0.5 - at;
+        float lit = step(depth + dot(off, rise), texelFetch(sun_map, cell, 0).r);
+        vec2 near = max(1.0 - abs(off), 0.0);
+        sum += lit; core += lit * near.x * near.y;
+    }
+    // Where walls meet, cells far off see past them: no light where there is none near by.
+    sum *= clamp(2.0 * core, 0.0, 1.0);
+    return sun_light * max(slant, 0.0) * sum / 16.0;
+}
+"""
+_SUNLESS = """
+vec3 sunny(vec3 p, vec3 n) { return vec3(0.0); }
+"""
+
+_LIGHT = """
+uniform sampler2D albedo_map, shade_map, world_map;
+uniform ivec2 coarse;                  // size of the shade map
+uniform bool outdoors;
+out vec4 colour;
+float shaded(float z) {
+    float sum = 0.0, weight = 0.0;
+    ivec2 first = ivec2(uv * vec2(coarse) - 0.5), last = coarse - 1;
+    for (int i = 0; i < 2; i++) for (int j = 0; j < 2; j++) {
+        vec2 near = texelFetch(shade_map, clamp(first + ivec2(i, j), ivec2(0), last), 0).rg;
+        float alike = max(0.0, 1.0 - 20.0 * abs(near.g - z) / z) + 1e-4;
+        sum += near.r * alike; weight += alike;
+    }
+    return sum / weight;
 }
 void main() {
-    float z = texture(depth_map, uv).r;
+    float z = max(texelFetch(depth_map, here(), 0).r, 0.001);
     vec4 own = texture(albedo_map, uv);
-    if (z == 0.0) { colour = vec4(0.0); return; }
-    vec3 p = place(uv), n = texture(normal_map, uv).xyz;
+    vec3 p = place(uv, z), n = texelFetch(normal_map, here(), 0).xyz;
     if (dot(n, eye - p) < 0.0) n = -n;
-    vec3 given = around(p, n) * shaded(z);
-    float slant = dot(n, sun);
-    if (slant > 0.0 && sun_light.r > 0.0) given += sun_light * slant * sunny(p, n);
-    vec3 linear = pow(own.rgb, vec3(2.2));
-    vec3 light = linear * given / 3.14159265 * exposure;
-    colour = vec4(pow(toned(light), vec3(1.0 / 2.2)), 1.0);
+    vec3 given = around(p, n) * shaded(z) + sunny(p, n);
+    vec3 found = toned(linear(own.rgb) * given / PI * exposure);
     // What gives light is as bright as its texture by day and by night.
-    if (own.a > 0.5) colour.rgb = max(colour.rgb, own.rgb);
+    found = mix(found, max(found, own.rgb), own.a);
+    vec4 world = texelFetch(world_map, here(), 0);
+    if (outdoors) found = mix(found, world.rgb, world.a);
+    colour = vec4(found, 1.0);
+}
+"""
+LIGHT = _CELLS + _SUNNY + _LIGHT
+LIGHT_SUNLESS = _CELLS + _SUNLESS + _LIGHT
+
+#: What is seen through, over what is behind it: how much of it hides that comes out as alpha.
+VEIL = (
+    _CELLS
+    + """
+uniform sampler2D veil_map;
+out vec4 colour;
+void main() {
+    float z = texelFetch(depth_map, here(), 0).r;
+    vec4 veil = texelFetch(veil_map, here(), 0);
+    vec3 p = place(uv, max(z, 0.001)), n = texelFetch(normal_map, here(), 0).xyz;
+    vec3 way = normalize(p - eye);
+    if (dot(n, way) > 0.0) n = -n;
+    // What it mirrors (Schlick 1994) comes from where the mirrored ray goes.
+    float edge = 1.0 + dot(n, way), mirrors = 0.04 + 0.5 * edge * edge * edge;
+    vec3 lit = toned(linear(veil.rgb) * around(p, n) / PI * exposure);
+    vec3 mirrored = toned(around(p, reflect(way, n)) / PI * exposure);
+    float hides = 1.0 - (1.0 - veil.a) * (1.0 - mirrors);
+    vec3 both = (lit * veil.a * (1.0 - mirrors) + mirrored * mirrors) / max(hides, 0.001);
+    colour = vec4(both, z > 0.0 ? hides : 0.0);
 }
 """
 )
@@ -120,22 +199,33 @@ void main() {
 #: Smooth edges from one picture (Lottes 2009, FXAA, the short form).
 SMOOTH = """
 #version 330
-uniform sampler2D picture; uniform vec2 pixel;
+uniform sampler2D picture; uniform vec2 pixel; uniform ivec2 last;
 in vec2 uv;
 out vec4 colour;
 const vec3 GREY = vec3(0.299, 0.587, 0.114);
 vec3 at(vec2 by) { return texture(picture, uv + by).rgb; }
-float bright(vec2 by) { return dot(at(by * pixel), GREY); }
+float bright(int x, int y) {
+    ivec2 place = clamp(ivec2(gl_FragCoord.xy) + ivec2(x, y), ivec2(0), last);
+    return dot(texelFetch(picture, place, 0).rgb, GREY);
+}
 void main() {
-    float m = bright(vec2(0)), nw = bright(vec2(-1, -1)), ne = bright(vec2(1, -1));
-    float sw = bright(vec2(-1, 1)), se = bright(vec2(1, 1));
+    vec3 own = texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
+    float m = dot(own, GREY), nw = bright(-1, -1), ne = bright(1, -1);
+    float sw = bright(-1, 1), se = bright(1, 1);
     float low = min(m, min(min(nw, ne), min(sw, se))), high = max(m, max(max(nw, ne), max(sw, se)));
+    // What is thinner than a pixel is dots and dashes: they are toned down.
+    float beyond = max(m - max(max(nw, ne), max(sw, se)), min(min(nw, ne), min(sw, se)) - m);
+    vec3 mean = 0.25 * (at(pixel * vec2(-0.5, -1.0)) + at(pixel * vec2(1.0, -0.5))
+        + at(pixel * vec2(0.5, 1.0)) + at(pixel * vec2(-1.0, 0.5)));
+    own = mix(own, mean, clamp(10.0 * beyond, 0.0, 0.8));
+    colour = vec4(own, 1.0);
+    if (high - low < max(0.02, 0.06 * high)) return;
     vec2 along = vec2(sw + se - nw - ne, nw + sw - ne - se);
     float least = max((nw + ne + sw + se) * 0.03125, 0.0078125);
     along = clamp(along / (min(abs(along.x), abs(along.y)) + least), -8.0, 8.0) * pixel;
     vec3 near = 0.5 * (at(along * (-1.0 / 6.0)) + at(along / 6.0));
     vec3 wide = 0.5 * near + 0.25 * (at(-0.5 * along) + at(0.5 * along));
     float found = dot(wide, GREY);
-    colour = vec4(found < low || found > high ? near : wide, 1.0);
+    colour.rgb = found < low || found > high ? near : wide;
 }
 """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import moderngl
@@ -11,170 +11,252 @@ import numpy.typing as npt
 import shapely
 from shapely.geometry import Polygon
 
-from sdgen.geometry import Array
+from sdgen.geometry import Array, Vec3, vec3
+from sdgen.render.light.home_light import HomeLight
 from sdgen.render.light.rooms import RoomLight
-from sdgen.render.light.sunlight import SunMap
+from sdgen.render.outdoors import SeenOutside
 from sdgen.render.raster.buffers import Buffers
-from sdgen.render.raster.light_shaders import LIGHT, ROOMS, SHADE, SMOOTH
+from sdgen.render.raster.light_shaders import BLUR, LIGHT, LIGHT_SUNLESS, SHADE, SMOOTH, VEIL
 from sdgen.render.raster.shaders import FULL_VERTEX
 from sdgen.scene import Camera
+from sdgen.vocabulary import DayTime
 
 #: Cells of the map that says which room a point of the plan is in, metres; rooms reach as far as
-#: the middle of their walls.
+#: the middle of their walls. It counts to 255.
 _PLAN_M, _WALL_M = 0.04, 0.06
 _BESIDE_M = 0.5
-#: How bright the middle of a room is to be, and how far dark rooms are brought up to it.
-_KEY, _ADAPTS = 1.5, 0.85
-#: At least so much light is reckoned with, or a dark store room would be noise.
-_DARKEST = 0.08
+_MOST_ROOMS = 255
+#: How bright the middle of a room is to be by the time of day, how far dark rooms are brought up to
+#: it, and how far the colour of their light is taken out, as a camera does.
+_KEY: dict[DayTime, float] = {"day": 1.5, "evening": 1.25, "night": 1.05}
+_ADAPTS, _WHITENS = 0.85, 0.6
+#: At least so much light is reckoned with: it takes some to see anything.
+_DARKEST = 0.02
+#: How bright red, green and blue look (Rec. 709).
+_LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
+#: Shade is found once for so many pixels along each side.
+_COARSE = 2
+_PASSES = {
+    "shade": SHADE,
+    "blur": BLUR,
+    "light": LIGHT,
+    "light_sunless": LIGHT_SUNLESS,
+    "veil": VEIL,
+    "smooth": SMOOTH,
+}
+
+#: Left, bottom, width and height in pixels of a picture.
+Box = tuple[int, int, int, int]
+
+
+class Targets:
+    """What the passes over pictures of one size draw into."""
+
+    def __init__(self, context: moderngl.Context, size: tuple[int, int]) -> None:
+        self.pixel = (1 / size[0], 1 / size[1])
+        small = (max(1, size[0] // _COARSE), max(1, size[1] // _COARSE))
+        self.size, self.coarse = size, small
+        self.shade, self.blurred = (context.texture(small, 2, dtype="f2") for _ in range(2))
+        self.light, self.smooth, self.world = (context.texture(size, 4) for _ in range(3))
+        self.light.repeat_x = self.light.repeat_y = False
+        self.frames = {
+            "shade": context.framebuffer([self.shade]),
+            "blur": context.framebuffer([self.blurred]),
+            "light": context.framebuffer([self.light]),
+            "smooth": context.framebuffer([self.smooth]),
+        }
+
+    def release(self) -> None:
+        """Let go of all of it."""
+        textures = (self.shade, self.blurred, self.light, self.smooth, self.world)
+        for held in (*self.frames.values(), *textures):
+            held.release()
 
 
 class Passes:
-    """The programs that light and smooth a picture, and what they draw into."""
+    """The programs that light and smooth a picture."""
 
     def __init__(self, context: moderngl.Context) -> None:
         self._context = context
         corners = context.buffer(np.array([-1, -1, 3, -1, -1, 3], dtype=np.float32).tobytes())
         self._programs = {
-            name: context.program(FULL_VERTEX, pixel)
-            for name, pixel in (("shade", SHADE), ("light", LIGHT), ("smooth", SMOOTH))
+            name: context.program(FULL_VERTEX, pixel) for name, pixel in _PASSES.items()
         }
         self._arrays = {
             name: context.vertex_array(program, [(corners, "2f", "at")])
             for name, program in self._programs.items()
         }
-        self._targets: dict[tuple[int, int], dict[str, moderngl.Framebuffer]] = {}
 
     def picture(
-        self, buffers: Buffers, camera: Camera, clip: Array, light: Lighting
+        self,
+        buffers: Buffers,
+        targets: Targets,
+        camera: Camera,
+        clip_from_world: Array,
+        light: Lighting,
+        seen: SeenOutside,
+        veiled: Box | None,
+        smooth: bool,
     ) -> npt.NDArray[np.uint8]:
-        """Colours of what is in the buffers, by this light, (H, W, 3)."""
-        targets = self._sized(buffers.size)
-        pose = np.asarray(camera.world_from_camera)
-        k = np.asarray(camera.K)
-        # Rows of textures go up, rows of pictures go down.
-        wide, high = camera.width / k[0, 0], camera.height / k[1, 1]
-        lens = (-(k[0, 2] + 0.5) / k[0, 0], (camera.height - k[1, 2] - 0.5) / k[1, 1], wide, -high)
-        place = {
-            "normal_map": buffers.normal,
-            "depth_map": buffers.depth,
-            "world_from_camera": pose,
-            "lens": lens,
-            "eye": tuple(pose[:3, 3]),
-        }
-        pixel = (1 / buffers.size[0], 1 / buffers.size[1])
+        """Colours of what is in the buffers, by this light, (H, W, 3). ``seen`` is painted in;
+        ``veiled``: left, bottom, width and height of the pixels of what is seen through."""
+        place = {**_place(camera), "exposure": light.exposure(camera.room_id)}
         self._context.disable(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
-        self._run("shade", targets["shade"], {**place, "clip_from_world": clip})
+        clip = tuple(clip_from_world.T.ravel())
+        solid = {"normal_map": buffers.normal, "depth_map": buffers.depth}
+        shade = {**place, "clip_from_world": clip, "size": targets.size}
+        self._run("shade", targets.frames["shade"], shade, solid)
+        last = (targets.coarse[0] - 1, targets.coarse[1] - 1)
+        self._run("blur", targets.frames["blur"], {"last": last}, {"shade_map": targets.shade})
+        outdoors = len(seen.rows) > 0
+        if outdoors:
+            targets.world.write(_world(buffers.size, seen), alignment=1)
         self._run(
-            "light",
-            targets["light"],
+            "light" if light.sunny else "light_sunless",
+            targets.frames["light"],
+            {**place, **light.uniforms, "coarse": targets.coarse, "outdoors": outdoors},
             {
-                **place,
-                **light.uniforms,
+                **solid,
+                **light.textures,
                 "albedo_map": buffers.albedo,
-                "shade_map": targets["shade"].color_attachments[0],
-                "pixel": pixel,
-                "exposure": light.exposure(camera.room_id),
+                "shade_map": targets.blurred,
+                "world_map": targets.world,
             },
         )
-        lit = targets["light"].color_attachments[0]
-        self._run("smooth", targets["smooth"], {"picture": lit, "pixel": pixel})
-        raw = np.frombuffer(targets["smooth"].read(components=3, alignment=1), dtype=np.uint8)
+        if veiled is not None:
+            self._veil(buffers, targets, place, light, veiled)
+        if smooth:
+            edge = {"pixel": targets.pixel, "last": (targets.size[0] - 1, targets.size[1] - 1)}
+            self._run("smooth", targets.frames["smooth"], edge, {"picture": targets.light})
+        done = targets.frames["smooth" if smooth else "light"]
+        raw = np.frombuffer(done.read(components=3, alignment=1), dtype=np.uint8)
         return np.ascontiguousarray(raw.reshape(*buffers.size[::-1], 3)[::-1])
 
-    def _run(self, name: str, target: moderngl.Framebuffer, values: dict[str, Any]) -> None:
+    def _veil(
+        self,
+        buffers: Buffers,
+        targets: Targets,
+        place: Mapping[str, Any],
+        light: Lighting,
+        box: Box,
+    ) -> None:
+        veils = {
+            "normal_map": buffers.veil_normal,
+            "depth_map": buffers.veil_depth,
+            "veil_map": buffers.veil,
+        }
+        frame = targets.frames["light"]
+        frame.scissor = box
+        self._context.enable(moderngl.BLEND)
+        self._run("veil", frame, {**place, **light.uniforms}, {**veils, **light.textures})
+        self._context.disable(moderngl.BLEND)
+        frame.scissor = None
+
+    def _run(
+        self,
+        name: str,
+        target: moderngl.Framebuffer,
+        values: Mapping[str, Any],
+        textures: Mapping[str, moderngl.Texture | moderngl.Texture3D],
+    ) -> None:
+        """Draw all of a target; a program takes those values and textures that it has."""
         target.use()
         program, unit = self._programs[name], 0
         for key, value in values.items():
-            if key not in program:
-                continue
-            member = program[key]
-            if isinstance(value, moderngl.Texture | moderngl.Texture3D):
-                value.use(unit)
-                member.value = unit
+            if key in program:
+                program[key].value = value
+        for key, texture in textures.items():
+            if key in program:
+                texture.use(unit)
+                program[key].value = unit
                 unit += 1
-            elif isinstance(value, np.ndarray) and value.ndim == 2 and value.shape == (4, 4):
-                member.write(value.T.astype(np.float32).tobytes())
-            elif isinstance(value, np.ndarray):
-                member.write(value.astype(np.float32).tobytes())
-            else:
-                member.value = value
         self._arrays[name].render()
 
-    def _sized(self, size: tuple[int, int]) -> dict[str, moderngl.Framebuffer]:
-        if size not in self._targets:
-            if len(self._targets) >= 3:
-                for frame in self._targets.pop(next(iter(self._targets))).values():
-                    frame.color_attachments[0].release()
-                    frame.release()
-            shade = self._context.texture(size, 2, dtype="f2")
-            shade.filter = (moderngl.NEAREST, moderngl.NEAREST)
-            self._targets[size] = {
-                "shade": self._context.framebuffer([shade]),
-                "light": self._context.framebuffer([self._context.texture(size, 4)]),
-                "smooth": self._context.framebuffer([self._context.texture(size, 4)]),
-            }
-        return self._targets[size]
+
+def _place(camera: Camera) -> dict[str, Any]:
+    """Where a camera is, and which rays its picture's corners are."""
+    pose, k = np.asarray(camera.world_from_camera), np.asarray(camera.K)
+    # Rows of textures go up, rows of pictures go down.
+    left, low = -(k[0, 2] + 0.5) / k[0, 0], (camera.height - k[1, 2] - 0.5) / k[1, 1]
+    return {
+        "world_from_camera": tuple(pose.T.ravel()),
+        "lens": (left, low, camera.width / k[0, 0], -camera.height / k[1, 1]),
+        "eye": tuple(pose[:3, 3]),
+    }
 
 
 class Lighting:
     """A scene's light as the passes take it."""
 
-    def __init__(
-        self,
-        context: moderngl.Context,
-        rooms: Sequence[RoomLight],
-        sun: SunMap,
-        sun_light: Array,
-    ) -> None:
+    def __init__(self, context: moderngl.Context, light: HomeLight) -> None:
+        rooms, sun = light.rooms[:_MOST_ROOMS], light.sun
         counts = np.array([room.cube.shape[:3] for room in rooms])
         offsets = np.concatenate([[0], np.cumsum(counts[:, 0])])
         size = (int(offsets[-1]), int(counts[:, 1].max()), int(counts[:, 2].max()))
         volumes = np.zeros((6, size[2], size[1], size[0], 3), dtype=np.float16)
-        for room, first in zip(rooms, offsets.tolist(), strict=False):
+        table = np.zeros((len(rooms), 3, 4), dtype=np.float32)
+        for k, (room, first) in enumerate(zip(rooms, offsets.tolist(), strict=False)):
             x, y, z = room.cube.shape[:3]
             volumes[:, :z, :y, first : first + x] = room.cube.transpose(3, 2, 1, 0, 4)
-        sides = [context.texture3d(size, 3, v.tobytes(), alignment=1, dtype="f2") for v in volumes]
-        rows = np.zeros((3, ROOMS, 4), dtype=np.float32)
-        for k, room in enumerate(rooms[:ROOMS]):
-            rows[0, k, :3], rows[1, k, :3] = room.corner_m, room.cell_m
-            rows[2, k] = (*counts[k], offsets[k])
-        rooms_map, plan = _room_map(context, rooms)
-        sun_map = context.texture(
-            sun.depth_m.shape[::-1], 1, sun.depth_m.tobytes(), alignment=1, dtype="f4"
+            table[k, 0, :3], table[k, 1, :3] = room.corner_m, room.cell_m
+            table[k, 2] = (x, y, z, first)
+        deep = 6 * size[2]
+        sides = context.texture3d(
+            (size[0], size[1], deep), 3, volumes.tobytes(), alignment=1, dtype="f2"
         )
-        sun_map.filter = (moderngl.NEAREST, moderngl.NEAREST)
-        self._textures = (*sides, rooms_map, sun_map)
-        self._exposures = {
-            room.room.id: _KEY / max(_DARKEST, float(np.median(room.cube))) ** _ADAPTS
-            for room in rooms
+        room_map, plan = _room_map(context, rooms)
+        self.textures: dict[str, moderngl.Texture | moderngl.Texture3D] = {
+            "sides": sides,
+            "room_map": room_map,
+            "rooms": _plain(context, table),
+            "sun_map": _plain(context, sun.depth_m[..., None]),
         }
         self.uniforms: dict[str, Any] = {
-            **{f"side_{k}": side for k, side in enumerate(sides)},
-            "room_map": rooms_map,
-            "sun_map": sun_map,
             "plan": plan,
-            "corner": rows[0],
-            "cell": rows[1],
-            "count": rows[2],
-            "cells": size,
+            "cells": (size[0], size[1], deep),
+            "side": size[2],
             "sun_right": tuple(sun.axes[0]),
             "sun_up": tuple(sun.axes[1]),
             "sun_along": tuple(sun.axes[2]),
             "sun_corner": tuple(sun.corner_m),
             "sun": tuple(sun.towards),
-            "sun_light": tuple(sun_light),
+            "sun_light": tuple(light.sky.sun),
             "sun_step": sun.step_m,
         }
+        self.sunny = bool(light.sky.sun.any())
+        self._exposures = {room.room.id: _exposure(room, light.time) for room in rooms}
 
-    def exposure(self, room_id: int) -> float:
-        """By how much light is multiplied in pictures of a room."""
-        return self._exposures.get(room_id, 1.0)
+    def exposure(self, room_id: int) -> Vec3:
+        """By how much red, green and blue are multiplied in pictures that are taken in a room."""
+        return self._exposures.get(room_id, (1.0, 1.0, 1.0))
 
     def release(self) -> None:
         """Let go of it."""
-        for texture in self._textures:
+        for texture in self.textures.values():
             texture.release()
+
+
+def _exposure(room: RoomLight, time: DayTime) -> Vec3:
+    colour = np.maximum(np.median(room.cube.reshape(-1, 3), axis=0), 1e-6)
+    light = float(colour @ _LUMINANCE)
+    gain = _KEY[time] / max(_DARKEST, light) ** _ADAPTS * (light / colour) ** _WHITENS
+    return vec3(gain)
+
+
+def _world(size: tuple[int, int], seen: SeenOutside) -> bytes:
+    """Colours of what is seen outside and how much of it is, (H, W, 4), rows going up."""
+    out = np.zeros((size[1], size[0], 4), dtype=np.uint8)
+    colours = np.concatenate([seen.colours, 255.0 * seen.share[:, None]], axis=1)
+    out[size[1] - 1 - seen.rows, seen.columns] = np.rint(colours)
+    return out.tobytes()
+
+
+def _plain(context: moderngl.Context, values: npt.NDArray[np.float32]) -> moderngl.Texture:
+    """Numbers (H, W, N) to be fetched one by one."""
+    height, width, channels = values.shape
+    texture = context.texture((width, height), channels, values.tobytes(), alignment=1, dtype="f4")
+    texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
+    return texture
 
 
 def _room_map(
@@ -184,13 +266,15 @@ def _room_map(
     outlines = [Polygon(room.room.polygon_m) for room in rooms]
     x0, y0, x1, y1 = shapely.union_all(outlines).buffer(_BESIDE_M).bounds
     columns, rows = int((x1 - x0) / _PLAN_M), int((y1 - y0) / _PLAN_M)
-    x, y = np.meshgrid(
-        x0 + (np.arange(columns) + 0.5) * _PLAN_M, y0 + (np.arange(rows) + 0.5) * _PLAN_M
-    )
     found = np.zeros((rows, columns), dtype=np.uint8)
     for number, outline in enumerate(outlines, start=1):
         wide = outline.buffer(_WALL_M + _PLAN_M / 2, join_style="mitre")
-        found[shapely.contains_xy(wide, x, y)] = number
+        low, high = np.array(wide.bounds[:2]) - (x0, y0), np.array(wide.bounds[2:]) - (x0, y0)
+        (i0, j0), (i1, j1) = (low / _PLAN_M).astype(int), (high / _PLAN_M).astype(int) + 1
+        x, y = np.meshgrid(
+            x0 + (np.arange(i0, i1) + 0.5) * _PLAN_M, y0 + (np.arange(j0, j1) + 0.5) * _PLAN_M
+        )
+        found[j0:j1, i0:i1][shapely.contains_xy(wide, x, y)] = number
     texture = context.texture((columns, rows), 1, found.tobytes(), alignment=1)
     texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
     texture.repeat_x = texture.repeat_y = False

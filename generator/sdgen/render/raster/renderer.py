@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Collection
+from dataclasses import dataclass
 from typing import ClassVar
 
 import moderngl
@@ -15,13 +16,19 @@ from sdgen.errors import RendererError
 from sdgen.library import Library
 from sdgen.render.light.home_light import light_of_home
 from sdgen.render.opengl import projection_matrix, scaled, view_matrix
+from sdgen.render.outdoors import Outside
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.raster.buffers import Buffers
 from sdgen.render.raster.drawn import drawn_parts
-from sdgen.render.raster.geometry import Geometry
-from sdgen.render.raster.lighting import Lighting, Passes
-from sdgen.render.raster.shaders import GEOMETRY_PIXEL, GEOMETRY_VERTEX
-from sdgen.render.raster.shelf import Shelf
+from sdgen.render.raster.geometry import Geometry, Programs
+from sdgen.render.raster.lighting import Box, Lighting, Passes, Targets
+from sdgen.render.raster.shaders import (
+    ALBEDO_PIXEL,
+    GEOMETRY_VERTEX,
+    SOLID_PIXEL,
+    VEIL_PIXEL,
+)
+from sdgen.render.raster.textures import Textures
 from sdgen.scene import Camera, Scene
 
 DEBIAN_PACKAGES = ("libegl1", "libgl1-mesa-dri", "libgl1")
@@ -34,6 +41,9 @@ print(string_of(open_context()))
 """
 #: Buffers of so many picture sizes are kept.
 _SIZES = 3
+#: Colours are drawn so many times finer than masks, along each side, and averaged.
+_FINE = 2
+_CLOSED = "closed"
 
 
 def open_context() -> moderngl.Context:
@@ -50,20 +60,50 @@ def string_of(context: moderngl.Context) -> str:
     return f"OpenGL {context.info['GL_RENDERER']} {context.info['GL_VERSION']}"
 
 
-class GlRenderer(Renderer):
-    """Draws in one pass. Raises RendererError where no OpenGL 3.3 starts."""
+@dataclass(frozen=True, eq=False)
+class _Loaded:
+    """A scene on the renderer."""
 
-    name: ClassVar[str] = "OpenGL"
+    geometry: Geometry
+    lighting: Lighting
+    outside: Outside
+
+    def release(self) -> None:
+        self.geometry.release()
+        self.lighting.release()
+
+
+@dataclass(frozen=True, eq=False)
+class _Drawn:
+    """What a camera's first pass drew: node and part of each pixel, and where things are that one
+    sees through."""
+
+    buffers: Buffers
+    targets: Targets
+    clip_from_world: npt.NDArray[np.float64]
+    instance: npt.NDArray[np.uint16]
+    part: npt.NDArray[np.uint8]
+    veiled: Box | None
+
+
+class GlRenderer(Renderer):
+    """Draws what each pixel shows in one pass, and lights it in others. Raises RendererError where
+    no OpenGL 3.3 starts."""
+
+    name: ClassVar[str] = "EGL"
 
     def __init__(self) -> None:
         self._context = open_context()
         self.renderer_string = string_of(self._context)
-        self._program = self._context.program(GEOMETRY_VERTEX, GEOMETRY_PIXEL)
-        self._shelf = Shelf(self._context)
-        self._geometry: Geometry | None = None
-        self._buffers: dict[tuple[int, int], Buffers] = {}
+        self._programs: Programs = {
+            "solid": self._context.program(GEOMETRY_VERTEX, SOLID_PIXEL),
+            "colours": self._context.program(GEOMETRY_VERTEX, ALBEDO_PIXEL),
+            "veils": self._context.program(GEOMETRY_VERTEX, VEIL_PIXEL),
+        }
+        self._textures = Textures(self._context)
         self._passes = Passes(self._context)
-        self._lighting: Lighting | None = None
+        self._sizes: dict[tuple[int, int, int], tuple[Buffers, Targets]] = {}
+        self._scene: _Loaded | None = None
 
     @staticmethod
     def probe() -> Probe:
@@ -87,72 +127,109 @@ class GlRenderer(Renderer):
 
     def load(self, library: Library, scene: Scene) -> None:
         """Put ``scene`` in place of what was loaded before."""
-        if self._geometry is not None:
-            self._geometry.release()
-            self._geometry = None
-        if self._lighting is not None:
-            self._lighting.release()
+        self._forget()
         parts = drawn_parts(library, scene)
-        light = light_of_home(scene, parts)
-        self._lighting = Lighting(self._context, light.rooms, light.sun, light.sky.sun)
-        self._geometry = Geometry(self._context, self._program, parts, self._shelf)
+        lighting = Lighting(self._context, light_of_home(library, scene, parts))
+        geometry = Geometry(self._context, self._programs, parts, self._textures)
+        self._scene = _Loaded(geometry, lighting, Outside(library, scene))
 
     def show_only(self, node_ids: Collection[int] | None) -> None:
         """Draw of the loaded scene these nodes alone, by id; None: all."""
-        self._loaded().show_only(node_ids)
+        self._loaded().geometry.show_only(node_ids)
 
-    def draw(self, camera: Camera) -> Picture:
-        """What ``camera`` sees of the loaded scene."""
-        geometry, buffers = self._loaded(), self._drawn(camera, 1)
-        ids = buffers.ids()
-        assert self._lighting is not None
+    def draw(self, camera: Camera, colours: bool = True) -> Picture:
+        """What ``camera`` sees of the loaded scene; without ``colours``, ``rgb`` is black."""
+        drawn = self._draw(camera, 1, colours)
+        black = np.zeros((*drawn.instance.shape, 3), dtype=np.uint8)
         return Picture(
-            rgb=self._passes.picture(buffers, camera, _clip(camera, 1), self._lighting),
-            depth_m=buffers.depth_m(),
-            instance=geometry.nodes[ids],
-            part=geometry.numbers[ids],
+            rgb=self._lit(drawn, camera, smooth=True) if colours else black,
+            depth_m=drawn.buffers.depth_m(drawn.veiled is not None),
+            instance=drawn.instance,
+            part=drawn.part,
         )
 
     def draw_colours(self, camera: Camera, factor: int) -> npt.NDArray[np.uint8]:
         """Its colours alone, ``factor`` times as many pixels along each side."""
-        raw = np.frombuffer(self._drawn(camera, factor).albedo.read(alignment=1), dtype=np.uint8)
-        return np.ascontiguousarray(
-            raw.reshape(camera.height * factor, camera.width * factor, 4)[::-1, :, :3]
-        )
+        return self._lit(self._draw(camera, factor), camera, smooth=False)
 
     def close(self) -> None:
         """Let go of OpenGL; a second call does nothing."""
-        if self._geometry is not None:
-            self._geometry.release()
-            self._geometry = None
-        for buffers in self._buffers.values():
-            buffers.release()
-        self._buffers = {}
-        self._shelf.clear()
+        if self._context.extra == _CLOSED:
+            return
+        self._forget()
+        for held in self._sizes.values():
+            for one in held:
+                one.release()
+        self._sizes = {}
+        self._textures.clear()
+        self._context.extra = _CLOSED
         self._context.release()
 
-    def _loaded(self) -> Geometry:
-        if self._geometry is None:
+    def _forget(self) -> None:
+        if self._scene is not None:
+            self._scene.release()
+            self._scene = None
+
+    def _loaded(self) -> _Loaded:
+        if self._scene is None:
             raise RendererError("nothing is loaded")
-        return self._geometry
+        return self._scene
 
-    def _drawn(self, camera: Camera, factor: int) -> Buffers:
-        width, height = camera.width * factor, camera.height * factor
-        buffers = self._sized(width, height)
+    def _draw(self, camera: Camera, factor: int, colours: bool = True) -> _Drawn:
+        geometry = self._loaded().geometry
+        fine = _FINE if factor == 1 else 1
+        buffers, targets = self._sized(camera.width * factor, camera.height * factor, fine)
         clip = _clip(camera, factor)
-        buffers.frame.use()
+        for program in self._programs.values():
+            program["clip_from_world"].value = tuple(clip.T.ravel())
         self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
-        buffers.frame.clear(0.0, 0.0, 0.0, 0.0)
-        self._program["clip_from_world"].write(clip.T.astype(np.float32).tobytes())
-        self._loaded().draw(clip)
-        return buffers
+        buffers.clear()
+        solid, veils = geometry.seen(clip)
+        if colours:
+            buffers.colours.use()
+            geometry.draw(solid, "colours")
+        buffers.solid.use()
+        geometry.draw(solid, "solid")
+        if veils.any():
+            buffers.veils.use()
+            geometry.draw(veils, "veils")
+        ids = buffers.ids()
+        instance, part = geometry.nodes[ids], geometry.numbers[ids]
+        veiled = _box(geometry.veils[ids]) if veils.any() else None
+        return _Drawn(buffers, targets, clip, instance, part, veiled)
 
-    def _sized(self, width: int, height: int) -> Buffers:
-        if (width, height) not in self._buffers:
-            if len(self._buffers) >= _SIZES:
-                self._buffers.pop(next(iter(self._buffers))).release()
-            self._buffers[width, height] = Buffers(self._context, width, height)
-        return self._buffers[width, height]
+    def _lit(self, drawn: _Drawn, camera: Camera, smooth: bool) -> npt.NDArray[np.uint8]:
+        scene = self._loaded()
+        return self._passes.picture(
+            drawn.buffers,
+            drawn.targets,
+            camera,
+            drawn.clip_from_world,
+            scene.lighting,
+            scene.outside.seen(drawn.instance, drawn.part, camera),
+            drawn.veiled,
+            smooth,
+        )
+
+    def _sized(self, width: int, height: int, fine: int) -> tuple[Buffers, Targets]:
+        size = (width, height, fine)
+        if size not in self._sizes:
+            if len(self._sizes) >= _SIZES:
+                for one in self._sizes.pop(next(iter(self._sizes))):
+                    one.release()
+            buffers = Buffers(self._context, *size)
+            self._sizes[size] = buffers, Targets(self._context, buffers.size)
+        return self._sizes[size]
+
+
+def _box(mask: npt.NDArray[np.bool_]) -> Box | None:
+    """Left, bottom, width and height of what is marked in a picture; None: nothing is."""
+    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+    if len(rows) == 0:
+        return None
+    left, top = int(columns[0]), int(rows[0])
+    bottom = mask.shape[0] - 1 - int(rows[-1])
+    return left, bottom, int(columns[-1]) + 1 - left, int(rows[-1]) + 1 - top
 
 
 def _clip(camera: Camera, factor: int) -> npt.NDArray[np.float64]:

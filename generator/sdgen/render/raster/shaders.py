@@ -2,34 +2,57 @@
 
 GEOMETRY_VERTEX = """
 #version 330
-in vec3 at; in vec3 normal; in vec2 uv; in vec4 colour; in vec2 tag;
+in vec3 at; in vec3 normal; in vec2 uv; in vec4 colour; in float number;
 uniform mat4 clip_from_world;
-out vec3 facing; out vec2 spot; flat out vec3 tint; flat out float glow; flat out float layer;
-flat out vec4 id;
+out vec3 facing; out vec2 spot; flat out vec4 tint; flat out vec4 id;
 void main() {
     gl_Position = clip_from_world * vec4(at, 1.0);
-    facing = normal; spot = uv; layer = tag.x;
-    tint = colour.rgb * 2.0; glow = colour.a;
+    facing = normal; spot = uv;
+    tint = vec4(colour.rgb * 2.0, colour.a);
     // 24 bits as three bytes: they come out of the picture as they went in.
-    float k = tag.y;
+    float k = number;
     id = vec4(mod(k, 256.0), mod(floor(k / 256.0), 256.0), floor(k / 65536.0), 255.0) / 255.0;
 }
 """
 
-GEOMETRY_PIXEL = """
+#: Colours of what is opaque, and whether it glows. They are drawn finer than all else: what is
+#: thinner than a pixel is seen as a thin line then.
+ALBEDO_PIXEL = """
 #version 330
-uniform sampler2DArray textures;
-in vec3 facing; in vec2 spot; flat in vec3 tint; flat in float glow; flat in float layer;
-flat in vec4 id;
-layout(location = 0) out vec4 albedo;
-layout(location = 1) out vec4 whose;
-layout(location = 2) out vec4 normal;
-layout(location = 3) out float depth;
+uniform sampler2D worn;
+in vec3 facing; in vec2 spot; flat in vec4 tint; flat in vec4 id;
+out vec4 albedo;
+void main() { albedo = vec4(min(texture(worn, spot).rgb * tint.rgb, 1.0), tint.a); }
+"""
+
+#: All but colours of what is opaque.
+SOLID_PIXEL = """
+#version 330
+in vec3 facing; in vec2 spot; flat in vec4 tint; flat in vec4 id;
+layout(location = 0) out vec4 whose;
+layout(location = 1) out vec4 normal;
+layout(location = 2) out float depth;
 void main() {
-    albedo = vec4(min(texture(textures, vec3(spot, layer)).rgb * tint, 1.0), glow);
     whose = id;
     normal = vec4(normalize(facing), 1.0);
     depth = 1.0 / gl_FragCoord.w;
+}
+"""
+
+#: All of what is seen through.
+VEIL_PIXEL = """
+#version 330
+uniform sampler2D worn;
+in vec3 facing; in vec2 spot; flat in vec4 tint; flat in vec4 id;
+layout(location = 0) out vec4 whose;
+layout(location = 1) out vec4 normal;
+layout(location = 2) out float depth;
+layout(location = 3) out vec4 colour;
+void main() {
+    whose = id;
+    normal = vec4(normalize(facing), 1.0);
+    depth = 1.0 / gl_FragCoord.w;
+    colour = vec4(min(texture(worn, spot).rgb * tint.rgb, 1.0), tint.a);
 }
 """
 

@@ -1,0 +1,59 @@
+"""Which things in a home give light, and how much."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+import numpy as np
+
+from sdgen.geometry import Array
+from sdgen.render.light.rooms import Lamp
+from sdgen.render.light.world import mean_colour
+from sdgen.render.raster.drawn import CEILING_LAMP, Drawn
+
+#: What lamps give, W/sr, on the scale on which a clear sky gives some 3 W/sr from a square metre.
+_POWER = {CEILING_LAMP: 4.2, "floor_lamp": 2.4, "table_lamp": 1.2, "desk_lamp": 1.2}
+_WARM = np.array((1.12, 0.94, 0.68))
+#: What else is lit - screens, flames, burners - gives as much from a square metre, W/sr, and no
+#: more than this.
+_RADIANCE, _MOST = 1.3, 1.0
+#: Less than this lights nothing but itself: lamps of switches, displays.
+_LEAST = 0.004
+#: A lamp's own body may hide it from so near, metres, beyond its lit part.
+_BODY_M = 0.2
+
+
+def lamps_of(parts: Sequence[Drawn]) -> list[Lamp]:
+    """What gives light, one lamp an object."""
+    glowing = sorted((part for part in parts if part.glows), key=lambda part: part.node_id)
+    return [
+        lamp
+        for _, group in groupby(glowing, key=lambda part: part.node_id)
+        for lamp in _lamp([*group])
+    ]
+
+
+def _lamp(parts: Sequence[Drawn]) -> Iterator[Lamp]:
+    areas = np.array([_area_m2(part) for part in parts])
+    if areas.sum() <= 0:
+        return
+    boxes = np.array([part.box() for part in parts])
+    middles = boxes.mean(axis=1)
+    at: Array = (middles * areas[:, None]).sum(axis=0) / areas.sum()
+    radius = float(np.ptp(boxes, axis=1).max()) / 2 + _BODY_M
+    power = _POWER.get(parts[0].category)
+    if power is not None:
+        yield Lamp(at, radius, power * _WARM)
+        return
+    # A quarter of a body's surface is how large it looks, from all sides in the mean (Cauchy).
+    colours = np.array([mean_colour(part.texture) * part.rgb for part in parts])
+    given = _RADIANCE * (colours * areas[:, None]).sum(axis=0) / 4
+    if given.max() >= _LEAST:
+        yield Lamp(at, radius, given * min(1.0, _MOST / given.max()))
+
+
+def _area_m2(part: Drawn) -> float:
+    corners = part.vertices[part.faces].astype(np.float64)
+    sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return float(np.linalg.norm(sides, axis=1).sum() / 2)

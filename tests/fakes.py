@@ -33,6 +33,16 @@ MODELS: dict[str, dict[str, Any]] = {
         "variants": {"pane": ["pane"]},
         "rgb": BLUE,
     },
+    "ceiling_lamp_01": {
+        "parts": [("body", (-0.15, -0.15, 0.0), (0.15, 0.15, 0.1), None)],
+        "rgb": (250, 240, 220),
+        "rgba": [1.6, 1.6, 1.6, 1.0],
+    },
+    "glass_01": {
+        "parts": [("body", (-0.1, -0.1, 0.0), (0.1, 0.1, 0.2), None)],
+        "rgb": BLUE,
+        "rgba": [1.0, 1.0, 1.0, 0.4],
+    },
     "table_01": {
         "parts": [
             ("top", (-0.5, -0.4, 0.7), (0.5, 0.4, 0.74), None),
@@ -94,7 +104,12 @@ def write_library(folder: Path) -> Path:
                 "extents_m": [float(v) for v in high_all - low_all],
                 "mass_kg": model.get("mass", 0.5),
                 "parts": [
-                    {"name": p, "faces": 12, **({"joint": j} if j else {})}
+                    {
+                        "name": p,
+                        "faces": 12,
+                        **({"joint": j} if j else {}),
+                        **({"rgba": model["rgba"]} if "rgba" in model else {}),
+                    }
                     for p, _, _, j in model["parts"]
                 ],
                 "joints": model.get("joints", []),

@@ -53,7 +53,7 @@ def test_rays_promise_what_the_picture_shows(library: Library, scene: Scene, num
         promised = [promise(library, scene, world, one, number) for one in views]
     best = int(np.argmax(promised))
     assert promised[best] > 150
-    (camera,) = to_cameras([views[best]], scene.home.rooms, (640, 480), lane(1, 2, "order"))
+    (camera,) = to_cameras([views[best]], scene.home, (640, 480), lane(1, 2, "order"))
     with open_renderer("auto") as renderer:
         (frame,) = render_frames(renderer, library, scene, [camera])
     assert (frame.instance == number).sum() == pytest.approx(promised[best], rel=0.15)
@@ -69,9 +69,10 @@ def test_a_camera_in_a_doorway_is_of_the_room_on_whose_side_it_stands(scene: Sce
             (40, ((-2, -2), (-0.12, -2), (-0.12, 2), (-2, 2))),
         )
     ]
+    home = box_room().home.model_copy(update={"rooms": tuple(rooms)})
     for x, number in ((-0.07, 40), (-0.05, 1), (1.0, 1), (-1.0, 40)):
         (camera,) = to_cameras(
-            [view((x, 0, 1.2), (1.5, 0.2, 0.4))], rooms, (64, 48), lane(1, 2, "d")
+            [view((x, 0, 1.2), (1.5, 0.2, 0.4))], home, (64, 48), lane(1, 2, "d")
         )
         assert camera.room_id == number
 
@@ -111,11 +112,11 @@ def test_of_a_rooms_overviews_those_stay_that_see_furthest(library: Library, sce
 def test_cameras_are_numbered_in_a_drawn_order(scene: Scene) -> None:
     views = [view(EYES[0], (0.9, 0.9, 0.7))]
     views += [view(EYES[k % 4], (0.1 * k, 0.2, 0.6), "room") for k in range(5)]
-    rooms = scene.home.rooms
-    cameras = to_cameras(views, rooms, (320, 200), lane(3, 0, "order"))
-    assert cameras == to_cameras(views, rooms, (320, 200), lane(3, 0, "order"))
+    home = scene.home
+    cameras = to_cameras(views, home, (320, 200), lane(3, 0, "order"))
+    assert cameras == to_cameras(views, home, (320, 200), lane(3, 0, "order"))
     places = {
-        [c.kind for c in to_cameras(views, rooms, (320, 200), lane(k, 0, "order"))].index("near")
+        [c.kind for c in to_cameras(views, home, (320, 200), lane(k, 0, "order"))].index("near")
         for k in range(20)
     }
     assert len(places) > 2

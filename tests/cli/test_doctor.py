@@ -8,8 +8,8 @@ import pytest
 from click.testing import CliRunner
 from sdgen.cli import doctor as module
 from sdgen.cli.doctor import Finding, doctor, examine
-from sdgen.render.egl import INSTALL_HINT, EglRenderer
 from sdgen.render.protocol import Probe
+from sdgen.render.raster.renderer import INSTALL_HINT, GlRenderer
 
 
 def test_this_machine_can_build() -> None:
@@ -17,14 +17,14 @@ def test_this_machine_can_build() -> None:
     assert result.exit_code == 0, result.output
     data = json.loads(result.output)
     assert list(data) == [
-        "Python", "PyBullet", "EGL renderer", "Model cache", "Assets", "Catalogue",
+        "Python", "PyBullet", "EGL renderer", "Light", "Model cache", "Assets", "Catalogue",
     ]  # fmt: skip
     assert data["PyBullet"]["level"] == "ok"
 
 
 def test_without_egl_it_names_the_packages_and_is_content(monkeypatch: pytest.MonkeyPatch) -> None:
     refused = Probe(False, reason="no libEGL.so.1", hint=INSTALL_HINT)
-    monkeypatch.setattr(EglRenderer, "probe", staticmethod(lambda: refused))
+    monkeypatch.setattr(GlRenderer, "probe", staticmethod(lambda: refused))
     found = next(f for f in examine() if f.what == "EGL renderer")
     assert found.level == "note"
     assert "no libEGL.so.1" in found.text

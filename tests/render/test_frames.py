@@ -1,4 +1,3 @@
-import ctypes
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -6,15 +5,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import sdgen.render.bullet as bullet_module
 from sdgen.cameras.nearest import drawn_boxes, with_near_planes
 from sdgen.cameras.pinhole import project
 from sdgen.geometry import Vec3, apply
 from sdgen.library import Library
 from sdgen.render import choose_renderer, open_renderer
-from sdgen.render.egl import EglRenderer
 from sdgen.render.frames import render_frames
-from sdgen.render.gl import gl_function
 from sdgen.render.protocol import Renderer
 from sdgen.scene import Camera, Frame, Scene
 
@@ -67,7 +63,6 @@ def test_floor_and_ceiling_have_the_depth_of_their_planes(
 
 @pytest.mark.skipif(not EGL, reason="EGL does not start here")
 def test_depth_is_a_matter_of_millimetres_at_the_end_of_a_room(library: Library) -> None:
-    """The plugin's buffer has 16 bits: from 0.05 m on they are 15 mm apart at 7 m."""
     room = box_room(size_m=(8.0, 4.0))
     views = [camera((-3.4, 0, 1.25), (4, 1, 1.25))]
     (view,) = with_near_planes(views, drawn_boxes(library, room))
@@ -153,76 +148,35 @@ def test_supersampling_changes_colours_only(renderer: Renderer, library: Library
     assert 0 < (apart > 8).mean() < 0.1
 
 
-def test_tiles_are_seamless(
-    renderer: Renderer, library: Library, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    scene = box_room([thing(10, "table_01", (0.3, 0, 0)), thing(11, "cube_01", (0.2, 0.1, 0.74))])
-    view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5))
-    whole = one(renderer, library, scene, view)
-    monkeypatch.setattr(bullet_module, "_TILE", (150, 100))
-    tiled = one(renderer, library, scene, view)
-    assert (whole.instance != tiled.instance).mean() < 0.002
-    assert (np.abs(whole.depth_mm.astype(int) - tiled.depth_mm) > 20).mean() < 0.004
-    assert (np.abs(whole.rgb.astype(int) - tiled.rgb).max(axis=2) > 12).mean() < 0.01
-
-
 def test_textures_do_not_leak_from_scene_to_scene(renderer: Renderer, library: Library) -> None:
     """After several scenes in one process each cube still wears its own colour."""
     view = camera((0.0, 0.0, 1.5), (0.01, 0.0, 0.0))
     for round_ in range(4):
         names = ["cube_01", "cube_02"] if round_ % 2 else ["cube_02", "cube_01"]
         extra = [thing(50, "table_01", (1.4, 1.4, 0))] if round_ % 3 else []
-        scene = box_room(
-            [thing(10, names[0], (-0.3, 0, 0)), thing(11, names[1], (0.3, 0, 0)), *extra]
-        )
+        lamp = thing(60, "ceiling_lamp_01", (0, 1, 2.39), fixed=True)
+        cubes = [thing(10, names[0], (-0.3, 0, 0)), thing(11, names[1], (0.3, 0, 0))]
+        scene = box_room([*cubes, lamp, *extra])
         frame = one(renderer, library, scene, view)
         for number, name in ((10, names[0]), (11, names[1])):
             seen = frame.rgb[frame.instance == number].mean(axis=0)
             wanted = RED if name == "cube_01" else GREEN
-            assert seen / seen.max() == pytest.approx(np.array(wanted) / max(wanted), abs=0.06)
-        floor = frame.rgb[frame.instance == 2].mean(axis=0)
-        assert floor / floor.max() == pytest.approx(np.array([160, 120, 80]) / 160, abs=0.06)
-
-
-def test_when_the_vertices_run_out_it_starts_anew(
-    renderer: Renderer, library: Library, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    scene = box_room([thing(10 + k, "flush_01", (0.3 * k, 0.1 * k, 0)) for k in range(4)])
-    view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.1))
-    before = one(renderer, library, scene, view)
-    monkeypatch.setattr(bullet_module, "_VERTEX_LIMIT", 0)
-    for _ in range(2):
-        after = one(renderer, library, scene, view)
-        assert np.array_equal(before.rgb, after.rgb)
-        assert np.array_equal(before.part, after.part)
-
-
-def test_what_starts_anew_leaves_no_textures_behind(
-    renderer: Renderer, library: Library, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    if not isinstance(renderer, EglRenderer):
-        pytest.skip("Bullet's own renderer keeps no textures")
-    scene = box_room([thing(10, "cube_01", (0.3, 0, 0)), thing(11, "cube_02", (-0.3, 0, 0))])
-    view = camera((-1.5, 0.7, 1.5), (0.3, 0, 0.5))
-    monkeypatch.setattr(bullet_module, "_VERTEX_LIMIT", 0)
-    is_texture = gl_function("glIsTexture", ctypes.c_ubyte, ctypes.c_uint)
-    held = []
-    for _ in range(3):
-        one(renderer, library, scene, view)
-        held.append(sum(map(is_texture, range(1, 10_000))))  # names rise from 1
-    assert held == [held[0]] * 3
-    assert held[0] >= 4  # floor, wall, and two cubes
+            assert np.argsort(seen).tolist()[-1] == np.argmax(wanted)
+            assert np.sort(seen)[1] < 0.6 * seen.max()
+        red, green, blue = frame.rgb[frame.instance == 2].mean(axis=0)
+        assert red > 1.1 * green > 1.1 * 1.1 * blue
 
 
 def test_the_room_is_bright(renderer: Renderer, library: Library) -> None:
     """Neither ceiling nor walls may put the room in shadow, or shine."""
-    frame = one(renderer, library, box_room(), camera((-1.7, -1.7, 1.5), (1, 1, 0.9)))
-    for number in set(np.unique(frame.instance).tolist()) - {2}:
+    lamp = thing(60, "ceiling_lamp_01", (0.0, 0.0, 2.39), fixed=True)
+    frame = one(renderer, library, box_room([lamp]), camera((-1.7, -1.7, 1.5), (1, 1, 0.9)))
+    for number in set(np.unique(frame.instance).tolist()) - {2, 60}:
         values = frame.rgb[frame.instance == number].astype(float).mean(axis=1)
-        assert values.mean() > 110
-        assert values.std() < 25
+        assert values.mean() > 90
+        assert np.percentile(values, 95) < 252
     floor = frame.rgb[frame.instance == 2].astype(float).mean(axis=1)
-    assert (floor > 100).mean() > 0.7
+    assert (floor > 70).mean() > 0.7
 
 
 _SCRIPT = """
@@ -230,7 +184,6 @@ import hashlib, sys
 from pathlib import Path
 from sdgen.library import Library
 from sdgen.render import choose_renderer, open_renderer
-from sdgen.render.egl import EglRenderer
 from sdgen.render.frames import render_frames
 from sdgen.render.protocol import Renderer
 from tests.fakes import box_room, camera_at, thing

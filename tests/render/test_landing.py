@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 from sdgen.render.landing import landings, seen_on
-from sdgen.render.outdoors import paint_outdoors
 from sdgen.scene import Opening, Outdoors
 
 from tests import toy
 
-from .test_outdoors import camera
+from .test_outdoors import camera, outside
 
 WIDE_M, HIGH_M = 0.9, 2.0
 
@@ -69,8 +68,11 @@ def test_background_beside_the_doorway_stays_the_world():
     instance = np.zeros((48, 64), dtype=np.uint16)
     before, part = np.full((48, 64, 3), 7, np.uint8), np.zeros((48, 64), np.uint8)
     flat = home(2)
-    args = (before, instance, part, (), flat.outdoors, camera())
-    world, both = paint_outdoors(*args), paint_outdoors(*args, landings(flat))
+    ground = flat.model_copy(update={"openings": ()})
+    world, both = (
+        outside(flat.outdoors, home=one).paint(before, instance, part, camera())
+        for one in (ground, flat)
+    )
     changed = (world != both).any(axis=2)
     # 0.9 m by 2.0 m at 4.06 m.
     assert changed[24, 32]

@@ -4,10 +4,13 @@ import numpy as np
 import pytest
 from sdgen.cameras.pinhole import intrinsics, matrix4
 from sdgen.geometry import look_at
-from sdgen.render.outdoors import paint_outdoors
+from sdgen.library import Library
+from sdgen.render.outdoors import Outside
 from sdgen.render.panorama import panorama
 from sdgen.scene import Camera, Outdoors
 from sdgen.vocabulary import SEASONS, WEATHERS
+
+from tests import toy
 
 SUMMER = Outdoors(season="summer", weather="clear")
 
@@ -27,10 +30,22 @@ def camera(yaw: float = 0.0) -> Camera:
     )
 
 
+def outside(outdoors=SUMMER, panes=(), home=None):
+    """The world outside a home without things but for these panes."""
+    home = home or toy.scene().home
+    bare = toy.scene().model_copy(
+        update={"home": home.model_copy(update={"outdoors": outdoors}), "objects": ()}
+    )
+    world = Outside(Library([]), bare)
+    world._panes = panes
+    return world
+
+
 def painted(instance, part=None, panes=(), outdoors=SUMMER, view=None):
     before = np.full((48, 64, 3), 7, dtype=np.uint8)
     part = np.zeros((48, 64), dtype=np.uint8) if part is None else part
-    after = paint_outdoors(before, instance, part, panes, outdoors, view or camera())
+    world = outside(outdoors, panes)
+    after = world.paint(before, instance, part, view or camera())
     assert np.all(before == 7)
     return before, after
 

@@ -1,8 +1,8 @@
 """How near to the camera drawing begins.
 
-The EGL plugin asks for eight bits of depth or more and is given sixteen. What one step of such a
-buffer measures goes with 1 / the nearest depth it can hold: from 0.05 m on, 7.6 mm at a distance
-of 5 m, and a pane 2 mm in front of its door is drawn through it in a moiré; from 0.4 m on, 0.9 mm.
+A depth buffer may have as few as sixteen bits. What one step of such a buffer measures goes with
+1 / the nearest depth it can hold: from 0.05 m on, 7.6 mm at a distance of 5 m, and a pane 2 mm in
+front of its door is drawn through it in a moiré; from 0.4 m on, 0.9 mm.
 """
 
 from __future__ import annotations

@@ -56,9 +56,9 @@ def _pybullet() -> Finding:
 
 
 def _egl() -> Finding:
-    from sdgen.render.egl import EglRenderer
+    from sdgen.render.registry import renderer_type
 
-    found = EglRenderer.probe()
+    found = renderer_type("egl").probe()
     if found.works:
         return Finding("EGL renderer", "ok", found.renderer_string)
     return Finding(
@@ -66,6 +66,15 @@ def _egl() -> Finding:
         "note",
         f"does not start ({found.reason}); pictures come from TinyRenderer. {found.hint}",
     )
+
+
+def _light() -> Finding:
+    from sdgen.render.light import HAS_RAYS
+
+    if HAS_RAYS:
+        return Finding("Light", "ok", f"by rays, embreex {version('embreex')}")
+    text = "rooms are lit evenly: there is no embreex here (it has wheels for most machines)"
+    return Finding("Light", "note", text)
 
 
 def _cache() -> Finding:
@@ -105,6 +114,7 @@ _CHECKS: dict[str, Callable[[], Finding]] = {
     "Python": _python,
     "PyBullet": _pybullet,
     "EGL renderer": _egl,
+    "Light": _light,
     "Model cache": _cache,
     "Assets": _assets,
     "Catalogue": _catalogue,

@@ -6,7 +6,17 @@ from collections.abc import Mapping
 
 from sdgen.library.library import Library
 from sdgen.library.states import derive_states
-from sdgen.scene import AgentStart, Box, Home, ObjectInstance, Pose, Room, Scene, Structure
+from sdgen.scene import (
+    AgentStart,
+    Box,
+    Home,
+    ObjectInstance,
+    Outdoors,
+    Pose,
+    Room,
+    Scene,
+    Structure,
+)
 
 #: Id of the model, and of the floor it stands on.
 MODEL_ID, FLOOR_ID = 3, 2
@@ -51,10 +61,19 @@ def alone_on_floor(
         states=derive_states(info, variant, values),
         parts=info.variants[variant],
     )
+    # No sun: soft light from all sides.
+    home = Home(
+        id="studio",
+        kind="base",
+        outdoors=Outdoors(weather="overcast"),
+        rooms=(room,),
+        structures=(floor,),
+        openings=(),
+    )
     return Scene(
         id=f"studio_{asset_id}",
         index=0,
-        home=Home(id="studio", kind="base", rooms=(room,), structures=(floor,), openings=()),
+        home=home,
         zones=(),
         free_space=(),
         agent_start=AgentStart(position_m=(1.0, 0.0, 0.0), yaw_rad=0.0, room_id=1),

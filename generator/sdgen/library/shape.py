@@ -40,7 +40,7 @@ def surface_points(triangles: Array, count: int) -> tuple[Array, npt.NDArray[np.
 def see_through(triangles: Array) -> float:
     """Share of the model's outline that shows a back face, in the worst view from around or above.
 
-    A renderer that culls back faces (Bullet's EGL plugin does) shows a hole there. 0 for closed
+    A renderer that culls back faces (ours does) shows a hole there. 0 for closed
     meshes, and for open ones whose inside nobody can look into.
     """
     sides = triangles[:, 1:] - triangles[:, :1]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.geometry import Array, Quat
+from sdgen.geometry import Quat
 from sdgen.physics.bullet import pb
 
 # Bullet takes at most 127 links beside a body's base.
@@ -23,49 +23,36 @@ _BODIES = 256
 #: The index of what is no part.
 NOBODY = -1
 
-#: Beyond what any camera sees, below all floors.
-_NOWHERE_M = [0.0, 0.0, -1000.0]
-
 
 @dataclass(frozen=True, eq=False)
 class Part:
     """A visual shape of Bullet, where its origin goes, and whose it is: ``number`` counts an
-    object's drawn parts from 1, and is 0 for structures. ``box_m`` (2, 3) is around it in its
-    origin's frame; ``deep`` says whether depth is drawn of it."""
+    object's drawn parts from 1, and is 0 for structures."""
 
     node_id: int
     number: int
     shape: int
     position_m: list[float]
     orientation: Quat
-    box_m: Array
-    deep: bool = True
 
 
 class PartBodies:
     """The parts of one scene as links of a few bodies in an empty world: a body costs Bullet 0.2
     milliseconds, a link 0.01, and a scene has some 350 parts.
 
-    For the EGL plugin, which is given a ``spare_shape`` to show nowhere, every part has the same
-    handle whatever the process drew before; Bullet's own renderer draws things in the order in
-    which they are made. ``resetSimulation`` makes this object worthless: make a new one.
+    Things are drawn in the order in which they are put. ``resetSimulation`` makes this object
+    worthless: make a new one.
     """
 
-    def __init__(self, client: int, spare_shape: int | None) -> None:
+    def __init__(self, client: int) -> None:
         self._client = client
         self._bodies: list[int] = []
-        self._spare = Part(
-            0, 0, spare_shape or 0, _NOWHERE_M, (0.0, 0.0, 0.0, 1.0), np.zeros((2, 3))
-        )
-        self._handles = _Handles() if spare_shape is not None else None
         self._name_nobody()
 
     def put(self, parts: Sequence[Part]) -> None:
         """Put parts into the world, which holds none yet."""
-        order = range(len(parts)) if self._handles is None else self._handles.give(len(parts))
-        made = [self._spare if k == NOBODY else parts[k] for k in order]
-        for first in range(0, len(made), _LINKS):
-            links = made[first : first + _LINKS]
+        for first in range(0, len(parts), _LINKS):
+            links = parts[first : first + _LINKS]
             count = len(links)
             body = int(
                 pb.createMultiBody(
@@ -84,7 +71,7 @@ class PartBodies:
                 )
             )
             self._bodies.append(body)
-            self._index_of[body, 1 : count + 1] = order[first : first + count]
+            self._index_of[body, 1 : count + 1] = np.arange(first, first + count)
         # The last one is nobody's.
         self._node_of = np.array([*(part.node_id for part in parts), 0], dtype=np.uint16)
         self._part_of = np.array([*(part.number for part in parts), 0], dtype=np.uint8)
@@ -95,8 +82,6 @@ class PartBodies:
         for body in reversed(self._bodies):
             pb.removeBody(body, physicsClientId=self._client)
         self._bodies = []
-        if self._handles is not None:
-            self._handles.all_removed()
         self._name_nobody()
 
     def index_of(self, mask: npt.NDArray[np.int32]) -> npt.NDArray[np.int32]:
@@ -116,34 +101,3 @@ class PartBodies:
         self._index_of = np.full((_BODIES, _LINKS + 1), NOBODY, dtype=np.int32)
         self._node_of = np.zeros(1, dtype=np.uint16)
         self._part_of = np.zeros(1, dtype=np.uint8)
-
-
-class _Handles:
-    """Mirrors the order in which the EGL plugin gives instances their handles: the one that came
-    back last goes out first, new ones rise.
-
-    Where several parts share a shape, the plugin sorts it by the one with the lowest handle, and
-    its masks are handles, some of which it misreads. So every part has the same handle whatever the
-    process drew before: bodies are full, and then each has the same handles every time.
-    """
-
-    def __init__(self) -> None:
-        self._free: list[int] = []
-        self._out: list[int] = []
-        self._ever = 0
-
-    def give(self, parts: int) -> list[int]:
-        """Indices of the parts in the order in which to make them, so that each has its index for a
-        handle; NOBODY for what fills the last body."""
-        links = parts + -parts % _LINKS
-        missing = max(0, links - len(self._free))
-        self._free[:0] = reversed(range(self._ever, self._ever + missing))
-        self._ever += missing
-        self._out = [self._free.pop() for _ in range(links)]
-        return [handle if handle < parts else NOBODY for handle in self._out]
-
-    def all_removed(self) -> None:
-        """What was made last is gone: the last body first, and of each its first link first."""
-        for first in reversed(range(0, len(self._out), _LINKS)):
-            self._free += self._out[first : first + _LINKS]
-        self._out = []

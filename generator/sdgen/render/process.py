@@ -72,7 +72,7 @@ class ProcessRenderer:
             self._renderer = None
 
 
-#: EGL allows one context a process, so whoever draws in one shares it: by process, since one that
+#: One context a process is enough, so whoever draws in one shares it: by process, since one that
 #: was forked has none.
 _SHARED: dict[tuple[int, str], ProcessRenderer] = {}
 #: Processes in which OpenGL was started. One that is forked from them would hang in it.

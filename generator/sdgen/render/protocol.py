@@ -38,7 +38,8 @@ class Picture:
 
 
 class Renderer(Closing, Protocol):
-    """Draws one scene at a time; a context manager. One a process: EGL allows no more.
+    """Draws one scene at a time; a context manager. One a process: contexts of OpenGL
+    get into each other's way.
 
     ``name`` is for people; ``renderer_string`` goes into ``dataset.json``: pictures are the same
     bytes wherever it is the same.

@@ -32,35 +32,13 @@ def _corners(index: int) -> Array:
 
 _CORNERS = [_corners(index) for index in range(len(_NORMALS))]
 
-#: Where the light stands, from the world's origin. Almost overhead and far away: soft shadows
-#: where things touch, and walls, which must be opaque to hide what is behind them, throw a strip
-#: of shadow a forearm wide.
-LIGHT_M = (12.0, -14.0, 100.0)
-
-# How bright each face of the shell is drawn, as a share of its texture, in _NORMALS' order: a
-# little different from wall to wall, so that corners can be seen. Floors take the shader's light.
-_LEVEL = {
-    "floor": (1.0,) * 6,
-    "wall": (0.80, 0.92, 0.86, 0.75, 0.80, 0.70),
-    "ceiling": (0.95,) * 6,
-}
-
-# Walls lie about which way they look: what faces away from the light gets no highlight and no
-# shadow in Bullet's shader, which paints ugly ones on walls along the light. The further down a
-# normal points, the darker; so walls darken softly towards the floor and the ceiling, as corners
-# do in a room. Pairs of (metres from the end, downward slope of the normal there).
-_DIP = -0.35
-_DIPS_ABOVE_FLOOR = ((0.0, -1.4), (0.07, -0.8), (0.35, _DIP))
-_DIPS_BELOW_CEILING = ((0.5, _DIP), (0.12, -0.55), (0.0, -0.9))
-
 # Homes are planned in millimetres.
 _ROUNDING_M = 1e-4
 
 
 @dataclass(frozen=True)
 class Face:
-    """All faces of a structure that look one way and wear one surface, four vertices a quad, and
-    the colour factor that brings them to the brightness they should have under the plugin's shader.
+    """All faces of a structure that look one way and wear one surface, four vertices a quad.
 
     ``number`` is the group's among those that such a structure can show.
     """
@@ -70,7 +48,6 @@ class Face:
     vertices_m: Array
     normals: Array
     uvs: Array
-    brightness: float
 
 
 def structure_faces(
@@ -81,37 +58,25 @@ def structure_faces(
     Texture coordinates are world metres / ``tile_m`` of the surface, so the pattern runs on across
     pieces.
     Floors show their top and ceilings their underside only, and no camera comes above
-    ``ceiling_m``. Other faces that nothing sees cast shadows: without the feet of walls, light
-    comes in under them.
+    ``ceiling_m``.
     """
     wanted = {"floor": (_UP,), "ceiling": (5,), "wall": (0, 1, 2, 3, 4, 5)}[structure.category]
     boxes = np.array([(piece.center_m, piece.size_m) for piece in structure.pieces])
     centres, halves = boxes[:, 0], boxes[:, 1] / 2
-    low = float((centres - halves)[:, 2].min())
-    high = float((centres + halves)[:, 2].max())
-    slopes = _slopes(low, high)
-    sliced = _cut(centres, halves, slopes[:, 0], 2)
     out = []
     for number, index in enumerate(wanted):
         if index == _UP and (centres + halves)[:, 2].min() > ceiling_m - _ROUNDING_M:
             continue
         side = structure.category == "wall" and index < 4
-        middle = np.array(_NORMALS[index], dtype=float)
-        middle[2] += _DIP if side else 0.0
-        brightness = _LEVEL[structure.category][index] / _shade(middle)
         bands = [b for b in structure.bands if b.facing == FACINGS[index]] if side else []
-        cut = sliced if side else (centres, halves)
-        groups = _by_surface(structure.surface, cut, bands)
+        groups = _by_surface(structure.surface, (centres, halves), bands)
         for k, (surface, middles, reaches) in enumerate(groups):
             quads = (middles[:, None] + reaches[:, None] * _CORNERS[index]).reshape(-1, 3)
             normals = np.repeat([_NORMALS[index]], len(quads), axis=0).astype(np.float64)
-            if side:
-                normals[:, 2] = np.interp(quads[:, 2], slopes[:, 0], slopes[:, 1])
-                normals /= np.linalg.norm(normals, axis=1, keepdims=True)
             across, up = ((1, 2), (0, 2), (0, 1))[index // 2]
             uvs = quads[:, [across, up]] / tile_m(surface)
             number_ = number + k * len(_NORMALS)
-            out.append(Face(number_, surface, quads, normals, uvs, brightness))
+            out.append(Face(number_, surface, quads, normals, uvs))
     return out
 
 
@@ -140,13 +105,6 @@ def _by_surface(
     ]
 
 
-def _slopes(low_m: float, high_m: float) -> Array:
-    """Heights of a wall from ``low_m`` to ``high_m``, rising, and its normals' slope there."""
-    rows = [(low_m + up, dip) for up, dip in _DIPS_ABOVE_FLOOR]
-    rows += [(high_m - down, dip) for down, dip in _DIPS_BELOW_CEILING]
-    return np.array(sorted(rows))
-
-
 def _cut(centres: Array, halves: Array, at_m: Array, axis: int) -> tuple[Array, Array]:
     """Boxes, as middles and half sizes (N, 3), sliced across an axis at those of the places, in
     rising order, that they span."""
@@ -160,13 +118,6 @@ def _cut(centres: Array, halves: Array, at_m: Array, axis: int) -> tuple[Array, 
             out.append((one, reach))
     boxes = np.array(out)
     return boxes[:, 0], boxes[:, 1]
-
-
-def _shade(normal: Array) -> float:
-    """What Bullet's shader makes of a white face without highlight (useShadowMapInstancingPS)."""
-    light = np.asarray(LIGHT_M) / np.linalg.norm(LIGHT_M)
-    half_lambert = 0.5 + 0.5 * float(light @ (normal / np.linalg.norm(normal)))
-    return 0.5 + 0.5 * half_lambert * (0.7 if half_lambert < 0.5 else 1.0)
 
 
 def face_obj(face: Face, mtl: str) -> str:

@@ -8,19 +8,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sdgen.library import Library
+from sdgen.render.light import HAS_RAYS
 from sdgen.render.light.lamps import lamps_of
-from sdgen.render.light.rooms import RoomLight, light_of_rooms
+from sdgen.render.light.rooms import RoomLight, even_light, light_of_rooms
 from sdgen.render.light.sky import Sky, sky_of
-from sdgen.render.light.sunlight import SunMap
-from sdgen.render.light.world import LightWorld
 from sdgen.render.raster.drawn import Drawn, parts_of
 from sdgen.render.shell import ceiling_level_m
 from sdgen.scene import Scene
 from sdgen.vocabulary import DayTime
+
+if TYPE_CHECKING:
+    from sdgen.render.light.sunlight import SunMap
 
 #: Of a home without a ceiling, metres.
 _HIGH_M = 2.6
@@ -29,26 +32,33 @@ _FRONT_DOOR = "front_door"
 
 @dataclass(frozen=True, eq=False)
 class HomeLight:
-    """The light in the rooms of a home, the sky outside, and the sun's map."""
+    """The light in the rooms of a home, the sky outside, and the sun's map where it shines."""
 
     time: DayTime
     rooms: list[RoomLight]
     sky: Sky
-    sun: SunMap
+    sun: SunMap | None
 
 
 def light_of_home(library: Library, scene: Scene, parts: Sequence[Drawn]) -> HomeLight:
-    """Find the light of a scene whose drawn parts these are."""
+    """Find the light of a scene whose drawn parts these are. Without rays it is even."""
     home = scene.home
     ceiling_m = ceiling_level_m(home.structures)
     high = ceiling_m if np.isfinite(ceiling_m) else _HIGH_M
+    if not HAS_RAYS:
+        sky = sky_of(home.daylight, home.outdoors.weather)
+        return HomeLight(home.daylight.time, even_light(home.rooms, high), sky, None)
+    # Not for the types alone: without embree there is no such module.
+    from sdgen.render.light.sunlight import SunMap
+    from sdgen.render.light.world import LightWorld
+
     standing = [*_standing(library, scene, parts)]
     world = LightWorld(standing, roofed=bool(np.isfinite(ceiling_m)))
     sky = sky_of(home.daylight, home.outdoors.weather)
     corners = np.array([c for room in home.rooms for c in room.polygon_m])
     low, top = (*corners.min(axis=0), 0.0), (*corners.max(axis=0), high)
-    sun = SunMap(world, sky.towards, np.array(low), np.array(top))
-    shining = (sun, sky.sun) if sky.sun.any() else None
+    sun = SunMap(world, sky.towards, np.array(low), np.array(top)) if sky.sun.any() else None
+    shining = None if sun is None else (sun, sky.sun)
     enclosed = any(one.category == "wall" for one in home.structures)
     rooms = light_of_rooms(
         world, home.rooms, high, sky.radiance, shining, lamps_of(parts), enclosed
@@ -64,9 +74,7 @@ def _standing(library: Library, scene: Scene, parts: Sequence[Drawn]) -> Iterato
         key for key, item in fixed.items()
         if key not in between and (item.variant != "default" or any(item.joints.values()))
     }  # fmt: skip
-    yield from (
-        part for part in parts if part.number == 0 or part.node_id in fixed.keys() - moved
-    )
+    yield from (part for part in parts if part.number == 0 or part.node_id in fixed.keys() - moved)
     for key in sorted(moved):
         shut = fixed[key].model_copy(update={"variant": "default", "joints": {}})
         yield from parts_of(library, shut, lit=False)

@@ -8,8 +8,8 @@ from itertools import groupby
 import numpy as np
 
 from sdgen.geometry import Array
+from sdgen.render.light.colour import mean_colour
 from sdgen.render.light.rooms import Lamp
-from sdgen.render.light.world import mean_colour
 from sdgen.render.raster.drawn import CEILING_LAMP, Drawn
 
 #: What lamps give, W/sr, on the scale on which a clear sky gives some 3 W/sr from a square metre.
@@ -38,7 +38,7 @@ def _lamp(parts: Sequence[Drawn]) -> Iterator[Lamp]:
     areas = np.array([_area_m2(part) for part in parts])
     if areas.sum() <= 0:
         return
-    boxes = np.array([part.box() for part in parts])
+    boxes = np.array([part.box for part in parts])
     middles = boxes.mean(axis=1)
     at: Array = (middles * areas[:, None]).sum(axis=0) / areas.sum()
     radius = float(np.ptp(boxes, axis=1).max()) / 2 + _BODY_M

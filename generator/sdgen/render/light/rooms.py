@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -18,18 +19,24 @@ import shapely
 from shapely.geometry import Polygon
 
 from sdgen.geometry import Array
-from sdgen.render.light.sunlight import SunMap
-from sdgen.render.light.world import LightWorld, Met
 from sdgen.scene import Room
+
+if TYPE_CHECKING:
+    from sdgen.render.light.sunlight import SunMap
+    from sdgen.render.light.world import LightWorld
 
 #: Edges of the cells, metres, near enough for whole numbers of them to fill a room; longer where
 #: a home would have more cells than this: what light costs grows with them.
 CELL_M = 0.3
-_MOST_CELLS = 4000
-_RAYS = 64
-_BOUNCES = 5
+_MOST_CELLS = 3200
+_RAYS = 56
+_BOUNCES = 4
 #: Lamps light so far, metres, and cells nearer than this as if they were so far off.
-_LAMP_REACH_M, _LAMP_NEAR_M = 7.0, 0.35
+_LAMP_REACH_M, _LAMP_NEAR_M = 6.0, 0.35
+#: Light that comes from nowhere, by side: all of it where no rays are traced, and so little of it
+#: that it is seen only where there is no other.
+_EVEN = np.array((0.8, 0.8, 0.7, 0.7, 1.0, 0.6), dtype=np.float32)
+_DIM = 0.03
 #: A cell of whose rays more than this share meet things from behind lies within one.
 _WITHIN = 0.3
 #: What lights a surface is found so far before it, metres.
@@ -109,57 +116,72 @@ def light_of_rooms(
     directions = np.tile(rays, (len(middles), 1))
     met = world.meet(origins, directions)
     within = met.behind.reshape(-1, _RAYS).mean(axis=1) > _WITHIN
-    first = _direct(world, met, sun, lamps)
-    before = met.point_m[met.hit] + BEFORE_M * met.normal[met.hit]
-    cell = np.max([grid.at(before) for grid in grids], axis=0)
+    hit, at, facing_m = met.hit, met.point_m[met.hit], met.normal[met.hit]
+    cell = np.max([grid.at(at + BEFORE_M * facing_m) for grid in grids], axis=0)
+    shone_on = [_shone_on(world, middles, lamp) for lamp in lamps]
+    first = np.zeros((len(at), 3))
+    if sun is not None:
+        first += sun[0].shines(at, facing_m)[:, None] * sun[1]
+    for lamp, seen in zip(lamps, shone_on, strict=True):
+        # Whether a lamp is seen from a surface is taken from the cell before it.
+        lit = np.flatnonzero((cell >= 0) & seen[cell])
+        first[lit] += _from_lamp(lamp, at[lit], facing_m[lit, None])[:, 0]
     weights = np.clip(rays @ _SIDES.T, 0.0, None)
-    weights *= math.pi / weights.sum(axis=0)
-    radiance = np.where(met.hit[:, None], 0.0, sky(directions))
-    facing, share = _facing(met.normal[met.hit])
-    gives = met.albedo[met.hit] / math.pi
+    weights = (weights * math.pi / weights.sum(axis=0)).T.astype(np.float32)
+    radiance = np.where(hit[:, None], 0.0, sky(directions)).astype(np.float32)
+    sides, share = _facing(facing_m)
+    gives = met.albedo[hit] / math.pi
     got = first
     cubes: list[Array] = []
     for _ in range(_BOUNCES):
-        radiance[met.hit] = gives * got
-        cube = np.einsum("csk,sd->cdk", radiance.reshape(len(middles), _RAYS, 3), weights)
-        cubes = [_smooth(grid, cube, within) for grid in grids]
+        radiance[hit] = gives * got
+        cube = weights @ radiance.reshape(len(middles), _RAYS, 3)
+        cubes = [_filled(grid, cube, within) for grid in grids]
         cube = np.concatenate([one[grid.inside] for one, grid in zip(cubes, grids, strict=True)])
-        there = (cube[cell[:, None], facing] * share[..., None]).sum(axis=1)
+        there = (cube[cell[:, None], sides] * share[..., None]).sum(axis=1)
         got = first + np.where(cell[:, None] >= 0, there, 0.0)
-    straight = _from_lamps(world, middles, lamps)
-    lit = [_smooth(grid, straight, within) for grid in grids] if lamps else []
-    cubes = [a + b for a, b in zip(cubes, lit, strict=True)] if lamps else cubes
+    straight = np.zeros((len(middles), 6, 3))
+    for lamp, seen in zip(lamps, shone_on, strict=True):
+        every = np.broadcast_to(_SIDES, (int(seen.sum()), 6, 3))
+        straight[seen] += _from_lamp(lamp, middles[seen], every)
+    if lamps:
+        from_lamps = (_filled(grid, straight, within) for grid in grids)
+        cubes = [a + b for a, b in zip(cubes, from_lamps, strict=True)]
     return [
-        RoomLight(grid.room, grid.corner_m, grid.cell_m, one.astype(np.float32))
+        RoomLight(grid.room, grid.corner_m, grid.cell_m, _smooth(one) + _DIM * _EVEN[:, None])
         for grid, one in zip(grids, cubes, strict=True)
     ]
 
 
-def _from_lamps(world: LightWorld, middles: Array, lamps: Sequence[Lamp]) -> Array:
-    """What cells get straight from lamps, on each of their six sides, (N, 6, 3)."""
-    out = np.zeros((len(middles), 6, 3))
-    for lamp in lamps:
-        near, to, far = _free_ways(world, middles, lamp)
-        strength = np.clip(to @ _SIDES.T, 0.0, None) / np.maximum(far, _LAMP_NEAR_M)[:, None] ** 2
-        out[near] += strength[..., None] * lamp.power
+def even_light(rooms: Sequence[Room], height_m: float) -> list[RoomLight]:
+    """The same light everywhere, a little more from above."""
+    cube = np.broadcast_to(_EVEN[:, None], (2, 2, 2, 6, 3))
+    out = []
+    for room in rooms:
+        x0, y0, x1, y1 = Polygon(room.polygon_m).bounds
+        size = np.array([x1 - x0, y1 - y0, height_m]) / 2
+        out.append(RoomLight(room, np.array([x0, y0, 0.0]), size, cube))
     return out
 
 
-def _free_ways(
-    world: LightWorld, points_m: Array, lamp: Lamp, normals: Array | None = None
-) -> tuple[npt.NDArray[np.int64], Array, Array]:
-    """Which points (N, 3) a lamp lights (of those on a surface, on its lit side), the directions to
-    it and how far it is."""
+def _shone_on(world: LightWorld, middles: Array, lamp: Lamp) -> npt.NDArray[np.bool_]:
+    """Which cells a lamp shines on, (N,)."""
+    to = lamp.at_m - middles
+    far = np.linalg.norm(to, axis=1)
+    out = far < _LAMP_REACH_M
+    ways = to[out] / np.maximum(far[out], 1e-6)[:, None]
+    out[out] = world.distance_m(middles[out], ways) > far[out] - lamp.radius_m
+    return np.asarray(out)
+
+
+def _from_lamp(lamp: Lamp, points_m: Array, normals: Array) -> Array:
+    """Light that surfaces at points (N, 3) that face M ways each (N, M, 3) get from a lamp that
+    shines on them, (N, M, 3)."""
     to = lamp.at_m - points_m
-    far = np.maximum(np.linalg.norm(to, axis=1), 0.05)
-    to /= far[:, None]
-    reached = far < _LAMP_REACH_M
-    if normals is not None:
-        reached &= (to * normals).sum(axis=1) > 0
-    near = np.flatnonzero(reached)
-    start = points_m[near] if normals is None else points_m[near] + 0.02 * normals[near]
-    near = near[world.distance_m(start, to[near]) > far[near] - lamp.radius_m]
-    return near, to[near], far[near]
+    far = np.linalg.norm(to, axis=1)
+    slant = np.einsum("nmk,nk->nm", normals, to / np.maximum(far, 1e-6)[:, None])
+    strength = np.clip(slant, 0.0, None) / np.maximum(far, _LAMP_NEAR_M)[:, None] ** 2
+    return np.asarray(strength[..., None] * lamp.power)
 
 
 def _even_directions(count: int) -> Array:
@@ -171,31 +193,16 @@ def _even_directions(count: int) -> Array:
     return np.stack([flat * np.cos(turn), flat * np.sin(turn), z], axis=1)
 
 
-def _direct(
-    world: LightWorld, met: Met, sun: tuple[SunMap, Array] | None, lamps: Sequence[Lamp]
-) -> Array:
-    """Light that what was met gets straight from the sun and from lamps."""
-    at, normal = met.point_m[met.hit], met.normal[met.hit]
-    out = np.zeros((len(at), 3))
-    if sun is not None:
-        out += sun[0].shines(at, normal)[:, None] * sun[1]
-    for lamp in lamps:
-        lit, to, far = _free_ways(world, at, lamp, normal)
-        slant = (to * normal[lit]).sum(axis=1)
-        out[lit] += (slant / np.maximum(far, _LAMP_NEAR_M) ** 2)[:, None] * lamp.power
-    return out
-
-
 def _facing(normals: Array) -> tuple[npt.NDArray[np.int64], Array]:
     """The three sides that light each normal (N, 3), and their shares."""
     side = np.arange(3) * 2 + (normals < 0)
     return side.astype(np.int64), normals**2
 
 
-def _smooth(grid: _Grid, cube: Array, within: npt.NDArray[np.bool_]) -> Array:
+def _filled(grid: _Grid, cube: npt.NDArray[np.floating], within: npt.NDArray[np.bool_]) -> Array:
     """A room's cells, (X, Y, Z, 6, 3): those that lie within things or beyond the walls have what
-    is around them, and all a little of their neighbours'."""
-    out = np.full((*grid.number.shape, 6, 3), np.nan)
+    is around them."""
+    out = np.full((*grid.number.shape, 6, 3), np.nan, dtype=np.float32)
     numbers = grid.number[grid.inside]
     known = cube[numbers]
     known[within[numbers]] = np.nan
@@ -203,19 +210,21 @@ def _smooth(grid: _Grid, cube: Array, within: npt.NDArray[np.bool_]) -> Array:
     while True:
         empty = np.isnan(out[..., 0, 0])
         if not empty.any() or empty.all():
-            break
+            return np.nan_to_num(out)
         beside = np.stack([_shifted(out, axis, step) for axis in range(3) for step in (-1, 1)])
         there = ~np.isnan(beside[..., :1, :1])
         total = np.where(there, beside, 0.0).sum(axis=0)
         count = there.sum(axis=0)
         filled = empty & (count[..., 0, 0] > 0)
         out[filled] = (total / np.maximum(count, 1))[filled]
-    out = np.nan_to_num(out)
+
+
+def _smooth(cube: Array) -> npt.NDArray[np.float32]:
+    """A room's cells with a little of their neighbours' light."""
     for axis in range(3):
-        out = 0.5 * out + 0.25 * (
-            _shifted(out, axis, -1, edge=True) + _shifted(out, axis, 1, edge=True)
-        )
-    return out
+        beside = _shifted(cube, axis, -1, edge=True) + _shifted(cube, axis, 1, edge=True)
+        cube = 0.5 * cube + 0.25 * beside
+    return cube.astype(np.float32)
 
 
 def _shifted(values: Array, axis: int, step: int, edge: bool = False) -> Array:

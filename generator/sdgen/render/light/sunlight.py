@@ -42,8 +42,8 @@ class SunMap:
         begin = self.corner_m[2] - _BEFORE_M
         origins = start @ self.axes[:2] + begin * along
         far = world.distance_m(origins, np.broadcast_to(along, origins.shape))
-        # What meets nothing in the home ends at the ground that it stands on, or light would come in
-        # beneath the walls.
+        # What meets nothing in the home ends at the ground that it stands on, or light would come
+        # in beneath the walls.
         ground = -origins[:, 2] / along[2] if along[2] < 0 else np.full(len(origins), np.inf)
         depth = np.minimum(np.minimum(far, ground) + begin, 1e6)
         self.depth_m: npt.NDArray[np.float32] = depth.reshape(rows, columns).astype(np.float32)

@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
-from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 from embreex import rtcore_scene
 from embreex.mesh_construction import TriangleMesh
-from PIL import Image
 
 from sdgen.geometry import Array
+from sdgen.render.light.colour import albedo_of
 from sdgen.render.raster.drawn import Drawn
 
 #: What is smaller than this, metres, throws no light back and no shade: it gets a contact shade.
 _LARGE_M = 0.25
 #: Rugs and what is spilt lie as flat as the floor they hide.
 _FLAT_M = 0.03
-#: sRGB to linear, near enough.
-_GAMMA = 2.2
 
 
 _NONE = np.zeros((0, 3, 3))
@@ -45,10 +41,10 @@ class LightWorld:
     def __init__(self, parts: Sequence[Drawn], roofed: bool) -> None:
         large = [part for part in parts if _large(part)]
         corners = [part.vertices[part.faces] for part in large]
-        roof = _roof(np.concatenate([part.box() for part in large])) if roofed else _NONE
+        roof = _roof(np.concatenate([part.box for part in large])) if roofed else _NONE
         self._triangles = np.concatenate([*corners, roof]).astype(np.float32)
         counts = [len(part.faces) for part in large]
-        albedo = np.array([_albedo(part) for part in large]).reshape(-1, 3)
+        albedo = np.array([albedo_of(part) for part in large]).reshape(-1, 3)
         self._albedo = np.concatenate([np.repeat(albedo, counts, axis=0), np.zeros((len(roof), 3))])
         sides = self._triangles[:, 1:] - self._triangles[:, :1]
         normals = np.cross(sides[:, 0], sides[:, 1]).astype(np.float64)
@@ -75,8 +71,8 @@ class LightWorld:
         found = self._run(origins_m, directions)
         return np.where(found["primID"] >= 0, found["tfar"].astype(np.float64), np.inf)
 
-    def _run(self, origins_m: Array, directions: Array) -> dict[str, npt.NDArray[np.generic]]:
-        found: dict[str, npt.NDArray[np.generic]] = self._scene.run(
+    def _run(self, origins_m: Array, directions: Array) -> dict[str, npt.NDArray[Any]]:
+        found: dict[str, npt.NDArray[Any]] = self._scene.run(
             np.ascontiguousarray(origins_m, dtype=np.float32),
             np.ascontiguousarray(directions, dtype=np.float32),
             query="INTERSECT",
@@ -95,19 +91,6 @@ def _roof(corners_m: Array) -> Array:
 def _large(part: Drawn) -> bool:
     if part.number == 0:
         return True
-    size = np.ptp(part.box(), axis=0)
+    size = np.ptp(part.box, axis=0)
     see_through = part.clear or part.translucent or part.glows
     return not see_through and bool(size.max() > _LARGE_M and size[2] > _FLAT_M)
-
-
-def _albedo(part: Drawn) -> Array:
-    tint = np.minimum(part.rgb, 1.0) ** _GAMMA
-    return np.asarray(mean_colour(part.texture) * tint, dtype=np.float64)
-
-
-@lru_cache(maxsize=4096)
-def mean_colour(texture: Path) -> Array:
-    """A texture's mean colour, linear."""
-    with Image.open(texture) as image:
-        small = image.convert("RGB").resize((1, 1), Image.Resampling.BOX)
-    return np.asarray((np.asarray(small, dtype=np.float64).reshape(3) / 255) ** _GAMMA)

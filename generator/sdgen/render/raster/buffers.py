@@ -6,6 +6,8 @@ import moderngl
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.render.raster.context import Held, release_all
+
 
 class Buffers:
     """What is opaque: ``albedo`` and glow, ``fine`` times as many pixels along each side, normals,
@@ -27,8 +29,9 @@ class Buffers:
         self.veils = context.framebuffer([self.whose, *of_veils], z)
         #: Emptied by themselves: whose pixels are and how deep has been drawn by then.
         self._own_veils = context.framebuffer(of_veils)
-        self._held = (self.colours, self.solid, self.veils, self._own_veils, z, fine_z, self.albedo)
-        self._held += (self.whose, self.normal, self.depth, *of_veils)
+        frames = (self.colours, self.solid, self.veils, self._own_veils)
+        textures = (self.albedo, self.whose, self.normal, self.depth, *of_veils)
+        self._held: tuple[Held, ...] = (*frames, z, fine_z, *textures)
 
     def clear(self) -> None:
         """Empty all of them."""
@@ -56,5 +59,4 @@ class Buffers:
 
     def release(self) -> None:
         """Let go of all of it."""
-        for held in self._held:
-            held.release()
+        release_all(self._held)

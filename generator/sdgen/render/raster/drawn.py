@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -63,6 +64,7 @@ class Drawn:
         """Whether it is seen through, as a glass is. What is behind a window's pane is painted."""
         return self.alpha < _OPAQUE and not self.clear
 
+    @cached_property
     def box(self) -> Array:
         """Lowest and highest corner of the box around it, (2, 3)."""
         return np.array([self.vertices.min(axis=0), self.vertices.max(axis=0)], dtype=np.float64)

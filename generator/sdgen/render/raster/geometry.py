@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sdgen.geometry import Array
+from sdgen.render.raster.context import release_all
 from sdgen.render.raster.drawn import Drawn
 from sdgen.render.raster.textures import Textures
 
@@ -47,7 +48,7 @@ class Geometry:
             range(len(parts)), key=lambda k: (parts[k].translucent, place[parts[k].texture], k)
         )
         self._order = np.array(order, dtype=np.int64)
-        self._boxes = np.array([parts[k].box() for k in order]).reshape(-1, 2, 3)
+        self._boxes = np.array([parts[k].box for k in order]).reshape(-1, 2, 3)
         self._late = self.veils[1:][self._order]
         self._shown = np.ones(len(parts), dtype=np.bool_)
         sorts = np.array([place[parts[k].texture] for k in order], dtype=np.int64)
@@ -65,7 +66,10 @@ class Geometry:
             own["at"], own["normal"], own["uv"] = part.vertices, part.normals, part.uvs
             tint = np.rint(np.clip(np.array(part.rgb) / 2, 0, 1) * 255)
             # Opaque parts use the fourth byte to say whether they give light.
-            own["colour"] = (*tint, round(255 * part.alpha) if part.translucent else 255 * part.glows)
+            own["colour"] = (
+                *tint,
+                round(255 * part.alpha) if part.translucent else 255 * part.glows,
+            )
             own["number"] = k + 1
             faces.append(part.faces + np.uint32(start))
             start += len(part.vertices)
@@ -106,15 +110,12 @@ class Geometry:
         begins = np.flatnonzero(starts)
         # A run ends where the next begins or, before that, where a part is not wanted.
         gaps = np.append(np.flatnonzero(~wanted), len(wanted))
-        stops = np.minimum(
-            np.append(begins[1:], len(wanted)), gaps[np.searchsorted(gaps, begins)]
-        )
+        stops = np.minimum(np.append(begins[1:], len(wanted)), gaps[np.searchsorted(gaps, begins)])
         yield from zip(begins.tolist(), stops.tolist(), strict=True)
 
     def release(self) -> None:
         """Let go of the buffers; textures stay."""
-        for held in (*self._arrays.values(), self._corners, self._faces):
-            held.release()
+        release_all([*self._arrays.values(), self._corners, self._faces])
 
 
 def _bound(corners: moderngl.Buffer, program: moderngl.Program) -> tuple[Any, ...]:

@@ -16,6 +16,7 @@ from sdgen.render.light.home_light import HomeLight
 from sdgen.render.light.rooms import RoomLight
 from sdgen.render.outdoors import SeenOutside
 from sdgen.render.raster.buffers import Buffers
+from sdgen.render.raster.context import give, release_all
 from sdgen.render.raster.light_shaders import BLUR, LIGHT, LIGHT_SUNLESS, SHADE, SMOOTH, VEIL
 from sdgen.render.raster.shaders import FULL_VERTEX
 from sdgen.scene import Camera
@@ -28,7 +29,7 @@ _BESIDE_M = 0.5
 _MOST_ROOMS = 255
 #: How bright the middle of a room is to be by the time of day, how far dark rooms are brought up to
 #: it, and how far the colour of their light is taken out, as a camera does.
-_KEY: dict[DayTime, float] = {"day": 1.5, "evening": 1.25, "night": 1.05}
+_KEY: dict[DayTime, float] = {"day": 1.4, "evening": 1.1, "night": 0.9}
 _ADAPTS, _WHITENS = 0.85, 0.6
 #: At least so much light is reckoned with: it takes some to see anything.
 _DARKEST = 0.02
@@ -69,8 +70,7 @@ class Targets:
     def release(self) -> None:
         """Let go of all of it."""
         textures = (self.shade, self.blurred, self.light, self.smooth, self.world)
-        for held in (*self.frames.values(), *textures):
-            held.release()
+        release_all([*self.frames.values(), *textures])
 
 
 class Passes:
@@ -150,7 +150,7 @@ class Passes:
         self._context.enable(moderngl.BLEND)
         self._run("veil", frame, {**place, **light.uniforms}, {**veils, **light.textures})
         self._context.disable(moderngl.BLEND)
-        frame.scissor = None
+        frame.scissor = (0, 0, *targets.size)
 
     def _run(
         self,
@@ -163,12 +163,11 @@ class Passes:
         target.use()
         program, unit = self._programs[name], 0
         for key, value in values.items():
-            if key in program:
-                program[key].value = value
+            give(program, key, value)
         for key, texture in textures.items():
             if key in program:
                 texture.use(unit)
-                program[key].value = unit
+                give(program, key, unit)
                 unit += 1
         self._arrays[name].render()
 
@@ -209,21 +208,24 @@ class Lighting:
             "sides": sides,
             "room_map": room_map,
             "rooms": _plain(context, table),
-            "sun_map": _plain(context, sun.depth_m[..., None]),
         }
         self.uniforms: dict[str, Any] = {
             "plan": plan,
             "cells": (size[0], size[1], deep),
             "side": size[2],
-            "sun_right": tuple(sun.axes[0]),
-            "sun_up": tuple(sun.axes[1]),
-            "sun_along": tuple(sun.axes[2]),
-            "sun_corner": tuple(sun.corner_m),
-            "sun": tuple(sun.towards),
-            "sun_light": tuple(light.sky.sun),
-            "sun_step": sun.step_m,
         }
-        self.sunny = bool(light.sky.sun.any())
+        self.sunny = sun is not None
+        if sun is not None:
+            self.textures["sun_map"] = _plain(context, sun.depth_m[..., None])
+            self.uniforms |= {
+                "sun_right": tuple(sun.axes[0]),
+                "sun_up": tuple(sun.axes[1]),
+                "sun_along": tuple(sun.axes[2]),
+                "sun_corner": tuple(sun.corner_m),
+                "sun": tuple(sun.towards),
+                "sun_light": tuple(light.sky.sun),
+                "sun_step": sun.step_m,
+            }
         self._exposures = {room.room.id: _exposure(room, light.time) for room in rooms}
 
     def exposure(self, room_id: int) -> Vec3:

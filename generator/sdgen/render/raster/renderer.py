@@ -1,4 +1,4 @@
-"""Our own OpenGL without a display: by a GPU, or by Mesa on the CPU."""
+"""Draws scenes by OpenGL: whose every pixel is, then its light."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from sdgen.render.opengl import projection_matrix, scaled, view_matrix
 from sdgen.render.outdoors import Outside
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.raster.buffers import Buffers
+from sdgen.render.raster.context import give, open_context, string_of
 from sdgen.render.raster.drawn import drawn_parts
 from sdgen.render.raster.geometry import Geometry, Programs
 from sdgen.render.raster.lighting import Box, Lighting, Passes, Targets
@@ -36,7 +37,7 @@ INSTALL_HINT = f"On Debian or Ubuntu: apt-get install {' '.join(DEBIAN_PACKAGES)
 #: Starting takes half a second; a driver that hangs would hang for ever.
 _PROBE_S = 60.0
 _PROBE = """
-from sdgen.render.raster.renderer import open_context, string_of
+from sdgen.render.raster.context import open_context, string_of
 print(string_of(open_context()))
 """
 #: Buffers of so many picture sizes are kept.
@@ -44,20 +45,6 @@ _SIZES = 3
 #: Colours are drawn so many times finer than masks, along each side, and averaged.
 _FINE = 2
 _CLOSED = "closed"
-
-
-def open_context() -> moderngl.Context:
-    """OpenGL without a display. Raises RendererError where none starts."""
-    more = {"backend": "egl"} if sys.platform == "linux" else {}
-    try:
-        return moderngl.create_standalone_context(require=330, **more)
-    except Exception as error:  # glcontext raises nothing more special
-        raise RendererError(f"OpenGL does not start: {error}") from None
-
-
-def string_of(context: moderngl.Context) -> str:
-    """What draws, for ``dataset.json``."""
-    return f"OpenGL {context.info['GL_RENDERER']} {context.info['GL_VERSION']}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,7 +168,7 @@ class GlRenderer(Renderer):
         buffers, targets = self._sized(camera.width * factor, camera.height * factor, fine)
         clip = _clip(camera, factor)
         for program in self._programs.values():
-            program["clip_from_world"].value = tuple(clip.T.ravel())
+            give(program, "clip_from_world", tuple(clip.T.ravel()))
         self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         buffers.clear()
         solid, veils = geometry.seen(clip)

@@ -1,8 +1,8 @@
 """How long one picture takes: the bare frame, and the frame with all that sdgen makes of it.
 
 Run: ``python benchmarks/frames.py [--index 0] [--seed 7] [--renderer auto] [--size 640x480]``.
-The bare frame is Bullet's ``getCameraImage`` alone (colour, depth and mask); the full one adds
-instance and part images, depth in millimetres and the pixels of every object alone.
+Loading a scene finds its light. The bare frame is the renderer's alone, without colours and with
+them; the full one adds depth in millimetres and the pixels of every object alone.
 """
 
 from __future__ import annotations
@@ -12,12 +12,10 @@ import statistics
 import sys
 import time
 from collections.abc import Callable
-from typing import Any
 
 from sdgen.catalog.load import load_catalog
 from sdgen.library import load_library
 from sdgen.options import BuildOptions
-from sdgen.physics.bullet import pb
 from sdgen.pipeline import make_scene
 from sdgen.render import AUTO, RENDERERS, open_renderer
 from sdgen.render.frames import render_frames
@@ -32,30 +30,6 @@ def median_ms(work: Callable[[], object], rounds: int) -> float:
         work()
         times.append(time.perf_counter() - start)
     return 1000 * statistics.median(times)
-
-
-def bare_ms(work: Callable[[], object], rounds: int) -> float:
-    """Median time that one call spends in ``getCameraImage``, in milliseconds."""
-    plain = pb.getCameraImage
-    spent = 0.0
-
-    def timed(*args: Any, **named: Any) -> Any:
-        nonlocal spent
-        start = time.perf_counter()
-        image = plain(*args, **named)
-        spent += time.perf_counter() - start
-        return image
-
-    times = []
-    pb.getCameraImage = timed
-    try:
-        for _ in range(rounds + 1):
-            spent = 0.0
-            work()
-            times.append(spent)
-    finally:
-        pb.getCameraImage = plain
-    return 1000 * statistics.median(times[1:])
 
 
 def main() -> None:
@@ -75,19 +49,19 @@ def main() -> None:
     with open_renderer(args.renderer) as renderer:
         load = median_ms(lambda: renderer.load(library, scene), args.rounds)
 
-        def drawn() -> None:
+        def drawn(colours: bool) -> None:
             for camera in cameras:
-                renderer.draw(camera)
+                renderer.draw(camera, colours)
 
         def full(scale: int) -> None:
             for _ in render_frames(renderer, library, scene, cameras, supersample=scale):
                 pass
 
-        bare = bare_ms(drawn, args.rounds)
         count = len(cameras)
         rows = {
             "load the scene": load,
-            "bare frame": bare / count,
+            "masks and depth": median_ms(lambda: drawn(False), args.rounds) / count,
+            "bare frame": median_ms(lambda: drawn(True), args.rounds) / count,
             "full frame": (median_ms(lambda: full(1), args.rounds) - load) / count,
             "full frame, supersampled": (median_ms(lambda: full(2), args.rounds) - load) / count,
         }

@@ -3,7 +3,7 @@
 ``in_tree.py content SEED`` makes the scenes whose numbers it reads from standard input, one a
 line, and answers each with a line of JSON: core seconds of content alone (home, hazards, physics,
 proof, cameras; nothing drawn, encoded or written). ``in_tree.py bare DATASET SHARE SHARES`` draws
-the frames of a share of a data set's scenes with Bullet's ``getCameraImage`` and nothing else.
+the frames of a share of a data set's scenes with all loaded and its light found, and nothing else.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def content(seed: int) -> None:
 
 
 def faces_drawn(library: Any, scene: Any) -> int:
-    """Triangles that Bullet draws in every view of a scene: those of all its bodies."""
+    """Triangles of all that is drawn of a scene."""
     from sdgen.render.shell import structure_faces
 
     # An earlier tree is given the size itself.
@@ -64,30 +64,23 @@ def faces_drawn(library: Any, scene: Any) -> int:
 
 
 def bare(folder: Path, share: int, shares: int) -> None:
-    """Seconds of every bare frame of a share of the scenes, and the faces in each view."""
+    """Seconds of loading each of a share of the scenes, of every bare frame of it, and its faces."""
     from sdgen import Dataset
     from sdgen.library import load_library
-    from sdgen.physics.bullet import pb
     from sdgen.render import open_renderer
 
-    library, plain = load_library(), pb.getCameraImage
-    seconds: list[float] = []
-
-    def timed(*args: Any, **named: Any) -> Any:
-        start = time.perf_counter()
-        image = plain(*args, **named)
-        seconds.append(time.perf_counter() - start)
-        return image
-
-    pb.getCameraImage = timed
+    library = load_library()
     scenes = [item for item in Dataset(folder) if item.scene.twin_of is None]
     with open_renderer("auto") as renderer:
         for item in scenes[share::shares]:
+            start = time.perf_counter()
             renderer.load(library, item.scene)
-            seconds.clear()
+            loaded, seconds = time.perf_counter() - start, []
             for camera in item.cameras:
+                start = time.perf_counter()
                 renderer.draw(camera)
-            say({"frames": seconds, "faces": faces_drawn(library, item.scene)})
+                seconds.append(time.perf_counter() - start)
+            say({"load": loaded, "frames": seconds, "faces": faces_drawn(library, item.scene)})
 
 
 def spin() -> None:

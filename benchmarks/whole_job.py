@@ -5,9 +5,10 @@ Run: ``python benchmarks/whole_job.py [--n 200] [--workers 2] [--beside TREE] [-
 1. The whole job: ``sdgen build`` with all sensors as a user starts it, on an empty model cache:
    imports, start of the workers and cold caches are part of it. Wall time, core time, memory of
    all its processes together (shared pages once), workers replaced.
-2. Bare frames: the same frames again, by Bullet's ``getCameraImage`` alone with all bodies loaded,
-   in as many processes. What they take together is divided evenly among the processes, as if none
-   ever waited: the least that drawing could cost.
+2. Bare frames: the same frames again, by the renderer alone (colours, depth, masks) with all
+   loaded and its light found, in as many processes. What they take together is divided evenly among
+   the processes, as if none ever waited: the least that drawing could cost. (Up to 2026-11-28 they
+   were Bullet's ``getCameraImage``.) How long loading took, light included, is told beside it.
 3. Content: the same scenes made again without drawing, encoding or writing, in as many processes;
    core seconds of each, the first one of a process (which reads its models) included in the mean.
 
@@ -169,6 +170,7 @@ def bare_frames(out: Path, cache: Path, workers: int) -> dict[str, float]:
         "bare_wall_s": sum(seconds) / workers,
         "bare_frame_mean_ms": 1000 * statistics.mean(seconds),
         "bare_frame_median_ms": 1000 * statistics.median(seconds),
+        "load_median_s": statistics.median(record["load"] for record in found),
         "faces_a_view_median": statistics.median(record["faces"] for record in found),
         "faces_a_view_most": max(record["faces"] for record in found),
     }

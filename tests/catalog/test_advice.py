@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from sdgen.catalog.advice import advice
+from sdgen.catalog.advice import advice, home_advice
 from sdgen.catalog.folder import extension_names
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Before, Near, PlaceRecipe, SetRecipe
@@ -69,3 +69,17 @@ def test_what_is_left_to_chance_is_named(changes: dict[str, Any], said: str) -> 
 def test_ours_leave_nothing_to_chance() -> None:
     packs = load_catalog(extensions=extension_names())
     assert [line for hazard in packs.hazards for line in advice(hazard)] == []
+
+
+def test_a_home_with_neither_windows_nor_lamps_is_told_of() -> None:
+    home = load_catalog().homes[0].model_copy(update={"as_drawn": True})
+    assert any(opening.kind == "window" for opening in home.openings)
+    assert list(home_advice(home)) == []
+    shut = tuple(one for one in home.openings if one.kind != "window")
+    rooms = tuple(room.model_copy(update={"furniture": ()}) for room in home.rooms)
+    dark = home.model_copy(update={"openings": shut, "rooms": rooms})
+    assert list(home_advice(dark)) == [
+        f"home {home.id!r}: it has neither a window nor a lamp: its pictures are dim"
+    ]
+    # Where not all is drawn, lamps are hung up.
+    assert list(home_advice(dark.model_copy(update={"as_drawn": False}))) == []

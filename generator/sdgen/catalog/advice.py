@@ -1,14 +1,15 @@
-"""What a hazard's recipes leave to chance that its predicate asks for.
+"""What is not wrong, but seldom meant: what a hazard's recipes leave to chance that its predicate
+asks for, and homes without light.
 
-Nothing is wrong with that, and now and then it comes about; but of a build's tries at such a hazard
-most come to nothing.
+What is left to chance comes about now and then; but of a build's tries at such a hazard most come
+to nothing.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdgen.catalog.records import Hazard, PlaceRecipe
+from sdgen.catalog.records import Hazard, HomeSpec, PlaceRecipe
 from sdgen.catalog.terms import AllTerm, DistanceTerm, StateTerm, Term
 from sdgen.catalog.terms.term import either
 
@@ -23,6 +24,15 @@ def advice(hazard: Hazard) -> Iterator[str]:
             for term in terms:
                 for text in _left_to_chance(term, recipe):
                     yield f"hazard {hazard.id!r}: anomalies[{index}]: {text}"
+
+
+def home_advice(home: HomeSpec) -> Iterator[str]:
+    """A line when a home has neither windows nor lamps: others are given lamps, this has what is
+    drawn."""
+    drawn = {item.category for room in home.rooms for item in room.furniture}
+    windows = any(opening.kind == "window" for opening in home.openings)
+    if home.as_drawn and not windows and not any(name.endswith("lamp") for name in drawn):
+        yield f"home {home.id!r}: it has neither a window nor a lamp: its pictures are dim"
 
 
 def _left_to_chance(term: Term, recipe: PlaceRecipe) -> Iterator[str]:

@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from sdgen.catalog.advice import advice
+from sdgen.catalog.advice import advice, home_advice
 from sdgen.catalog.enumeration import enumerate_anomalies
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import Catalog, Hazard, Near, PlaceRecipe, Recipe
@@ -154,7 +154,8 @@ def validate_paths(
     check_buildable(found, library)
     trial = misfits(found, library, BuildOptions(extensions=split_names(extensions)))
     chances = [line for hazard in found.hazards for line in advice(hazard)]
-    for line in (*chances, *trial.warnings):
+    dark = [line for home in found.homes for line in home_advice(home)]
+    for line in (*chances, *dark, *trial.warnings):
         click.echo(f"warning: {line}", err=True)
     if trial.problems:
         raise InputError(list(trial.problems))

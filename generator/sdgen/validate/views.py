@@ -69,6 +69,8 @@ def _camera(camera: Camera, k: int, data: Dataset, home: Home) -> Iterator[str]:
     if not np.allclose(camera.K, intrinsics(camera.width, camera.height), rtol=1e-9, atol=1e-9):
         angle = math.degrees(FOV_X_RAD)
         yield f"K: not a pinhole camera of this size whose field of view is {angle:g} degrees"
+    if camera.daylight not in (None, home.daylight):
+        yield "daylight: not that of the home in scene.json"
     if not 0 < camera.near_m < camera.far_m:
         yield "near_m and far_m: not 0 < near < far"
 

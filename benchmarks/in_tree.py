@@ -64,7 +64,7 @@ def faces_drawn(library: Any, scene: Any) -> int:
 
 
 def bare(folder: Path, share: int, shares: int) -> None:
-    """Seconds of loading each of a share of the scenes, of every bare frame of it, and its faces."""
+    """Seconds of loading each of a share of the scenes, of each of its frames, and its faces."""
     from sdgen import Dataset
     from sdgen.library import load_library
     from sdgen.render import open_renderer

@@ -16,6 +16,8 @@ from sdgen.scene import Zone
 
 #: So much of a surface to every side of a place tells what it is on, and how near to the edge.
 _REACH_M = 0.45
+#: And so much of what it is on, below it, how high it is.
+_BELOW_M = 0.35
 #: A doorway or a walkway so near is what a thing on the floor would be in the way of.
 _WAY_M = 1.5
 _WAYS = ("doorway", "walkway")
@@ -36,14 +38,15 @@ class Surroundings:
         ids), that its picture should show, (N, 3)."""
         item = self._layout.items.get(target)
         low, high = place[:2] - _REACH_M, place[:2] + _REACH_M
-        ends = []
+        ends, heights = [], [float(place[2])]
         if item is not None:
             body = Body(item, self._layout.library.info(item.asset))
             low, high = np.maximum(low, body.low[:2]), np.minimum(high, body.high[:2])
+            heights.append(max(float(place[2]) - _BELOW_M, float(body.low[2])))
         else:
             ends = self._way_points(self._ways.get(target, ()), place)
         corners = [(x, y) for x in (low[0], high[0]) for y in (low[1], high[1])]
-        return np.array([(x, y, place[2]) for x, y in (*corners, *ends)])
+        return np.array([(x, y, z) for z in heights for x, y in (*corners, *ends)])
 
     @staticmethod
     def _way_points(ways: Collection[Polygon], place: Array) -> list[tuple[float, float]]:

@@ -89,7 +89,7 @@ def _eyes(room: Room, openings: Sequence[Opening], free: BaseGeometry, rng: Rng)
     heights = EYE_HEIGHT_M + rng.uniform(0.0, 2 * HEIGHT_JITTER_M, len(at))
     stands = shapely.contains_xy(free, at[:, 0], at[:, 1])
     stands &= shapely.contains_xy(outline, at[:, 0], at[:, 1])
-    return np.column_stack([at, heights])[stands]
+    return np.asarray(np.column_stack([at, heights])[stands])
 
 
 def _corners(piece: Polygon, rng: Rng) -> Iterator[Vec2]:

@@ -105,6 +105,10 @@ def test_nothing_stands_before_a_clear_eye(library: Library, scene: Scene) -> No
     with RayWorld(library, scene) as world:
         assert clear(world.cast, views).tolist() == [True, False, False]
         assert clear(world.cast, []).tolist() == []
+        # Beside a table, at the height of its top and of what would stand on it.
+        over = [view((0.9, 0.2, 0.8), aim)]
+        assert clear(world.cast, over).tolist() == [True]
+        assert clear(world.cast, over, 0.08).tolist() == [False]
 
 
 def test_cameras_are_numbered_in_a_drawn_order(scene: Scene) -> None:

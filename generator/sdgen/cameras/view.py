@@ -96,9 +96,10 @@ def _room_id(rooms: Sequence[Room], view: View) -> int:
     return min(rooms, key=lambda room: Polygon(room.polygon_m).distance(eye)).id
 
 
-def clear(cast: Cast, views: Sequence[View]) -> npt.NDArray[np.bool_]:
-    """Which views have nothing within :data:`CLEARANCE_M` of their eye, at its height, (N,)."""
-    eyes = np.array([view.eye_m for view in views]).reshape(-1, 3)
+def clear(cast: Cast, views: Sequence[View], below_m: float = 0.0) -> npt.NDArray[np.bool_]:
+    """Which views have nothing within :data:`CLEARANCE_M` of their eye, at its height or so far
+    below it, (N,)."""
+    eyes = np.array([view.eye_m for view in views]).reshape(-1, 3) - (0.0, 0.0, below_m)
     angles = np.arange(_CLEARANCE_RAYS) * (2 * math.pi / _CLEARANCE_RAYS)
     ring = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(len(angles))]) * CLEARANCE_M
     origins = np.repeat(eyes, len(ring), axis=0)

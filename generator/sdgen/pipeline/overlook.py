@@ -35,6 +35,8 @@ from sdgen.vocabulary import FLAT_M
 
 #: Outlines of where cameras may stand are this exact: plain overlays stumble over slivers.
 _GRID_M = 1e-4
+#: No eye is so little above a board beside it: a book on that would stand before it in every try.
+_ON_SHELF_M = 0.12
 
 
 def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> FurnishedHome:
@@ -52,6 +54,7 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
         around = Surroundings(layout, context.zones).of
         near = near_views(library, free, spots, around, rng)
         near = list(compress(near, clear(world.cast, near)))
+        near = list(compress(near, clear(world.cast, near, _ON_SHELF_M)))
         views = [*near, *overviews(context.home, _inventory(home), free, world.cast, rng)]
     states = np.zeros((len(views), len(spots.states)), dtype=np.bool_)
     for numbers in _at_once(spots.states):

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from sdgen.cameras.choice import Marked, pick, shows
 from sdgen.cameras.cover import CANONICAL, near_count
-from sdgen.cameras.framing import glance_pixels
-from sdgen.cameras.view import View
+from sdgen.cameras.framing import framed, glance_pixels
+from sdgen.cameras.parts import part_area, part_points
+from sdgen.cameras.sight import estimate_pixels
+from sdgen.cameras.view import View, poses_of
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
 from sdgen.seeding import lane
@@ -56,6 +58,24 @@ def test_all_contents_decide_what_a_view_shows(library: Library):
     with RayWorld(library, scene) as world:
         found = shows(library, scene, world.cast, [before, away, above], marked)
     assert found.tolist() == [[True, False], [False, False], [True, True]]
+
+
+def test_what_the_frame_cuts_is_not_shown(library: Library) -> None:
+    """A cube that is half in the picture, with pixels enough; of a table, which is large, most
+    will do."""
+    scene = box_room([thing(10, "table_01", (0.9, 0.9, 0)), thing(11, "cube_01", (0.9, 0.8, 0.74))])
+    eye = np.array([0.9, -0.6, 1.2])
+    aims = [np.array([0.9, 0.8, z]) for z in (0.6, -0.05)]
+    views = [View("near", eye, aim) for aim in aims]
+    points = part_points(library, scene.object(11), ())
+    inside = [framed(poses_of([view]), points).inside.mean() for view in views]
+    assert inside[0] == 1.0
+    assert 0.0 < inside[1] < 1.0
+    with RayWorld(library, scene) as world:
+        found = shows(library, scene, world.cast, views, [Marked(10), Marked(11)])
+        pixels = estimate_pixels(world.cast, poses_of(views), points, 11, np.array([1]))
+    assert pixels[1] > 2 * glance_pixels(part_area(library, scene.object(11), ()))
+    assert found.tolist() == [[True, True], [True, False]]
 
 
 @pytest.mark.parametrize(

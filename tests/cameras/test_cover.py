@@ -57,6 +57,34 @@ def test_likely_spots_come_first_and_the_draw_decides_between_equals():
     assert len({f[2] for f in firsts}) > 4
 
 
+def test_of_overviews_that_show_as_much_the_better_ones_are_taken():
+    """And a bad one only where it shows much more."""
+    views = [
+        View("room", np.array([2.0 * k, 0.0, 1.2]), np.ones(3), 1, worth)
+        for k, worth in enumerate((0.4, 0.8, 0.4))
+    ]
+    shows, weight = np.ones((3, 10), dtype=np.bool_), np.full(10, 0.1)
+    firsts = [choose(views, shows, weight, 1, lane(k, 0, "c")) for k in range(8)]
+    assert firsts == [[1]] * 8
+    shows[1, 1:] = False
+    firsts = [choose(views, shows, weight, 1, lane(k, 0, "c")) for k in range(8)]
+    assert [1] not in firsts
+
+
+def test_another_room_has_its_overview_before_one_has_two():
+    """Where it shows much less, too, but not where it shows next to nothing."""
+    rooms = (1, 1, 2)
+    views = [
+        View("room", np.array([2.0 * k, 0.0, 1.2]), np.ones(3), r) for k, r in enumerate(rooms)
+    ]
+    shows, weight = np.zeros((3, 10), dtype=np.bool_), np.full(10, 0.1)
+    shows[0, :6] = shows[1, 6:] = True
+    for shown, taken in ((3, {0, 2}), (1, {0, 1})):
+        shows[2] = False
+        shows[2, 6 : 6 + shown] = True
+        assert set(choose(views, shows, weight, 2, lane(0, 0, "c"))) == taken
+
+
 def test_too_few_views_are_all_taken():
     assert choose([], np.zeros((0, 4)), np.full(4, 0.25), 8, lane(0, 0, "c")) == []
     few = choose(offered(2, 1), np.ones((3, 4)) > 0, np.full(4, 0.25), 8, lane(0, 0, "c"))

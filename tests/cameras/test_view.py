@@ -3,7 +3,7 @@ import pytest
 from sdgen.cameras.parts import part_numbers, part_points
 from sdgen.cameras.pinhole import intrinsics
 from sdgen.cameras.sight import estimate_pixels
-from sdgen.cameras.view import View, clear, to_cameras, wide
+from sdgen.cameras.view import View, clear, to_cameras
 from sdgen.geometry import look_at
 from sdgen.library import Library
 from sdgen.physics.rays import RayWorld
@@ -88,25 +88,28 @@ def test_another_eye_height_looks_at_the_same_point(scene: Scene) -> None:
     assert np.array_equal(usual.at(1.2).world_from_camera, usual.world_from_camera)
 
 
+@pytest.mark.parametrize("height_m", [0.3, 1.2, 1.6, 2.2])
+def test_an_overview_stays_level_at_every_eye_height(height_m: float) -> None:
+    """The same point while that is within ten degrees, and the point above or below it else."""
+    usual = View("room", np.array([-1.5, -1.5, 1.3]), np.array([1.5, 1.5, 0.8]), 1)
+    other = usual.at(height_m)
+    ahead = other.world_from_camera[:3, 2]
+    assert abs(np.degrees(np.arcsin(ahead[2]))) < 10.001
+    assert other.eye_m[2] == pytest.approx(height_m + 0.1)
+    assert other.aim_m[:2].tolist() == [1.5, 1.5]
+    assert (other.aim_m[2] == 0.8) == (height_m in (0.3, 1.2))
+
+
 def test_nothing_stands_before_a_clear_eye(library: Library, scene: Scene) -> None:
     aim = (0.0, 0.0, 0.5)
     views = [view(eye, aim) for eye in [(0.3, -0.5, 1.2), (0.9, 0.6, 0.72), (1.85, -1.0, 1.2)]]
     with RayWorld(library, scene) as world:
         assert clear(world.cast, views).tolist() == [True, False, False]
         assert clear(world.cast, []).tolist() == []
-
-
-def test_of_a_rooms_overviews_those_stay_that_see_furthest(library: Library, scene: Scene) -> None:
-    """Two of two rooms' each: from the far wall and into a near one; near views stay."""
-    far, near = ((-1.0, -1.5, 1.2), (1.0, 1.5, 0.9)), ((1.6, 0.0, 1.2), (1.9, 0.0, 1.1))
-    pairs = [(near, 1), (far, 1), (near, None), (far, 2), (near, 2), (near, 3)]
-    views = [
-        View("near" if room is None else "room", np.array(eye), np.array(aim), room)
-        for (eye, aim), room in pairs
-    ]
-    with RayWorld(library, scene) as world:
-        assert wide(world.cast, views).tolist() == [False, True, True, True, False, True]
-        assert wide(world.cast, views[2:3]).tolist() == [True]
+        # Beside a table, at the height of its top and of what would stand on it.
+        over = [view((0.9, 0.2, 0.8), aim)]
+        assert clear(world.cast, over).tolist() == [True]
+        assert clear(world.cast, over, 0.08).tolist() == [False]
 
 
 def test_cameras_are_numbered_in_a_drawn_order(scene: Scene) -> None:

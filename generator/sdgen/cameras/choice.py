@@ -10,9 +10,9 @@ import numpy as np
 
 from sdgen.cameras.counted import shows_pixels
 from sdgen.cameras.cover import CANONICAL, near_count
-from sdgen.cameras.framing import RAYS_SHARE, Bools, glance_pixels
+from sdgen.cameras.framing import RAYS_SHARE, Bools, glance_pixels, uncut
 from sdgen.cameras.outdoors import looks_out, outer_opening
-from sdgen.cameras.parts import part_area
+from sdgen.cameras.parts import part_area, part_points
 from sdgen.cameras.sight import Cast
 from sdgen.cameras.view import View, poses_of
 from sdgen.library import Library
@@ -42,7 +42,8 @@ def shows(
     out = np.zeros((len(views), len(marked)), dtype=np.bool_)
     for k, one in enumerate(marked):
         item = scene.object(one.object_id)
-        out[:, k] = True
+        whole, telling = (part_points(library, item, parts) for parts in ((), one.parts))
+        out[:, k] = uncut(poses, whole, telling)
         for parts, share in _asked(one):
             among = np.flatnonzero(out[:, k])
             needed = share * glance_pixels(part_area(library, item, parts))

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from sdgen.cameras.counted import shows_pixels
-from sdgen.cameras.framing import RAYS_SHARE, Bools, framed, glance_pixels
+from sdgen.cameras.framing import RAYS_SHARE, Bools, framed, glance_pixels, uncut
 from sdgen.cameras.outdoors import FINE, ROUGH, looks_out
 from sdgen.cameras.parts import part_area, part_points
 from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, Ints
 from sdgen.cameras.spots import SetTo
-from sdgen.cameras.view import View, poses_of
+from sdgen.cameras.view import View, alike, poses_of
 from sdgen.geometry import Array
 from sdgen.library import Library
 from sdgen.seeding import Rng
@@ -34,8 +34,10 @@ _AT_M = 0.03
 _AGAIN = 0.2
 #: Views that show nearly as much as the best are told apart by chance.
 _NEARLY = 0.85
-#: Two views from nearer to each other than this, less than 35 degrees apart, are the same picture.
-_SAME_M, _SAME_COS = 0.8, 0.82
+#: What an overview is worth tells more than what it shows of spots: near views are for these.
+_WORTH = 3
+#: And that of a room of which there is an overview already so much less.
+_SAME_ROOM = 0.5
 #: Views of the usual options. They decide content, whatever number of views is asked for.
 CANONICAL = 8
 #: Near views are what small things are told in; overviews place them.
@@ -68,6 +70,7 @@ def states_shown(
         points = part_points(library, one.item, one.parts)
         needed = _STATE_TIMES * glance_pixels(part_area(library, one.item, one.parts))
         near = _toward(poses, points.mean(axis=0), one.item.id, cast)
+        near = near[uncut(poses[near], part_points(library, one.item, ()), points)]
         enough = shows_pixels(library, one.item, cast, poses[near], one.parts, needed, _TOO_LITTLE)
         near = near[enough]
         if one.outdoors:
@@ -128,30 +131,28 @@ def choose(views: Sequence[View], shows: Bools, weight: Array, count: int, rng: 
     greedy choice is within 1 - 1/e of the best); a longer choice begins with a shorter one.
 
     ``shows`` says which view shows which spot, (views, spots), ``weight`` how likely spots are.
+    What an overview shows counts by what it is worth as one.
     """
     near = np.array([view.kind == "near" for view in views])
-    alike = _alike(views)
+    same = alike(views)
+    value = np.array([view.worth**_WORTH for view in views])
+    room = np.array([-1 if view.overview_of is None else view.overview_of for view in views])
     worth = weight.copy()
     left = np.ones(len(views), dtype=np.bool_)
     chosen: list[int] = []
     while len(chosen) < count and left.any():
-        fresh = left & ~alike[chosen].any(axis=0)
+        fresh = left & ~same[chosen].any(axis=0)
         wanted = _allowed(near, near[chosen])
         among = next((a for a in (fresh & wanted, left & wanted) if a.any()), left)
-        gain = np.where(among, shows @ worth, -1.0)
+        pictured = np.isin(room, room[chosen]) & ~near
+        again = np.where(pictured, _SAME_ROOM, 1.0)
+        gain = np.where(among, value * again * (shows @ worth), -1.0)
         good = np.flatnonzero(gain >= _NEARLY * gain.max())
         best = int(good[int(rng.integers(len(good)))])
         chosen.append(best)
         left[best] = False
         worth = np.where(shows[best], worth * _AGAIN, worth)
     return chosen
-
-
-def _alike(views: Sequence[View]) -> Bools:
-    """Which two views are the same picture, nearly, (views, views)."""
-    poses = poses_of(views)
-    apart = np.linalg.norm(poses[:, None, :3, 3] - poses[None, :, :3, 3], axis=-1)
-    return np.asarray((apart < _SAME_M) & (poses[:, :3, 2] @ poses[:, :3, 2].T > _SAME_COS))
 
 
 def _allowed(near: Bools, chosen: Bools) -> Bools:

@@ -30,6 +30,9 @@ _NEAREST_M = 0.05
 #: them. Of what is large, less will do.
 _SHARE, _TIMES = 0.75, 2.0
 _LARGE_PIXELS = 10_000.0
+#: What is no larger than this, metres, is judged by all of it: no edge of a picture cuts it, nor
+#: comes so near, pixels. Of what is larger, a door or a fridge, so much must be in the picture.
+_WHOLE_M, _EDGE_PIXELS, _MOST = 0.6, 4.0, 0.6
 
 
 def glance_pixels(surface_m2: float) -> float:
@@ -62,6 +65,25 @@ def framed(poses: Array, points_m: Array) -> Framed:
     v = k[1, 1] * local[..., 1] / safe + HEIGHT / 2
     inside = (depth > _NEAREST_M) & (u >= 0) & (u < WIDTH) & (v >= 0) & (v < HEIGHT)
     return Framed(u, v, depth, inside)
+
+
+def uncut(poses: Array, points_m: Array, telling_m: Array) -> Bools:
+    """Which cameras (N, 4, 4) have a thing with these points in their pictures, and no edge of them
+    cuts it; or most of what tells, where it is large. (N,)"""
+    large = float(np.ptp(points_m, axis=0).max()) > _WHOLE_M
+    at = framed(poses, _filled(telling_m if large else points_m))
+    off = _EDGE_PIXELS
+    inside = at.inside & (at.u >= off) & (at.u <= WIDTH - off)
+    inside &= (at.v >= off) & (at.v <= HEIGHT - off)
+    return np.asarray(inside.mean(axis=1) >= (_MOST if large else 1.0))
+
+
+def _filled(points_m: Array) -> Array:
+    """Points all over the box around these, (64, 3)."""
+    low, high = points_m.min(axis=0), points_m.max(axis=0)
+    steps = np.linspace(0.0, 1.0, 4)
+    shares = np.stack(np.meshgrid(steps, steps, steps, indexing="ij"), axis=-1).reshape(-1, 3)
+    return np.asarray(low + shares * (high - low))
 
 
 def facing_pixels(poses: Array, corners_m: Array, depth: Array) -> Array:

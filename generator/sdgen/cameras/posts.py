@@ -1,28 +1,30 @@
-"""Views that a furnished home offers: places looked at from near by, and overviews of rooms."""
+"""Views that a furnished home offers of places, from near by."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 import shapely
-from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
+from sdgen.cameras.framing import framed
 from sdgen.cameras.parts import part_points
 from sdgen.cameras.spots import SetTo, Spots
 from sdgen.cameras.view import HEIGHT_JITTER_M, View
-from sdgen.freespace import Pieces, union
+from sdgen.freespace import union
 from sdgen.geometry import Array, look_at, vec3
 from sdgen.home.layout import Layout
 from sdgen.library import Library
 from sdgen.options import EYE_HEIGHT_M
-from sdgen.scene import Room
 from sdgen.seeding import Rng
 
 #: Places that near views are aimed at, and eyes tried for each.
 _PLACES, _EYES = 60, 3
+#: What is to be in the picture with a place on a piece of furniture, or on a room's floor, (N, 3).
+Around = Callable[[int, Array], Array]
+
 #: Near enough to tell what a thing is, far enough for a robot that wants to look at it.
 _DISTANCE_M = (0.8, 2.2)
 #: What lies on the floor is seen with the floor around it: whether it is in the way depends on
@@ -32,8 +34,11 @@ _FLOOR_Z_M, _FLOOR_FURTHER_M = 0.1, 0.5
 #: would be in the picture.
 _DISTANCE_PER_SIZE = 0.5
 #: How far beside its place a near view aims, as tangents to the right and down: up to halfway to
-#: the picture's edges (tan 35 and tan 27.7 degrees).
-_BESIDE = (0.35, 0.26)
+#: the picture's edges (tan 35 and tan 27.7 degrees), and to nowhere from where what is around the
+#: place would be nearer to them than this, some 20 pixels off.
+_BESIDE, _EDGE = (0.35, 0.26), (0.655, 0.48)
+#: What is no further before an eye than this has no place in its picture.
+_NEAREST_M = 0.1
 #: Near views look up by so much at most, a tangent: high shelves are in the picture, ceilings not.
 _UP = 0.12
 #: To look onto what is higher than its eyes a robot lifts them until they are somewhat above the
@@ -43,34 +48,19 @@ _UP = 0.12
 _LIFT_M, _LOOKS_DOWN_M = 0.6, 0.25
 #: And from nearer: seen so flat, coins show 300 pixels at 1.3 m and none to speak of at 2 m.
 _LIFTED_DISTANCE_M = (0.8, 1.5)
-#: Overviews tried of each room.
-_OVERVIEWS = 8
-#: Free-floor points drawn for an eye: those nearest to a room's rim see most of it.
-_RIM_OF = 8
-#: Overviews aim at the room's middle at the height of seats and tables, give or take (x, y, z).
-_AIM_Z_M = 0.65
-_AIM_JITTER_M = (0.5, 0.5, 0.15)
-#: But look down by so much at most, a tangent (15 degrees): a floor is not a room, and what hangs
-#: on walls belongs to it.
-_DOWN = 0.27
-#: An aim nearer than this would look down the camera's own post.
-_NEAREST_AIM_M = 0.5
-#: Free floor below this is a gap between furniture, square metres.
-_LEAST_FLOOR_M2 = 0.01
 #: Poses of a leaf between shut and wide open.
 _LEAF_STEPS = 3
-#: Outlines of free floor are this exact: plain overlays stumble over slivers.
-_GRID_M = 1e-4
 #: Points thrown into the ring so that enough fall on the free floor, a fortieth of it at worst.
 _DRAWS = 40 * _EYES
 
 
-def candidates(
-    library: Library, rooms: Sequence[Room], free: BaseGeometry, spots: Spots, rng: Rng
+def near_views(
+    library: Library, free: BaseGeometry, spots: Spots, around: Around, rng: Rng
 ) -> list[View]:
-    """Near views of drawn spots and overviews of every room; ``free`` is where they may stand."""
+    """Near views of drawn spots; ``free`` is where they may stand, ``around`` what is to be in the
+    picture with each."""
     shapely.prepare(free)
-    return [*_near(library, free, spots, rng), *_overviews(rooms, free, rng)]
+    return list(_near(library, free, spots, around, rng))
 
 
 def views_of(points_m: Array, free: BaseGeometry, rng: Rng, count: int) -> list[View]:
@@ -96,19 +86,22 @@ def swept_by(layout: Layout, states: Sequence[SetTo]) -> BaseGeometry:
     return union(shapes)
 
 
-def _near(library: Library, free: BaseGeometry, spots: Spots, rng: Rng) -> Iterator[View]:
+def _near(
+    library: Library, free: BaseGeometry, spots: Spots, around: Around, rng: Rng
+) -> Iterator[View]:
     if len(spots.weight) == 0:
         return
     for k in rng.choice(len(spots.weight), _PLACES, p=spots.weight).tolist():
         state = k - len(spots.points_m)
         if state < 0:
             place, size = spots.points_m[k], 0.0
+            points = around(int(spots.target[k]), place)
         else:
             found = spots.states[state]
             points = part_points(library, found.item, found.parts)
             place, size = points.mean(axis=0), float(np.ptp(points, axis=0).max())
         for eye in _eyes_around(free, place, size, rng, _EYES):
-            yield View("near", eye, _beside(eye, place, rng.uniform(-1.0, 1.0, 2)))
+            yield View("near", eye, _beside(eye, place, points, rng.uniform(0.0, 1.0, 2)))
 
 
 def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng, count: int) -> Array:
@@ -129,33 +122,28 @@ def _eyes_around(free: BaseGeometry, place: Array, size_m: float, rng: Rng, coun
     return np.column_stack([stands, heights[: len(stands)]])
 
 
-def _beside(eye: Array, place: Array, aim: Array) -> Array:
-    """A point beside a place: ``aim`` from (-1, -1) to (1, 1)."""
+def _beside(eye: Array, place: Array, around: Array, draw: Array) -> Array:
+    """A point beside a place to aim at, somewhere by ``draw``, from (0, 0) to (1, 1), where the
+    points ``around`` it (N, 3) are in the picture: or, where there are too many, as many to every
+    side."""
     straight = look_at(vec3(eye), vec3(place))
     reach = float(np.linalg.norm(place - eye))
-    beside = straight[:3, 0] * aim[0] * _BESIDE[0] + straight[:3, 1] * aim[1] * _BESIDE[1]
-    aim = place + reach * beside
+    points = np.concatenate([around, place[None]])
+    seen = (points - eye) @ straight[:3, :3]
+    seen = seen[seen[:, 2] > _NEAREST_M]
+    low, high = np.zeros(2), np.zeros(2)
+    for axis in (0, 1):
+        along, edge = seen[:, axis] / seen[:, 2], _EDGE[axis]
+        ends = along.max() - edge, along.min() + edge
+        if ends[0] > ends[1]:
+            ends = (sum(ends) / 2,) * 2
+        low[axis], high[axis] = np.clip(ends, -_BESIDE[axis], _BESIDE[axis])
+    # What is far aside moves further than tangents do; from the middle of what is allowed it fits.
+    for share in (draw, 0.5):
+        aside = low + share * (high - low)
+        aim = place + reach * (straight[:3, :2] @ aside)
+        if framed(look_at(vec3(eye), vec3(aim))[None], points).inside.all():
+            break
     level = math.dist(aim[:2], eye[:2])
     aim[2] = min(aim[2], eye[2] + _UP * level)
     return np.asarray(aim)
-
-
-def _overviews(rooms: Sequence[Room], free: BaseGeometry, rng: Rng) -> Iterator[View]:
-    for room in rooms:
-        outline = Polygon(room.polygon_m)
-        floor = shapely.intersection(free, outline, grid_size=_GRID_M)
-        if floor.area < _LEAST_FLOOR_M2:
-            continue
-        pieces = Pieces(floor)
-        middle = np.array([*outline.centroid.coords[0], _AIM_Z_M])
-        for _ in range(_OVERVIEWS):
-            found = [pieces.random_point(rng) for _ in range(_RIM_OF)]
-            points = np.array([point for point in found if point is not None])
-            away = np.hypot(*(points - middle[:2]).T)
-            height = EYE_HEIGHT_M + rng.uniform(0.0, 2 * HEIGHT_JITTER_M)
-            eye = np.array([*points[int(np.argmax(away))], height])
-            aim = middle + rng.uniform(-1.0, 1.0, 3) * _AIM_JITTER_M
-            level = math.dist(aim[:2], eye[:2])
-            aim[2] = max(aim[2], height - _DOWN * level)
-            if level >= _NEAREST_AIM_M:
-                yield View("room", eye, aim, room.id)

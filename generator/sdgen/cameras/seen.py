@@ -9,8 +9,16 @@ import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from sdgen.cameras.framing import Bools, Framed, enough, facing_pixels, framed, glance_pixels
-from sdgen.cameras.parts import part_area, world_triangles
+from sdgen.cameras.framing import (
+    Bools,
+    Framed,
+    enough,
+    facing_pixels,
+    framed,
+    glance_pixels,
+    uncut,
+)
+from sdgen.cameras.parts import part_area, part_points, world_triangles
 from sdgen.cameras.sight import HEIGHT, WIDTH, Cast, pixel_rays
 from sdgen.cameras.spots import SetTo
 from sdgen.cameras.view import View, poses_of
@@ -91,7 +99,10 @@ class Seen:
     def thing(self, corners_m: Array) -> bool:
         """True when some view shows enough of a thing with these outermost points (N, 3)."""
         at = framed(self._poses, corners_m)
-        return bool(at.inside.any() and enough(at, self._unhidden(at), corners_m).any())
+        if not at.inside.any():
+            return False
+        shown = self._poses[enough(at, self._unhidden(at), corners_m)]
+        return bool(uncut(shown, corners_m, corners_m).any())
 
     def telling(self, item: ObjectInstance, parts: Collection[str], pixels: int) -> bool:
         """True when some view would show enough of these parts of a thing where it is: so many
@@ -101,7 +112,9 @@ class Seen:
         shown = facing_pixels(self._poses, corners, at.depth) * (at.inside & self._unhidden(at))
         area = part_area(self._library, item, parts)
         needed = _TELLING_TIMES * pixels / EVIDENCE_PIXELS * glance_pixels(area)
-        return bool((shown.sum(axis=1) >= needed).any())
+        poses = self._poses[shown.sum(axis=1) >= needed]
+        whole = part_points(self._library, item, ())
+        return bool(uncut(poses, whole, corners.reshape(-1, 3)).any())
 
     def _unhidden(self, at: Framed) -> Bools:
         """Which points in a picture no furniture stands before, (cameras, points)."""

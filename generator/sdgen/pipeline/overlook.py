@@ -11,12 +11,15 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
+from sdgen.cameras.around import Surroundings
 from sdgen.cameras.choice import Marked, pick, shows
 from sdgen.cameras.cover import CANONICAL, choose, shown_at_rest, states_shown, things_shown
-from sdgen.cameras.posts import candidates, swept_by
+from sdgen.cameras.judged import Inventory
+from sdgen.cameras.overviews import overviews
+from sdgen.cameras.posts import near_views, swept_by
 from sdgen.cameras.seen import Seen
 from sdgen.cameras.spots import SetTo, spots_of
-from sdgen.cameras.view import CLEARANCE_M, clear, to_cameras, wide
+from sdgen.cameras.view import CLEARANCE_M, clear, to_cameras
 from sdgen.catalog.records import PlaceRecipe, SetRecipe
 from sdgen.facts import Facts
 from sdgen.hazards.evidence import evidence_of
@@ -28,9 +31,12 @@ from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Anomaly, Camera
 from sdgen.seeding import Rng
+from sdgen.vocabulary import FLAT_M
 
 #: Outlines of where cameras may stand are this exact: plain overlays stumble over slivers.
 _GRID_M = 1e-4
+#: No eye is so little above a board beside it: a book on that would stand before it in every try.
+_ON_SHELF_M = 0.12
 
 
 def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> FurnishedHome:
@@ -44,7 +50,12 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
     swept = swept_by(layout, spots.states).buffer(CLEARANCE_M)
     free = shapely.union_all([Polygon(ring) for ring in home.free_space])
     free = shapely.difference(free, swept, grid_size=_GRID_M)
-    views = candidates(library, context.home.rooms, free, spots, rng)
+    with RayWorld(library, home.scene(0, layout.items), client.still) as world:
+        around = Surroundings(layout, context.zones).of
+        near = near_views(library, free, spots, around, rng)
+        near = list(compress(near, clear(world.cast, near)))
+        near = list(compress(near, clear(world.cast, near, _ON_SHELF_M)))
+        views = [*near, *overviews(context.home, _inventory(home), free, world.cast, rng)]
     states = np.zeros((len(views), len(spots.states)), dtype=np.bool_)
     for numbers in _at_once(spots.states):
         now = [spots.states[k] for k in numbers]
@@ -53,9 +64,6 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
             states[:, numbers] = states_shown(library, views, now, world.cast)
     with RayWorld(library, home.scene(0, layout.items), client.still) as world:
         states = shown_at_rest(library, views, spots.states, states, world.cast)
-        stands = clear(world.cast, views)
-        stands[stands] = wide(world.cast, list(compress(views, stands)))
-        views, states = list(compress(views, stands)), states[stands]
         shows = np.concatenate([things_shown(views, spots.points_m, world.cast), states], axis=1)
         chosen = choose(views, shows, spots.weight, max(count, CANONICAL), rng)
         canonical = chosen[:CANONICAL]
@@ -71,6 +79,20 @@ def overlooked(home: FurnishedHome, count: int, client: Client, rng: Rng) -> Fur
     return replace(
         home, context=replace(context, shows=seen), views=tuple(views[k] for k in chosen)
     )
+
+
+def _inventory(home: FurnishedHome) -> Inventory:
+    """What an overview may show of a furnished home. A rug and a mat are floor to a person, and so
+    is no piece of furniture what is as thin."""
+    layout, catalog = home.layout, home.context.catalog
+    furniture = [
+        key
+        for key, item in layout.items.items()
+        if catalog.category(item.category).kind == "furniture"
+        and layout.info(key).extents_m[2] > FLAT_M
+    ]
+    rooms = {key: item.room_id for key, item in layout.items.items()}
+    return Inventory.of(home.context.home, rooms, furniture)
 
 
 def out_of_view(home: FurnishedHome, hazards: Sequence[str]) -> Rejection | None:

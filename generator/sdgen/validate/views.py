@@ -15,7 +15,7 @@ from sdgen.dataset.item import SceneItem
 from sdgen.dataset.scene_folder import view_folder
 from sdgen.errors import InputError
 from sdgen.library.records import AssetInfo
-from sdgen.scene import Camera, Home, Look, ViewVisibility
+from sdgen.scene import Camera, Home, ViewVisibility
 from sdgen.truth.visibility import assemble, measure_masks, outdoors_seen, part_names
 from sdgen.validate.colours import Ids, Rgb, follows_mask, looked_follows_mask
 from sdgen.validate.labels import known_ids
@@ -85,8 +85,7 @@ def _view(
         ids = item.instance(k) if "instance" in sensors else None
         if "rgb" in sensors:
             where = item.where(f"{view_folder(k)}/rgb.{data.info.options.rgb}")
-            look = item.cameras[k].look
-            texts = _rgb(item.rgb(k), ids, look)
+            texts = _rgb(item.rgb(k), ids, item.cameras[k])
             yield from (Problem("view", f"{where}: {text}") for text in texts)
         depth = item.depth_mm(k) if "depth" in sensors else None
         if ids is not None:
@@ -99,12 +98,16 @@ def _view(
         yield from (Problem("view", text) for text in error.problems)
 
 
-def _rgb(rgb: Rgb, ids: Ids | None, look: Look | None) -> Iterator[str]:
+def _rgb(rgb: Rgb, ids: Ids | None, camera: Camera) -> Iterator[str]:
     if not np.ptp(rgb):
-        yield "one colour everywhere"
-    elif ids is None:
+        # Somewhere on a turn there may be nothing but a wall.
+        if camera.turn is None or (ids is not None and np.ptp(ids)):
+            yield "one colour everywhere"
         return
-    elif not (follows_mask(rgb, ids) if look is None else looked_follows_mask(rgb, ids, look)):
+    look = camera.look
+    if ids is None:
+        return
+    if not (follows_mask(rgb, ids) if look is None else looked_follows_mask(rgb, ids, look)):
         yield "shows something else than instance.png: its colours do not change where things end"
 
 

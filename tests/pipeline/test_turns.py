@@ -57,7 +57,7 @@ def test_each_room_has_a_whole_turn_from_one_clear_place(library, turned):
         for ring in found:
             x, y, z = np.asarray(ring[0].world_from_camera)[:3, 3].tolist()
             heights.add(round(z, 6))
-            assert room_at(turned.scene.home, (x, y)).id == ring[0].room_id
+            assert room_at(rooms, x, y).id == ring[0].room_id
             around = np.linspace(0, 2 * np.pi, 8, endpoint=False)
             ends = (x, y, z) + CLEARANCE_M * np.column_stack(
                 [np.cos(around), np.sin(around), 0 * around]

@@ -17,7 +17,14 @@ from sdgen.errors import InputError
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Camera, Home, ViewVisibility
 from sdgen.truth.visibility import assemble, measure_masks, outdoors_seen, part_names
-from sdgen.validate.colours import Ids, Rgb, follows_mask, looked_follows_mask
+from sdgen.validate.colours import (
+    AHEAD_FAINT,
+    LEAST_FAINT,
+    Ids,
+    Rgb,
+    follows_mask,
+    looked_follows_mask,
+)
 from sdgen.validate.labels import known_ids
 from sdgen.validate.problems import SHOWN, Problem, differences
 from sdgen.validate.surfaces import off_surface
@@ -104,11 +111,16 @@ def _rgb(rgb: Rgb, ids: Ids | None, camera: Camera) -> Iterator[str]:
         if camera.turn is None or (ids is not None and np.ptp(ids)):
             yield "one colour everywhere"
         return
-    look = camera.look
-    if ids is None:
-        return
-    if not (follows_mask(rgb, ids) if look is None else looked_follows_mask(rgb, ids, look)):
+    if ids is not None and not _follows(rgb, ids, camera):
         yield "shows something else than instance.png: its colours do not change where things end"
+
+
+def _follows(rgb: Rgb, ids: Ids, camera: Camera) -> bool:
+    if camera.look is not None:
+        return looked_follows_mask(rgb, ids, camera.look)
+    if camera.turn is not None:
+        return follows_mask(rgb, ids, LEAST_FAINT, AHEAD_FAINT)
+    return follows_mask(rgb, ids)
 
 
 def _depth(

@@ -62,10 +62,12 @@ def test_turns_show_the_scene_that_chosen_views_show(build, turned):
     assert len(seen & furniture) > 0.7 * len(furniture)
     for panorama in turned.panoramas:
         ids = turned.panorama_instance(panorama.index)
-        assert (ids > 0).mean() > 0.97  # all but what is seen through windows
-        floor = next(
+        assert (ids > 0).mean() > 0.9  # all but what is seen through windows
+        floors = {
             one.id
             for one in turned.scene.home.structures
             if one.category == "floor" and one.room_id == panorama.room_id
-        )
-        assert np.mean(ids[-4:] == floor) > 0.5
+        }
+        # Rugs lie on it.
+        low = {one.id for one in turned.scene.objects if one.pose.position_m[2] < 0.05}
+        assert np.isin(ids[-4:], sorted(floors | low)).mean() > 0.5

@@ -23,6 +23,7 @@ FLOORS: dict[int, tuple[tuple[str, ...], ...]] = {
     ),
     2: (
         ("scene",),
+        ("looks",),
         ("options",),
         ("library",),
         ("catalog",),

@@ -328,9 +328,11 @@ def frames(made: SceneBundle) -> list[Frame]:
     return [frame(made, camera.index) for camera in made.cameras]
 
 
-def visibility(made: SceneBundle, pictures: Iterable[Frame]) -> Visibility:
+def visibility(
+    made: SceneBundle, pictures: Iterable[Frame], options: BuildOptions | None = None
+) -> Visibility:
     """Its visibility."""
-    options = small()
+    options = options or small()
     return visibility_of(
         made.scene, made.anomalies.anomalies, pictures, options.width, options.height
     )

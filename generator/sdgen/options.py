@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from sdgen.errors import UsageError
+from sdgen.looks import CameraLook
 from sdgen.scene import Record
 
 #: About where home robots that reach table tops (Stretch, TIAGo) carry their head camera.
@@ -18,6 +19,8 @@ Sensor = Literal["rgb", "depth", "instance"]
 MAX_SCENES = 1_000_000
 #: Views of one scene: their folders have two digits.
 MAX_VIEWS = 99
+#: Views of a scene whose rooms have a turn each, about: of six to seven rooms.
+_TURNS_ABOUT = 40
 #: What others read a seed as: a whole number of 64 bits with a sign.
 MAX_SEED = 2**63 - 1
 
@@ -33,11 +36,16 @@ class BuildOptions(Record):
     draw: Literal["balanced", "iid"] = "balanced"
     extensions: tuple[str, ...] = ()
     views: int = Field(default=8, ge=0, le=MAX_VIEWS)
+    #: ``panorama``: a turn of views in each room, whatever ``views`` says.
+    views_mode: Literal["chosen", "panorama"] = "chosen"
+    #: Stitch each turn to an equirectangular picture, too.
+    equirect: bool = False
     width: int = Field(default=640, ge=16, le=4096)
     height: int = Field(default=480, ge=16, le=4096)
     sensors: tuple[Sensor, ...] = ("rgb", "depth", "instance")
     rgb: Literal["png", "jpg"] = "png"
     supersample: Literal[1, 2] = 1
+    look: CameraLook = CameraLook()
     #: ``auto`` or a name in ``sdgen.render.RENDERERS``, which ``choose_renderer`` checks.
     renderer: str = "auto"
     eye_height_m: float = Field(default=EYE_HEIGHT_M, gt=0.1, le=2.2)
@@ -57,7 +65,18 @@ class BuildOptions(Record):
     @property
     def draws(self) -> bool:
         """True when these options ask for any picture, so that a renderer is needed."""
-        return bool(self.sensors) and self.views > 0
+        return bool(self.sensors) and self.views_about > 0
+
+    @property
+    def views_about(self) -> int:
+        """Views of a scene: as many as asked for, or about so many where rooms have turns."""
+        return self.views if self.views_mode == "chosen" else _TURNS_ABOUT
+
+    @property
+    def stitches(self) -> bool:
+        """True when panoramas are written: there are turns, and something to stitch of them."""
+        wished = self.equirect and self.views_mode == "panorama"
+        return wished and not {"rgb", "instance"}.isdisjoint(self.sensors)
 
 
 def command_of(options: BuildOptions) -> str:
@@ -76,11 +95,13 @@ def _flags(options: BuildOptions) -> dict[str, str]:
         "--extensions": ",".join(options.extensions),
         "--draw": options.draw,
         "--views": str(options.views),
+        "--views-mode": options.views_mode,
         "--size": f"{options.width}x{options.height}",
         "--sensors": ",".join(options.sensors) or "none",
         "--eye-height": f"{options.eye_height_m:g}",
         "--rgb": options.rgb,
         "--supersample": str(options.supersample),
+        "--look": str(options.look),
         "--renderer": options.renderer,
     }
 
@@ -89,6 +110,7 @@ def _switches(options: BuildOptions) -> tuple[tuple[str, bool], ...]:
     return (
         ("twins", options.twins),
         ("toggles", options.toggles),
+        ("equirect", options.equirect),
         ("observability", options.observability),
         ("assets-only", options.assets_only),
     )

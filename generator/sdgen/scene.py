@@ -320,13 +320,44 @@ class Household(Record):
     opt_outs: tuple[str, ...] = ()
 
 
+class Look(Record):
+    """What the camera of one colour picture did to the light that met it, in this order.
+
+    In linear light: times two to the ``exposure_stops`` and the gains of red, green and blue;
+    ``vignetting`` is the share that corners lose, by a cos⁴ law; a Gaussian of ``focus_px``
+    (standard deviation) and a streak of ``motion_px`` along the rows blur it; noise has the
+    standard deviation ``shot_noise`` × √light and ``read_noise``, both as shares of white.
+    """
+
+    exposure_stops: float = Field(ge=-3.0, le=3.0)
+    white_balance: tuple[float, float, float]
+    vignetting: float = Field(ge=0.0, lt=1.0)
+    focus_px: float = Field(ge=0.0, le=256.0)
+    motion_px: float = Field(ge=0.0, le=256.0)
+    shot_noise: float = Field(ge=0.0, le=1.0)
+    read_noise: float = Field(ge=0.0, le=1.0)
+    noise_seed: int = Field(ge=0, lt=2**32)
+
+
+class Turn(Record):
+    """Which of ``of`` views a view is that one camera takes in one place, turning left by equal
+    steps: ``step`` counts from 0."""
+
+    step: int = Field(ge=0)
+    of: int = Field(ge=1)
+
+
 class Camera(Record):
     """``view.json``: an OpenCV camera; ``K`` is for pixel centres at integer coordinates, and
-    nothing of the scene or its twins is before it at less than ``near_m``. ``daylight``: the hour
-    at which it looks, and where the sun stands."""
+    nothing of the scene or its twins is before it at less than ``near_m``.
+
+    ``kind``: an overview of a room, something seen from near by, or one of a ``turn`` in the middle
+    of a room. ``daylight``: the hour at which it looks, and where the sun stands. ``look``: what the
+    camera did to the colours; null for a perfect one.
+    """
 
     index: int
-    kind: Literal["room", "near"]
+    kind: Literal["room", "near", "turn"]
     room_id: int
     width: int
     height: int
@@ -340,6 +371,26 @@ class Camera(Record):
     near_m: Coordinate
     far_m: Coordinate
     daylight: Daylight | None = None
+    turn: Turn | None = None
+    look: Look | None = None
+
+
+class Panorama(Record):
+    """``panorama.json``: all that is seen from one place, as an equirectangular picture stitched
+    from the ``views`` of a turn.
+
+    ``world_from_panorama`` is the pose of an OpenCV camera (x right, y down, z forward) that looks
+    into the picture's middle. Pixel (u, v) shows what lies so far to the right of that and above
+    the horizon: 2π (u − (width − 1) / 2) / width and π ((height − 1) / 2 − v) / height.
+    """
+
+    index: int
+    room_id: int
+    views: tuple[int, ...]
+    width: int
+    height: int
+    world_from_panorama: tuple[Quat, Quat, Quat, Quat]
+    look: Look | None = None
 
 
 class VisibleObject(Record):
@@ -518,6 +569,7 @@ class SceneBundle:
     physics: PhysicsReport
     split: str
     cameras: tuple[Camera, ...]
+    panoramas: tuple[Panorama, ...] = ()
     twin: SceneBundle | None = None
     toggles: tuple[SceneBundle, ...] = ()
 

@@ -19,6 +19,7 @@ from sdgen.cli.disk import bytes_needed, human_bytes, nearest_folder
 from sdgen.cli.main import run
 from sdgen.cli.progress import summary
 from sdgen.engines.report import BuildReport, SceneFailed
+from sdgen.looks import PRESETS
 from sdgen.options import BuildOptions
 from sdgen.rejection import Cause
 
@@ -166,6 +167,31 @@ def test_options_reach_the_engine(asked: list[Any]) -> None:
     assert asked[0].out == Path("here")
     assert asked[0].where == Where(Path("here"), (1, 4), True, 3, "ray", "auto", True)
     assert asked[0].rest == ((), (), False, None)
+
+
+def test_looks_and_turns_reach_the_engine(asked: list[Any]) -> None:
+    command = "build --look phone,noise=0 --views-mode panorama --equirect"
+    assert run(command.split()) == 0
+    options = asked[0].options
+    assert options.look == PRESETS["phone"].model_copy(update={"noise": 0.0})
+    assert (options.views_mode, options.equirect) == ("panorama", True)
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        ("--look robto", "did you mean 'robot'"),
+        ("--look blurr=1", "did you mean 'blur'"),
+        ("--look noise=-1", "has no number from 0 to 0.5 for noise"),
+        ("--equirect", "--equirect goes with --views-mode panorama"),
+        ("--equirect --views-mode panorama --sensors depth", "and with rgb or instance"),
+    ],
+)
+def test_looks_and_turns_that_make_no_sense(
+    command: str, words: str, asked: list[Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["build", *command.split()]) == 2
+    assert words in " ".join(capsys.readouterr().err.split())
 
 
 def test_own_models_alone_need_some(

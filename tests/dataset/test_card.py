@@ -7,6 +7,7 @@ import pytest
 import yaml
 from sdgen.dataset import Dataset
 from sdgen.dataset.card import card, histogram
+from sdgen.looks import PRESETS
 from sdgen.options import BuildOptions, command_of
 
 from tests import toy
@@ -71,11 +72,26 @@ def test_no_option_is_left_out_of_the_command() -> None:
         **{"draw": "iid", "extensions": ("heat",), "views": 1, "width": 64, "height": 48},
         **{"sensors": ("rgb",), "rgb": "jpg", "supersample": 2, "renderer": "cpu"},
         **{"eye_height_m": 1.0, "twins": True, "toggles": True, "assets_only": True},
-        **{"only": ("spill",), "observability": True},
+        **{"only": ("spill",), "observability": True, "look": PRESETS["robot"]},
+        **{"views_mode": "panorama", "equirect": True},
     }
     assert set(others) == set(BuildOptions.model_fields)
     lines = {command_of(usual.model_copy(update={name: v})) for name, v in others.items()}
     assert len(lines - {command_of(usual)}) == len(others)
+
+
+def test_it_tells_of_looks_and_turns(path: Path) -> None:
+    info = Dataset(path).info
+    assert "2 views of\n160 x 120 pixels" in text(path)
+    assert not re.search("imperfect camera|Views are turns|panoramas", text(path))
+    options = info.options.model_copy(
+        update={"look": PRESETS["phone"], "views_mode": "panorama", "equirect": True}
+    )
+    said = card(info.model_copy(update={"options": options}))
+    assert "a full turn of views in each room, of\n160 x 120 pixels" in said
+    assert "`--look phone`" in said
+    assert "Views are turns" in said
+    assert "`panoramas/NN`" in said
 
 
 def test_its_front_matter_is_what_hubs_read(path: Path) -> None:

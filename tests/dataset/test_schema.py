@@ -11,7 +11,10 @@ from sdgen.cameras.lens import Lens
 from sdgen.dataset import Dataset
 from sdgen.dataset.schema import FILES, schema_of, schema_text, write_schemas
 from sdgen.dataset.text import record_bytes
+from sdgen.looks import PRESETS, drawn_look
 from sdgen.resources import data_path
+from sdgen.scene import Panorama
+from sdgen.seeding import lane
 from sdgen.truth.observable import Observability, Observable
 
 from tests import toy
@@ -58,12 +61,26 @@ CERTIFICATES = Observability(
 )
 
 
+PANORAMA = Panorama(
+    index=0,
+    room_id=100,
+    views=(0, 1, 2, 3, 4, 5),
+    width=308,
+    height=154,
+    world_from_panorama=toy.camera(0, toy.small()).world_from_camera,
+    look=drawn_look(PRESETS["robot"], 0.25, lane(7, 0, "look:100")),
+)
+
+
 @pytest.fixture(scope="module")
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = toy.build(tmp_path_factory.mktemp("set") / "d")
     data = Dataset(path)
     write_predictions(path.parent / "predictions.jsonl", detect(data, "always"))
     (data[0].folder / "observability.json").write_bytes(record_bytes(CERTIFICATES))
+    (data[0].folder / "panoramas" / "00").mkdir(parents=True)
+    stitched = data[0].folder / "panoramas" / "00" / "panorama.json"
+    stitched.write_bytes(record_bytes(PANORAMA))
     return path
 
 
@@ -77,7 +94,8 @@ def _documents(path: Path, name: str) -> list[Any]:
         return [json.loads(line) for line in text.splitlines()]
     if name in ("dataset", "catalogue"):
         return [json.loads((path / f"{name}.json").read_text(encoding="utf-8"))]
-    pattern = "views/*/view.json" if name == "view" else f"{name}.json"
+    folders = {"view": "views/*/", "panorama": "panoramas/*/"}
+    pattern = f"{folders.get(name, '')}{name}.json"
     found = sorted((path / "scenes").glob(f"*/{pattern}"))
     return [json.loads(file.read_text(encoding="utf-8")) for file in found]
 

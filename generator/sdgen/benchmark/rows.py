@@ -25,7 +25,7 @@ _HOUSEHOLD = {"rules": "own", "chance": "a coin", "always": "none", "never": "no
 def pictured(data: Dataset) -> bool:
     """True when a graph can be perceived: views have depth and masks."""
     options = data.info.options
-    return options.views > 0 and {"depth", "instance"} <= set(options.sensors)
+    return options.views_about > 0 and {"depth", "instance"} <= set(options.sensors)
 
 
 def trained_in(folders: Iterable[Path]) -> dict[str, Trained]:

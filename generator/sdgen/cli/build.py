@@ -22,6 +22,7 @@ from sdgen.cli.params import (
 )
 from sdgen.cli.shared_options import ASSETS, CATALOGS, EXTENSIONS, RENDERER, SIZE, VIEWS
 from sdgen.errors import BuildIncomplete, UsageError
+from sdgen.looks import PRESETS, CameraLook, look_of
 from sdgen.options import (
     MAX_SCENES,
     MAX_SEED,
@@ -96,6 +97,20 @@ def eye_height(text: str) -> float:
     help="Draw these hazards alone, and near misses of them; all others stay proved absent.",
 )
 @VIEWS
+@click.option(
+    "--views-mode",
+    type=click.Choice(["chosen", "panorama"]),
+    default="chosen",
+    show_default=True,
+    help="chosen: K views that show what there is to see; panorama: of each room a full turn of "
+    "views from the place that sees most, whatever --views says. Scenes are the same.",
+)
+@click.option(
+    "--equirect",
+    is_flag=True,
+    help="Also write each turn as one equirectangular picture and mask (with --views-mode "
+    "panorama).",
+)
 @SIZE
 @click.option(
     "--sensors",
@@ -126,6 +141,16 @@ def eye_height(text: str) -> float:
     default="1",
     show_default=True,
     help="2 renders RGB at twice the size and averages.",
+)
+@click.option(
+    "--look",
+    metavar="|".join([*PRESETS, "NAME=STRENGTH,..."]),
+    callback=parsed(look_of),
+    default="none",
+    show_default=True,
+    help="What cameras do to the colours, drawn for each view: a look by name, strengths of noise, "
+    "blur, vignetting, white_balance and exposure, or both (phone,noise=0.03). Masks and depth "
+    "stay perfect.",
 )
 @RENDERER
 @CATALOGS
@@ -195,11 +220,14 @@ def build(
     hazards: tuple[int, int],
     only: tuple[str, ...],
     views: int,
+    views_mode: Literal["chosen", "panorama"],
+    equirect: bool,
     pixels: tuple[int, int],
     sensors: tuple[Sensor, ...],
     eye_height: float,
     rgb: Literal["png", "jpg"],
     supersample: str,
+    look: CameraLook,
     renderer: str,
     catalogs: tuple[Path, ...],
     extensions: tuple[str, ...],
@@ -232,6 +260,8 @@ def build(
         raise UsageError("--ray-address goes with --engine ray")
     if assets_only and not assets:
         raise UsageError("--assets-only goes with --assets")
+    if equirect and (views_mode != "panorama" or {"rgb", "instance"}.isdisjoint(sensors)):
+        raise UsageError("--equirect goes with --views-mode panorama, and with rgb or instance")
     named = tuple(sorted(split_names(only)))
     if named and _by_default("hazards"):
         # Each is shown once a scene: of one hazard there are no five.
@@ -246,11 +276,14 @@ def build(
         extensions=split_names(extensions),
         only=named,
         views=views,
+        views_mode=views_mode,
+        equirect=equirect,
         width=pixels[0],
         height=pixels[1],
         sensors=sensors,
         rgb=rgb,
         supersample=2 if supersample == "2" else 1,
+        look=look,
         renderer=renderer,
         eye_height_m=eye_height,
         twins=twins,

@@ -22,14 +22,21 @@ HOPELESS = 0.5
 
 def bytes_needed(options: BuildOptions, scenes: int) -> int:
     """About how many bytes ``scenes`` scenes will take under these options."""
-    pixels = options.views * options.width * options.height
+    pixels = float(options.views_about * options.width * options.height)
+    stitched = 0.0
+    if options.stitches:
+        # Imported here: it knows of floors and furniture, which --help should not.
+        from sdgen.cameras.turn import ROOM_TURN, panorama_width
+
+        stitched = options.views_about / ROOM_TURN * panorama_width(options.width) ** 2 / 2
     each = 0.0
     for sensor in options.sensors:
-        each += PIXEL_BYTES[options.rgb if sensor == "rgb" else sensor]
+        of_each = pixels if sensor == "depth" else pixels + stitched
+        each += of_each * PIXEL_BYTES[options.rgb if sensor == "rgb" else sensor]
     anomalies = (options.hazards_min + options.hazards_max) / 2 if options.toggles else 0
     folders = 1 + options.twins + anomalies
-    views = options.views * VIEW_BYTES if options.sensors else 0
-    return round(scenes * folders * (SCENE_BYTES + views + pixels * each))
+    views = options.views_about * VIEW_BYTES if options.sensors else 0
+    return round(scenes * folders * (SCENE_BYTES + views + each))
 
 
 def nearest_folder(path: Path) -> Path:

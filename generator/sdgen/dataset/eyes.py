@@ -106,7 +106,7 @@ class Eyes:
         if wanted is None:
             return cameras
         if wanted == "room":
-            return [camera for camera in cameras if camera.kind == "room"]
+            return [camera for camera in cameras if camera.kind != "near"]
         wrong = [k for k in wanted if k >= len(cameras)]
         if wrong:
             raise UsageError(

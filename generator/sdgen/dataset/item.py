@@ -17,7 +17,7 @@ from sdgen.dataset.images import gray_of, rgb_of
 from sdgen.dataset.notebook import BLUE, RED, figure, page
 from sdgen.dataset.older import physics_as_now
 from sdgen.dataset.records import OBSERVABILITY_FILE, VISIBILITY_FILE, ManifestEntry
-from sdgen.dataset.scene_folder import view_folder
+from sdgen.dataset.scene_folder import panorama_folder, view_folder
 from sdgen.dataset.text import read_bytes, to_record
 from sdgen.errors import InputError
 from sdgen.scene import (
@@ -25,6 +25,7 @@ from sdgen.scene import (
     Camera,
     Graph,
     Household,
+    Panorama,
     PhysicsReport,
     Record,
     Scene,
@@ -237,6 +238,28 @@ class SceneItem:
             self.read(Camera, f"{view_folder(k)}/view.json") for k in range(self.entry.views)
         )
 
+    @cached_property
+    def panoramas(self) -> tuple[Panorama, ...]:
+        """``panorama.json`` of every panorama; none unless the build had ``--equirect``."""
+        names = sorted(name for name in self.entry.files if name.endswith("/panorama.json"))
+        return tuple(
+            self.read(Panorama, f"{panorama_folder(k)}/panorama.json") for k in range(len(names))
+        )
+
+    def panorama_rgb(self, index: int) -> npt.NDArray[np.uint8]:
+        """Colours of a panorama, (H, W, 3) uint8."""
+        for kind in ("png", "jpg"):
+            name = f"{panorama_folder(index)}/rgb.{kind}"
+            if name in self.entry.files:
+                break
+        return rgb_of(self._content(name), self._panorama_size(index), self.where(name))
+
+    def panorama_instance(self, index: int) -> npt.NDArray[np.uint16]:
+        """Node id of every pixel of a panorama, (H, W) uint16, 0 = nothing."""
+        name = f"{panorama_folder(index)}/instance.png"
+        size = self._panorama_size(index)
+        return gray_of(self._content(name), size, 16, self.where(name))
+
     def rgb_path(self, view: int) -> Path | None:
         """The colour picture of a view, None when the build wrote none."""
         for kind in ("png", "jpg"):
@@ -279,6 +302,10 @@ class SceneItem:
     def _gray(self, view: int, name: str, bits: int) -> npt.NDArray[np.uint16]:
         name = f"{view_folder(view)}/{name}"
         return gray_of(self._content(name), self._size(view), bits, self.where(name))
+
+    def _panorama_size(self, index: int) -> tuple[int, int]:
+        panorama = self.panoramas[index]
+        return panorama.width, panorama.height
 
     def _size(self, view: int) -> tuple[int, int]:
         camera = self.cameras[view]

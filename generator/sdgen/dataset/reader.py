@@ -99,7 +99,9 @@ class Dataset(Sequence[SceneItem]):
         wrong = sum(entry.anomalies for entry in self.shown)
         part = f" of {self.split}" if self.split is not None else ""
         noun = " and ".join(kind + "s" * (shown != 1) for kind in self._kinds)
-        views = f"{self.info.options.views} views" if self.info.options.sensors else "no pictures"
+        options = self.info.options
+        views = f"{options.views} views" if options.views_mode == "chosen" else "turns of views"
+        views = views if options.sensors else "no pictures"
         return (
             f"<sdgen.Dataset {str(self.path)!r}: {shown} {noun}{part}, {views}, "
             f"{wrong} anomalies of {len(self.info.hazards_enabled)} hazards, "

@@ -8,6 +8,8 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+import numpy.typing as npt
 from pydantic import BaseModel
 
 from sdgen.closing import Closing
@@ -28,14 +30,17 @@ from sdgen.dataset.records import (
 )
 from sdgen.dataset.text import record_bytes
 from sdgen.options import BuildOptions
-from sdgen.scene import Frame, Record, SceneBundle, Visibility
+from sdgen.scene import Frame, Panorama, Record, SceneBundle, Visibility
 from sdgen.truth.observable import Observability
 
 BUILD_FOLDER = ".build"
 #: Where a user's own files go that lay in a scene's folder which had to be made again.
 ASIDE = "set-aside"
 
-_VIEW_FILE = re.compile(r"views/[0-9]{2}/(view\.json|rgb\.(png|jpg)|(depth|instance|part)\.png)")
+_VIEW_FILE = re.compile(
+    r"views/[0-9]{2}/(view\.json|rgb\.(png|jpg)|(depth|instance|part)\.png)"
+    r"|panoramas/[0-9]{2}/(panorama\.json|rgb\.(png|jpg)|instance\.png)"
+)
 
 
 class FinishedScene(Record):
@@ -74,6 +79,11 @@ def view_folder(index: int) -> str:
     return f"views/{index:02d}"
 
 
+def panorama_folder(index: int) -> str:
+    """Folder of a panorama inside its scene's folder."""
+    return f"panoramas/{index:02d}"
+
+
 def is_ours(name: str) -> bool:
     """True for the name, relative to its scene's folder, of a file that sdgen may write."""
     ours = (*CONTENT_FILES, VISIBILITY_FILE, OBSERVABILITY_FILE)
@@ -109,6 +119,18 @@ def view_files(options: BuildOptions) -> tuple[str, ...]:
         names.append("depth.png")
     if "instance" in options.sensors:
         names += ["instance.png", "part.png"]
+    return tuple(names)
+
+
+def panorama_files(options: BuildOptions) -> tuple[str, ...]:
+    """Files of every panorama under these options; none where they ask for no panoramas."""
+    if not options.stitches:
+        return ()
+    names = ["panorama.json"]
+    if "rgb" in options.sensors:
+        names.append(f"rgb.{options.rgb}")
+    if "instance" in options.sensors:
+        names.append("instance.png")
     return tuple(names)
 
 
@@ -156,6 +178,20 @@ class SceneFolder(Closing):
             self._put(f"{folder}/instance.png", gray_bytes(frame.instance))
             self._put(f"{folder}/part.png", gray_bytes(frame.part))
 
+    def add_panorama(
+        self,
+        panorama: Panorama,
+        rgb: npt.NDArray[np.uint8] | None,
+        instance: npt.NDArray[np.uint16] | None,
+    ) -> None:
+        """Write what there is of one panorama's colours (H, W, 3) and node ids (H, W)."""
+        folder = panorama_folder(panorama.index)
+        if rgb is not None:
+            kind = self.writer.options.rgb
+            self._put(f"{folder}/rgb.{kind}", rgb_bytes(rgb, kind))
+        if instance is not None:
+            self._put(f"{folder}/instance.png", gray_bytes(instance))
+
     def finish(
         self, visibility: Visibility, observability: Observability | None = None
     ) -> ManifestEntry:
@@ -169,6 +205,8 @@ class SceneFolder(Closing):
             self._put(OBSERVABILITY_FILE, record_bytes(observability))
         for camera in bundle.cameras:
             self._put(f"{view_folder(camera.index)}/view.json", record_bytes(camera))
+        for panorama in bundle.panoramas:
+            self._put(f"{panorama_folder(panorama.index)}/panorama.json", record_bytes(panorama))
         hazards = Counter(anomaly.hazard for anomaly in bundle.anomalies.anomalies)
         entry = ManifestEntry(
             id=bundle.scene.id,

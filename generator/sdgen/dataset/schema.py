@@ -24,6 +24,7 @@ from sdgen.scene import (
     Camera,
     Graph,
     Household,
+    Panorama,
     PhysicsReport,
     Scene,
     Visibility,
@@ -44,6 +45,7 @@ FILES: Mapping[str, tuple[type[BaseModel], str]] = {
     "observability": (Observability, "observability.json"),
     "physics": (PhysicsReport, "physics.json"),
     "view": (Camera, "views/NN/view.json"),
+    "panorama": (Panorama, "panoramas/NN/panorama.json"),
     "prediction": (Prediction, "a line of predictions.jsonl"),
 }
 

@@ -49,7 +49,7 @@ class Crops:
 def need_pictures(data: Dataset) -> None:
     """InputError for a data set without colour or masks."""
     lacking = {"rgb", "instance"} - set(data.info.options.sensors)
-    if lacking or not data.info.options.views:
+    if lacking or not data.info.options.views_about:
         raise InputError(
             [f"{data.path}: has no {' and no '.join(sorted(lacking)) or 'views'} (--sensors)"]
         )

@@ -100,7 +100,8 @@ def build(
             finally:
                 runner.close()
             peak_mb = max(peak_mb, runner.peak_mb)
-        if tally.unseen and options.views > options.hazards_max and choice is not None:
+        promised = options.views_mode == "chosen" and options.views > options.hazards_max
+        if tally.unseen and promised and choice is not None:
             shown = ", ".join(tally.unseen[:10])
             on_event(Note(f"{len(tally.unseen)} scenes do not show every anomaly: {shown}"))
         # The library's records as they are: their outlines would cost reading all models.

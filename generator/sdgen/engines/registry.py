@@ -50,7 +50,9 @@ def local(setup: WorkerSetup, workers: int | None, options: EngineOptions) -> En
 
 def scene_timeout_s(options: BuildOptions) -> float:
     """Seconds after which a worker that is still at one scene counts as hung."""
-    megapixels = options.views * options.width * options.height / 1e6 if options.sensors else 0.0
+    megapixels = (
+        options.views_about * options.width * options.height / 1e6 if options.sensors else 0.0
+    )
     megapixels *= options.supersample**2 * options.most_folders
     return SCENE_S + MEGAPIXEL_S * megapixels
 

@@ -7,7 +7,7 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sdgen.cameras.lens import Lens
@@ -22,6 +22,8 @@ from sdgen.pipeline import make_scene
 from sdgen.rejection import Causes
 from sdgen.render import Choice, open_renderer
 from sdgen.render.frames import render_frames
+from sdgen.render.looks import as_seen
+from sdgen.render.stitching import Stitching
 from sdgen.scene import Frame, SceneBundle, causes_of
 from sdgen.truth import visibility_of
 from sdgen.truth.observability import observability
@@ -128,15 +130,16 @@ class SceneWorker(Closing):
         )
 
     def _drawn(self, bundle: SceneBundle, folder: SceneFolder) -> Iterator[Frame]:
-        """The scene's frames one at a time, each written on its way."""
+        """The scene's frames one at a time, each written on its way, and its panoramas."""
         if self._renderer is None:
             return
         options = self._setup.options
+        stitching = Stitching(bundle.panoramas, options.sensors)
         frames = render_frames(
             self._renderer,
             self._library,
             bundle.scene,
-            bundle.cameras,
+            stitching.cameras(bundle.cameras),
             options.sensors,
             options.supersample,
         )
@@ -145,6 +148,13 @@ class SceneWorker(Closing):
                 frame = next(frames, None)
             if frame is None:
                 return
+            done = stitching.add(frame)
+            if done is not None:
+                folder.add_panorama(*done)
+            if stitching.wants_only(frame):
+                continue
+            if "rgb" in options.sensors:
+                frame = replace(frame, rgb=as_seen(frame.rgb, frame.camera.look))
             folder.add(frame)
             yield frame
 

@@ -17,7 +17,8 @@ class Perception(Record):
     at other sizes). ``missed``: the share (0 to 1) of objects that are overlooked all the same.
     ``confused``: the share that is taken for another class of their kind, of about their size.
     ``coarse``: classes are their superclasses ("Food"). ``states``: states are told. ``views``:
-    only these cameras are looked through, by index, or those that overlook a ``room``; None: all.
+    only these cameras are looked through, by index, or those that overlook a ``room`` (or turn in
+    it); None: all.
     ``seed``: another one overlooks and confuses others. A scene and its twins overlook and confuse
     the same objects.
     """

@@ -18,6 +18,7 @@ from sdgen.pipeline.attempt import Proved
 from sdgen.pipeline.furnished import FurnishedHome
 from sdgen.pipeline.overlook import looked_at
 from sdgen.pipeline.spec import SceneSpec
+from sdgen.pipeline.turns import turned, with_looks
 from sdgen.pipeline.twins import Twins
 from sdgen.pipeline.undoing import check_standing, check_undone
 from sdgen.rejection import Causes, Rejection
@@ -75,7 +76,11 @@ def finish(
         bundle = replace(bundle, twin=twins.benign())
     if options.toggles:
         bundle = replace(bundle, toggles=twins.toggles())
-    return bundle
+    if options.views_mode == "panorama":
+        boxes += [drawn_boxes(library, one.scene) for one in bundle.twins]
+        lane = spec.lane("turns")
+        bundle = turned(bundle, home, np.concatenate(boxes), options, client, lane)
+    return with_looks(bundle, options, spec.lane)
 
 
 def physics_report(settled: Settled, taken_away: Causes, present: Collection[int]) -> PhysicsReport:

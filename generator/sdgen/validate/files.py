@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from itertools import islice
 
+from sdgen.cameras.turn import ROOM_TURN
 from sdgen.dataset import Dataset
 from sdgen.dataset.disk import file_sha256
 from sdgen.dataset.item import SceneItem
@@ -19,7 +20,14 @@ from sdgen.dataset.records import (
     ManifestEntry,
     count,
 )
-from sdgen.dataset.scene_folder import content_sha256, is_ours, view_files, view_folder
+from sdgen.dataset.scene_folder import (
+    content_sha256,
+    is_ours,
+    panorama_files,
+    panorama_folder,
+    view_files,
+    view_folder,
+)
 from sdgen.dataset.text import read_bytes
 from sdgen.errors import InputError, did_you_mean
 from sdgen.hazards.splits import split_of_home
@@ -126,7 +134,8 @@ def _twin(twin: ManifestEntry, scene: ManifestEntry, where: str) -> Iterator[Pro
     if twin.kind == "toggle" and (twin.id not in promised or twin.anomalies >= scene.anomalies):
         text = f"undoes none of the {scene.anomalies} anomalies of {scene.id}"
         yield Problem("count", f"{where}: {text}")
-    for name in ("household.json", *(n for n in scene.files if n.endswith("view.json"))):
+    cameras = (name for name in scene.files if name.endswith(("view.json", "panorama.json")))
+    for name in ("household.json", *cameras):
         if twin.files.get(name) != scene.files.get(name):
             both = f"scenes/{scene.id}/{name} and scenes/{twin.id}/{name}"
             yield Problem("count", f"manifest.jsonl: {both} differ; a twin has its scene's")
@@ -176,4 +185,7 @@ def expected_files(data: Dataset, entry: ManifestEntry) -> set[str]:
         names.add(OBSERVABILITY_FILE)
     for view in range(entry.views):
         names.update(f"{view_folder(view)}/{name}" for name in view_files(data.info.options))
+    for turn in range(entry.views // ROOM_TURN):
+        files = panorama_files(data.info.options)
+        names.update(f"{panorama_folder(turn)}/{name}" for name in files)
     return names

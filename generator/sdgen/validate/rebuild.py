@@ -21,6 +21,9 @@ from sdgen.scratch import scratch_folder
 from sdgen.validate.at_hand import other_models
 from sdgen.validate.problems import Problem
 
+#: Files of poses: compared where pictures cannot be.
+_POSES = ("/view.json", "/panorama.json")
+
 
 class Rebuilt(NamedTuple):
     """What making scenes again found, a line about what could not be compared, and how many
@@ -122,7 +125,7 @@ def _scene(
             continue
         made = read_record(FinishedScene, done, str(done)).entry
         for name in sorted(stored.files):
-            compared = pictures or name in CONTENT_FILES or name.endswith("/view.json")
+            compared = pictures or name in CONTENT_FILES or name.endswith(_POSES)
             if compared and made.files.get(name) != stored.files[name]:
                 text = "made again, it is another file"
                 yield Problem("rebuild", f"scenes/{stored.id}/{name}: {text}")

@@ -17,10 +17,18 @@ from sdgen.errors import InputError
 from sdgen.library.records import AssetInfo
 from sdgen.scene import Camera, Home, ViewVisibility
 from sdgen.truth.visibility import assemble, measure_masks, outdoors_seen, part_names
-from sdgen.validate.colours import Ids, Rgb, follows_mask
+from sdgen.validate.colours import (
+    AHEAD_FAINT,
+    LEAST_FAINT,
+    Ids,
+    Rgb,
+    follows_mask,
+    looked_follows_mask,
+)
 from sdgen.validate.labels import known_ids
 from sdgen.validate.problems import SHOWN, Problem, differences
 from sdgen.validate.surfaces import off_surface
+from sdgen.validate.turns import check_turns
 from sdgen.validate.whose_room import not_in_room
 
 
@@ -30,9 +38,10 @@ def check_views(
     """Cameras, masks against graph and visibility, depth against boxes, pictures readable."""
     options, shown = data.info.options, item.visibility
     cameras = item.cameras
-    if item.entry.views != options.views:
+    if options.views_mode == "chosen" and item.entry.views != options.views:
         text = f"views: {item.entry.views}, the options say {options.views}"
         yield Problem("view", f"manifest.jsonl: scene {item.id}: {text}")
+    yield from check_turns(item, options)
     for k, camera in enumerate(cameras):
         where = item.where(f"{view_folder(k)}/view.json")
         for text in _camera(camera, k, data, item.scene.home):
@@ -73,6 +82,8 @@ def _camera(camera: Camera, k: int, data: Dataset, home: Home) -> Iterator[str]:
         yield "daylight: not that of the home in scene.json"
     if not 0 < camera.near_m < camera.far_m:
         yield "near_m and far_m: not 0 < near < far"
+    if (camera.look is not None) != bool(options.look):
+        yield f"look: {'none' if camera.look is None else 'one'}, the options say {options.look}"
 
 
 def _view(
@@ -83,7 +94,8 @@ def _view(
         ids = item.instance(k) if "instance" in sensors else None
         if "rgb" in sensors:
             where = item.where(f"{view_folder(k)}/rgb.{data.info.options.rgb}")
-            yield from (Problem("view", f"{where}: {text}") for text in _rgb(item.rgb(k), ids))
+            texts = _rgb(item.rgb(k), ids, item.cameras[k])
+            yield from (Problem("view", f"{where}: {text}") for text in texts)
         depth = item.depth_mm(k) if "depth" in sensors else None
         if ids is not None:
             yield from _masks(item, view, ids)
@@ -95,11 +107,22 @@ def _view(
         yield from (Problem("view", text) for text in error.problems)
 
 
-def _rgb(rgb: Rgb, ids: Ids | None) -> Iterator[str]:
+def _rgb(rgb: Rgb, ids: Ids | None, camera: Camera) -> Iterator[str]:
     if not np.ptp(rgb):
-        yield "one colour everywhere"
-    elif ids is not None and not follows_mask(rgb, ids):
+        # Somewhere on a turn there may be nothing but a wall.
+        if camera.turn is None or (ids is not None and np.ptp(ids)):
+            yield "one colour everywhere"
+        return
+    if ids is not None and not _follows(rgb, ids, camera):
         yield "shows something else than instance.png: its colours do not change where things end"
+
+
+def _follows(rgb: Rgb, ids: Ids, camera: Camera) -> bool:
+    if camera.look is not None:
+        return looked_follows_mask(rgb, ids, camera.look)
+    if camera.turn is not None:
+        return follows_mask(rgb, ids, LEAST_FAINT, AHEAD_FAINT)
+    return follows_mask(rgb, ids)
 
 
 def _depth(

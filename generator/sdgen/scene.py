@@ -352,8 +352,8 @@ class Camera(Record):
     nothing of the scene or its twins is before it at less than ``near_m``.
 
     ``kind``: an overview of a room, something seen from near by, or one of a ``turn`` in the middle
-    of a room. ``daylight``: the hour at which it looks, and where the sun stands. ``look``: what the
-    camera did to the colours; null for a perfect one.
+    of a room. ``daylight``: the hour at which it looks, and where the sun stands. ``look``: what
+    the camera did to the colours; null for a perfect one.
     """
 
     index: int

@@ -69,7 +69,7 @@ def test_background_beside_the_doorway_stays_the_world():
     instance = np.zeros((48, 64), dtype=np.uint16)
     before, part = np.full((48, 64, 3), 7, np.uint8), np.zeros((48, 64), np.uint8)
     flat = home(2)
-    args = (before, instance, part, (), flat.outdoors, camera())
+    args = (before, instance, part, (), flat.outdoors, flat.daylight, camera())
     world, both = paint_outdoors(*args), paint_outdoors(*args, landings(flat))
     changed = (world != both).any(axis=2)
     # 0.9 m by 2.0 m at 4.06 m.

@@ -98,8 +98,8 @@ class Eyes(Closing):
         rgb = np.zeros_like(picture.rgb)
         if colours:
             drawn = picture.rgb, picture.instance, picture.part
-            outdoors = self._scene.home.outdoors
-            rgb = paint_outdoors(*drawn, self._panes, outdoors, camera, self._landings)
+            world = self._scene.home.outdoors, self._scene.home.daylight
+            rgb = paint_outdoors(*drawn, self._panes, *world, camera, self._landings)
         depth_mm = to_millimetres(picture.depth_m, picture.instance > 0)
         return Look(gaze, camera, rgb, depth_mm, picture.instance, picture.part)
 

@@ -41,9 +41,9 @@ def render_frames(
         if "rgb" in sensors:
             if supersample > 1:
                 rgb = box_filter(renderer.draw_colours(camera, supersample), supersample)
-            world = scene.home.outdoors
+            world = scene.home.outdoors, scene.home.daylight
             drawn = rgb, picture.instance, picture.part
-            rgb = paint_outdoors(*drawn, panes, world, camera, behind)
+            rgb = paint_outdoors(*drawn, panes, *world, camera, behind)
         yield Frame(
             camera=camera,
             rgb=rgb,

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from sdgen.library import Library
 from sdgen.render.landing import Landing, seen_on
 from sdgen.render.panorama import COLUMNS, HIGHEST, LOWEST, ROWS, panorama
-from sdgen.scene import Camera, Outdoors, Scene
+from sdgen.scene import Camera, Daylight, Outdoors, Scene
 
 #: What windows call a pane that one sees through.
 CLEAR_PANE = "pane"
@@ -41,12 +41,13 @@ def paint_outdoors(
     part: npt.NDArray[np.uint8],
     panes: Sequence[tuple[int, int]],
     outdoors: Outdoors,
+    daylight: Daylight,
     camera: Camera,
     landings: Sequence[Landing] = (),
 ) -> npt.NDArray[np.uint8]:
-    """The picture (H, W, 3) with the world painted where nothing is drawn (``instance`` 0) and, a
-    little paler, on the panes; a copy if there is any such pixel. Through a doorway with a landing
-    one sees that."""
+    """The picture (H, W, 3) with the world at that time of the day painted where nothing is drawn
+    (``instance`` 0) and, a little paler, on the panes; a copy if there is any such pixel. Through a
+    doorway with a landing one sees that."""
     glass = np.zeros(instance.shape, dtype=bool)
     for object_id, number in panes:
         glass |= (instance == object_id) & (part == number)
@@ -60,7 +61,7 @@ def paint_outdoors(
     rays = rays @ pose[:3, :3].T
     rise = rays[:, 2] / np.linalg.norm(rays, axis=1)
     turn = np.arctan2(rays[:, 1], rays[:, 0]) / (2 * math.pi) % 1.0
-    seen = _sampled(panorama(outdoors), turn, rise)
+    seen = _sampled(panorama(outdoors, daylight), turn, rise)
     for landing in landings:
         there, colours = seen_on(landing, pose[:3, 3], rays)
         seen[there] = colours

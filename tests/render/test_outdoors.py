@@ -1,5 +1,9 @@
 """Background and clear panes show the world outside; nothing else is painted."""
 
+import subprocess
+import sys
+from zlib import crc32
+
 import numpy as np
 import pytest
 from sdgen.cameras.pinhole import intrinsics, matrix4
@@ -7,12 +11,21 @@ from sdgen.geometry import look_at
 from sdgen.library import Library
 from sdgen.render.outdoors import Outside
 from sdgen.render.panorama import panorama
-from sdgen.scene import Camera, Outdoors
+from sdgen.scene import Camera, Daylight, Outdoors
 from sdgen.vocabulary import SEASONS, WEATHERS
 
 from tests import toy
 
 SUMMER = Outdoors(season="summer", weather="clear")
+#: Above what stands about a home at the ground: the sky.
+HIGH = slice(0, 60)
+
+
+def at(time, azimuth=90.0, elevation=30.0):
+    return Daylight(time=time, sun_azimuth_deg=azimuth, sun_elevation_deg=elevation)
+
+
+DAY, EVENING, NIGHT = at("day"), at("evening", elevation=8.0), at("night")
 
 
 def camera(yaw: float = 0.0) -> Camera:
@@ -30,21 +43,20 @@ def camera(yaw: float = 0.0) -> Camera:
     )
 
 
-def outside(outdoors=SUMMER, panes=(), home=None):
+def outside(outdoors=SUMMER, panes=(), home=None, daylight=DAY):
     """The world outside a home without things but for these panes."""
     home = home or toy.scene().home
-    bare = toy.scene().model_copy(
-        update={"home": home.model_copy(update={"outdoors": outdoors}), "objects": ()}
-    )
+    home = home.model_copy(update={"outdoors": outdoors, "daylight": daylight})
+    bare = toy.scene().model_copy(update={"home": home, "objects": ()})
     world = Outside(Library([]), bare)
     world._panes = panes
     return world
 
 
-def painted(instance, part=None, panes=(), outdoors=SUMMER, view=None):
+def painted(instance, part=None, panes=(), outdoors=SUMMER, view=None, daylight=DAY):
     before = np.full((48, 64, 3), 7, dtype=np.uint8)
     part = np.zeros((48, 64), dtype=np.uint8) if part is None else part
-    world = outside(outdoors, panes)
+    world = outside(outdoors, panes, daylight=daylight)
     after = world.paint(before, instance, part, view or camera())
     assert np.all(before == 7)
     return before, after
@@ -57,7 +69,8 @@ def test_background_is_sky_above_and_lawn_below():
     assert np.all(after[:, 32:] == 7)
     red, green, blue = after[0, :32].mean(axis=0)
     assert blue > green > red
-    red, green, blue = after[28, :32].mean(axis=0)
+    below = [painted(instance, view=camera(yaw))[1][28:32, :32] for yaw in (0, 1.6, 3.2, 4.8)]
+    red, green, blue = np.concatenate(below).mean(axis=(0, 1))
     assert green > red > blue
 
 
@@ -89,10 +102,11 @@ def test_the_world_turns_with_the_camera():
     assert np.abs(ahead.astype(int) - turned).mean() > 3
 
 
-@pytest.mark.parametrize("storey", [0, 1, 5])
-def test_worlds_differ_by_season_and_weather_and_close_round(storey):
+@pytest.mark.parametrize("time", ["day", "evening", "night"])
+@pytest.mark.parametrize("storey", [0, 5])
+def test_worlds_differ_by_season_and_weather_and_close_round(storey, time):
     worlds = [
-        panorama(Outdoors(storey=storey, season=season, weather=weather))
+        panorama(Outdoors(storey=storey, season=season, weather=weather), at(time))
         for season in SEASONS
         for weather in WEATHERS
     ]
@@ -101,10 +115,73 @@ def test_worlds_differ_by_season_and_weather_and_close_round(storey):
         seam = np.abs(world[:, 0].astype(int) - world[:, -1]).mean()
         assert seam <= steps.max()
         for other in worlds[:k]:
-            assert np.abs(world.astype(int) - other).mean() > 2
+            assert np.abs(world.astype(int) - other).mean() > (2 if time != "night" else 1)
 
 
-def test_a_world_is_the_same_however_often_it_is_painted():
-    first = panorama(SUMMER).copy()
-    panorama.cache_clear()
-    assert np.array_equal(first, panorama(SUMMER))
+@pytest.mark.parametrize("weather", WEATHERS)
+@pytest.mark.parametrize("storey", [0, 3])
+def test_it_gets_dark(storey, weather):
+    world = Outdoors(storey=storey, weather=weather)
+    day, evening, night = (panorama(world, light).mean() for light in (DAY, EVENING, NIGHT))
+    assert day > 1.4 * evening > 2.5 * night
+    assert night > 3
+
+
+def side(picture, azimuth):
+    """An eighth of the sky about there."""
+    middle = round(azimuth / 360 * picture.shape[1])
+    columns = np.arange(middle - 128, middle + 128) % picture.shape[1]
+    return picture[HIGH][:, columns].mean(axis=(0, 1))
+
+
+@pytest.mark.parametrize("azimuth", [0.0, 135.0, 270.0])
+def test_the_sky_is_brighter_towards_the_sun_and_warmer_in_the_evening(azimuth):
+    outdoors = Outdoors(storey=5)
+    day, evening = (panorama(outdoors, at(time, azimuth)) for time in ("day", "evening"))
+    for picture in (day, evening):
+        assert side(picture, azimuth).sum() > 1.02 * side(picture, azimuth + 180).sum()
+    red, _, blue = side(evening, azimuth)
+    away_red, _, away_blue = side(evening, azimuth + 180)
+    assert red / blue > 1.1 * away_red / away_blue
+
+
+def test_by_night_windows_are_lit_and_by_day_none_is():
+    outdoors = Outdoors(storey=3, weather="cloudy")
+
+    def warm(light):
+        red, _, blue = np.moveaxis(panorama(outdoors, light).astype(int), 2, 0)
+        return (red > 150) & (red > 1.3 * blue)
+
+    dark = panorama(outdoors, NIGHT).mean(axis=2) < 60
+    assert dark.mean() > 0.8
+    assert 200 < warm(NIGHT).sum() < 0.05 * dark.size
+
+
+def test_few_worlds_are_painted_for_suns_that_differ_little():
+    assert panorama(SUMMER, at("day", 92.0)) is panorama(SUMMER, at("day", 88.0))
+    assert panorama(SUMMER, at("day", 359.0)) is panorama(SUMMER, at("day", 1.0))
+    assert panorama(SUMMER, at("day", 90.0)) is not panorama(SUMMER, at("day", 110.0))
+    assert panorama(SUMMER, at("night", 10.0, 50.0)) is panorama(SUMMER, at("night", 200.0))
+    grey = Outdoors(weather="overcast")
+    assert panorama(grey, at("day", 10.0)) is panorama(grey, at("day", 200.0, 60.0))
+
+
+_CRC = """
+from zlib import crc32
+from sdgen.render.panorama import panorama
+from sdgen.scene import Daylight, Outdoors
+print(crc32(panorama(Outdoors(storey=2, season="winter"), Daylight(time="evening")).tobytes()))
+"""
+
+
+def test_a_world_is_the_same_in_every_process():
+    here = panorama(Outdoors(storey=2, season="winter"), Daylight(time="evening"))
+    done = subprocess.run(
+        [sys.executable, "-c", _CRC], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert int(done.stdout) == crc32(here.tobytes())
+
+
+def test_nobody_can_write_into_the_one_that_is_kept():
+    with pytest.raises(ValueError, match="read-only"):
+        panorama(SUMMER, DAY)[0, 0] = 0

@@ -218,8 +218,16 @@ def cushion(
         r = min(max(radius - 0.5 * inset, 0.35 * inset + 0.015), (short - inset) * 0.95)
         outline = rounded_rectangle(sx - 2 * inset, sy - 2 * inset, r, 3)
         rings.append(np.c_[outline, np.full(len(outline), z)])
-    # the loft's own strip of texture: projected, its hidden rest would fall apart into slivers
-    return loft(rings, mat).move(*at)
+    # the loft's own strip of texture round the side: projected, its hidden rest would fall apart
+    # into slivers
+    mesh = loft(rings, mat)
+    # in one piece over the dome: a strip round it would draw out its last texels to a star
+    side, count = section.index((edge, sz)), len(rings[0])
+    top = range(side * count, (len(rings) - 1) * count)
+    aside = 4 * (sx + sy + sz)
+    for face in (*top, len(mesh.f) - 1):
+        mesh.bake_uv[face] = [(aside + mesh.v[i][0], mesh.v[i][1]) for i in mesh.f[face]]
+    return mesh.move(*at)
 
 
 # ---- materials

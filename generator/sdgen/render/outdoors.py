@@ -36,10 +36,10 @@ class SeenOutside(NamedTuple):
 
 
 class Outside:
-    """The world outside of one scene's home."""
+    """The world outside of one scene's home, at its hour."""
 
     def __init__(self, library: Library, scene: Scene) -> None:
-        self._outdoors = scene.home.outdoors
+        self._world = scene.home.outdoors, scene.home.daylight
         self._panes = clear_panes(library, scene)
         self._landings = landings(scene.home)
 
@@ -65,7 +65,7 @@ class Outside:
         rays = rays @ pose[:3, :3].T
         rise = rays[:, 2] / np.linalg.norm(rays, axis=1)
         turn = np.arctan2(rays[:, 1], rays[:, 0]) / (2 * math.pi) % 1.0
-        colours = _sampled(panorama(self._outdoors), turn, rise)
+        colours = _sampled(panorama(*self._world), turn, rise)
         for landing in self._landings:
             there, on_it = seen_on(landing, pose[:3, 3], rays)
             colours[there] = on_it

@@ -1,0 +1,224 @@
+"""Trees: a few crowns are drawn, and stand turned to the eye, lit from where the sun is."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from sdgen.render.backdrop.canvas import COLUMNS, Canvas, Floats, linear, noise, soft
+from sdgen.render.backdrop.light import Light
+from sdgen.vocabulary import Season
+
+_SIZE = 128
+_BARK = linear(88, 74, 62)
+
+#: Colours of leaves, and of grass, by season; how many of the broad-leaved trees are bare.
+_LEAVES: dict[Season, tuple[Floats, ...]] = {
+    "spring": (linear(128, 156, 74), linear(106, 142, 70), linear(150, 168, 88)),
+    "summer": (linear(78, 112, 54), linear(94, 122, 62), linear(66, 100, 58)),
+    "autumn": (
+        linear(176, 118, 50),
+        linear(188, 146, 62),
+        linear(140, 82, 46),
+        linear(118, 120, 60),
+    ),
+    "winter": (linear(84, 96, 70), linear(74, 92, 72)),
+}
+_BLOSSOM = (linear(232, 206, 214), linear(238, 232, 226))
+_NEEDLES = (linear(54, 78, 56), linear(62, 84, 66))
+_BARE: dict[Season, float] = {"spring": 0.1, "summer": 0.0, "autumn": 0.15, "winter": 0.85}
+
+
+class Crown(NamedTuple):
+    """A tree's looks from the side, (_SIZE, _SIZE), top first: what it covers, its colours, and
+    which way it faces: to the side and up."""
+
+    share: Floats
+    colours: Floats
+    aside: Floats
+    up: Floats
+    #: Its width as a share of its height.
+    wide: float
+
+
+class Tree(NamedTuple):
+    """Where a tree stands and how high it is."""
+
+    at: tuple[float, float]
+    high_m: float
+    crown: Crown
+
+    @property
+    def away_m(self) -> float:
+        """How far it is."""
+        return float(np.hypot(*self.at))
+
+
+def crowns(season: Season, snow: bool, rng: np.random.Generator) -> list[Crown]:
+    """The kinds of trees of one world: the last two are bushes and firs."""
+    out = []
+    for _ in range(4):
+        if rng.random() < _BARE[season]:
+            out.append(_bare(rng))
+            continue
+        leaves = _LEAVES[season][int(rng.integers(len(_LEAVES[season])))]
+        if season == "spring" and rng.random() < 0.25:
+            leaves = _BLOSSOM[int(rng.integers(2))]
+        out.append(_leafy(leaves, float(rng.uniform(0.62, 1.0)), 0.3, rng))
+    leaves = _LEAVES[season][int(rng.integers(len(_LEAVES[season])))]
+    out.append(_leafy(leaves, 1.25, 0.0, rng))
+    out.append(_fir(_NEEDLES[int(rng.integers(2))], snow, rng))
+    return out
+
+
+def _grid() -> tuple[Floats, Floats]:
+    """Across from -1 to 1, and up from 0 to 1."""
+    line = (np.arange(_SIZE, dtype=np.float32) + 0.5) / _SIZE
+    across, up = (2 * line - 1)[None, :], (1 - line)[:, None]
+    return across.astype(np.float32), up.astype(np.float32)
+
+
+def _leafy(leaves: Floats, wide: float, trunk: float, rng: np.random.Generator) -> Crown:
+    """A heap of clumps, with gaps between leaves at its edges."""
+    x, z = _grid()
+    fine, broad = noise(rng, _SIZE, 0.5, 6), noise(rng, _SIZE, 1.2, 3)
+    share = np.zeros((_SIZE, _SIZE), dtype=np.float32)
+    aside, up = np.zeros_like(share), np.zeros_like(share)
+    tone = np.zeros_like(share)
+    depth = np.full_like(share, -1)
+    for _ in range(34):
+        angle, out = rng.uniform(0, 2 * math.pi), math.sqrt(float(rng.random())) * 0.72
+        middle_x = out * math.cos(angle) * 0.92
+        middle_z = trunk + (1 - trunk) * (0.5 + 0.48 * out * math.sin(angle))
+        r = float(rng.uniform(0.16, 0.34))
+        dx, dz = (x - middle_x) / r, (z - middle_z) / (r * 0.62)
+        away = dx * dx + dz * dz + 0.28 * fine + 0.22 * broad
+        bulge = np.sqrt(np.clip(1 - away, 0, 1)) * r + float(rng.uniform(0, 0.25))
+        front = (away < 1) & (bulge > depth)
+        depth = np.where(front, bulge, depth)
+        share = np.where(front, np.float32(1), share)
+        aside = np.where(front, 0.6 * dx + 0.4 * x, aside)
+        up = np.where(front, 0.6 * dz + 0.9 * (z - trunk - (1 - trunk) / 2), up)
+        tone = np.where(front, np.float32(rng.normal(0, 0.1)), tone)
+    rough = np.clip(1 + tone + 0.2 * fine, 0.35, 1.7)
+    # The inside of a crown is dark.
+    rough = rough * (0.7 + 0.3 * soft(-0.6, 0.5, up))
+    colours = leaves * rough[..., None]
+    stem = (np.abs(x) < 0.045 * (1.4 - z)) & (z < trunk + 0.25) & (share == 0)
+    colours = np.where(stem[..., None], _BARK, colours)
+    share = np.where(stem & (trunk > 0), np.float32(1), share)
+    return Crown(share, colours.astype(np.float32), np.clip(aside, -1, 1), np.clip(up, -1, 1), wide)
+
+
+def _fir(needles: Floats, snow: bool, rng: np.random.Generator) -> Crown:
+    x, z = _grid()
+    fine = noise(rng, _SIZE, 0.5, 6)
+    tier = (z * 9 + 0.15 * fine) % 1.0
+    edge = (1 - z) * (0.78 + 0.3 * (1 - tier)) + 0.05 * fine
+    share = ((np.abs(x) < edge) & (z > 0.07)).astype(np.float32)
+    stem = (np.abs(x) < 0.05) & (z <= 0.07)
+    rough = np.clip(0.65 + 0.5 * tier + 0.18 * fine, 0.3, 1.6)
+    colours = needles * rough[..., None]
+    if snow:
+        white = soft(0.1, 0.8, tier + 0.2 * fine)[..., None] * 0.7
+        colours = colours * (1 - white) + np.float32(0.75) * white
+    colours = np.where(stem[..., None], _BARK, colours).astype(np.float32)
+    share = np.where(stem, np.float32(1), share)
+    aside = np.broadcast_to(np.clip(x / np.maximum(edge, 0.05), -1, 1), share.shape)
+    return Crown(share, colours, np.asarray(aside, np.float32), np.full_like(share, 0.25), 0.42)
+
+
+def _bare(rng: np.random.Generator) -> Crown:
+    """A trunk that branches, and a haze of twigs."""
+    share = np.zeros((_SIZE, _SIZE), dtype=np.float32)
+    tips = [(0.0, 0.0, math.pi / 2, 0.3, 0.05)]
+    for _ in range(6):
+        grown = []
+        for x, z, way, length, thick in tips:
+            steps = np.linspace(0, 1, max(3, int(length * _SIZE)))
+            px, pz = x + steps * length * math.cos(way), z + steps * length * math.sin(way)
+            half = max(0, round(thick * _SIZE / 2 - 0.5))
+            column = ((px + 0.62) / 1.24 * _SIZE).astype(int)
+            row = ((1 - pz) * _SIZE).astype(int)
+            for off in range(-half, half + 1):
+                inside = (column + off >= 0) & (column + off < _SIZE) & (row >= 0) & (row < _SIZE)
+                cover = 1.0 if thick > 0.012 else 0.65
+                at = row[inside], column[inside] + off
+                share[at] = np.maximum(share[at], cover)
+            for _ in range(2 if thick > 0.04 else int(rng.integers(2, 4))):
+                bend = way + float(rng.normal(0, 0.48)) + 0.1 * (math.pi / 2 - way)
+                short = length * float(rng.uniform(0.62, 0.82))
+                grown.append((float(px[-1]), float(pz[-1]), bend, short, thick * 0.62))
+        tips = grown[:90]
+    x_, z_ = _grid()
+    fine = noise(rng, _SIZE, 0.4, 8)
+    ball = 1 - (x_ / 0.9) ** 2 - ((z_ - 0.66) / 0.36) ** 2 + 0.2 * fine
+    share = np.maximum(share, 0.34 * soft(0.0, 0.5, ball) * soft(-0.8, 1.2, fine))
+    colours = np.broadcast_to(_BARK * np.float32(1.05), (*share.shape, 3))
+    aside = np.broadcast_to(x_ * 0.5, share.shape).astype(np.float32)
+    return Crown(share, colours, aside, np.full_like(share, 0.1), 0.85)
+
+
+def paint_tree(canvas: Canvas, light: Light, tree: Tree) -> None:
+    """Put it into the picture."""
+    away = tree.away_m
+    azimuth = math.atan2(tree.at[1], tree.at[0])
+    half = tree.high_m * tree.crown.wide / 2
+    reach = math.atan(half / away)
+    middle = azimuth / (2 * math.pi) * COLUMNS - 0.5
+    across = math.ceil(reach / (2 * math.pi) * COLUMNS)
+    columns = np.arange(round(middle) - across, round(middle) + across + 1)
+    aside = np.tan((columns - middle) / COLUMNS * 2 * math.pi) * away / half
+    columns, aside = columns[np.abs(aside) < 1], aside[np.abs(aside) < 1]
+    rows = canvas.rows(-canvas.eye_m / away, (tree.high_m - canvas.eye_m) / away)
+    up = (canvas.eye_m + away * canvas.climbs[rows]) / tree.high_m
+    if len(columns) < 2 or len(up) == 0:
+        return
+    down = np.clip(((1 - up) * _SIZE).astype(int), 0, _SIZE - 1)
+    over = np.clip(((aside + 1) / 2 * _SIZE).astype(int), 0, _SIZE - 1)
+    at = np.ix_(down, over)
+    crown = tree.crown
+    # Columns go on against the clock, seen from above: to the left.
+    left = (-math.sin(azimuth), math.cos(azimuth))
+    out = (-math.cos(azimuth), -math.sin(azimuth))
+    x, z = crown.aside[at], crown.up[at]
+    y = np.sqrt(np.clip(1 - x * x - z * z, 0, 1))
+    sun = light.towards
+    facing = x * (left[0] * sun[0] + left[1] * sun[1]) + z * sun[2]
+    facing = facing + y * (out[0] * sun[0] + out[1] * sun[1])
+    # Some light comes through leaves.
+    shone = np.clip(0.8 * facing + 0.22, 0.06, 1)[..., None] * light.sun
+    lit = shone + light.sky * (0.62 + 0.3 * z)[..., None]
+    canvas.put(rows, columns % COLUMNS, np.float32(away), crown.colours[at] * lit, crown.share[at])
+
+
+def leaves_of(season: Season, rng: np.random.Generator) -> Floats:
+    """The colour of a hedge."""
+    kinds = _LEAVES["summer"] if season != "spring" else _LEAVES["spring"]
+    shade = {"winter": 0.7, "autumn": 0.85}.get(season, 0.9)
+    return np.asarray(kinds[int(rng.integers(len(kinds)))] * np.float32(shade))
+
+
+def shadow_of(tree: Tree, light: Light, x: Floats, y: Floats) -> Floats:
+    """How much of the sun a tree takes from places on the ground."""
+    climb = max(0.12, float(light.towards[2]))
+    level = light.towards[:2] / max(1e-3, float(np.hypot(*light.towards[:2])))
+    away = 0.6 * tree.high_m * math.sqrt(1 - min(1.0, climb) ** 2) / climb
+    dx, dy = x - tree.at[0] + level[0] * away, y - tree.at[1] + level[1] * away
+    wide = tree.high_m * tree.crown.wide / 2
+    far = (dx * level[0] + dy * level[1]) * min(1.0, climb * 1.3)
+    side = dy * level[0] - dx * level[1]
+    shade = soft(1.1, 0.6, np.hypot(far, side) / wide)
+    return np.asarray(shade * np.float32(tree.crown.share.mean() * 1.4).clip(0, 0.85))
+
+
+def grass_of(season: Season) -> Floats:
+    """The colour of a lawn."""
+    return {
+        "spring": linear(108, 132, 72),
+        "summer": linear(102, 120, 68),
+        "autumn": linear(118, 122, 68),
+        "winter": linear(124, 124, 88),
+    }[season]

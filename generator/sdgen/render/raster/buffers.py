@@ -10,27 +10,27 @@ from sdgen.render.raster.context import Held, release_all
 
 
 class Buffers:
-    """What is opaque: ``albedo`` and glow, ``fine`` times as many pixels along each side, normals,
-    and depth along the camera's axis. What is seen through, the nearest of it: ``veil`` (colour and
-    how much of it hides), ``veil_normal`` and ``veil_depth``. And whose each pixel is. All (H, W);
-    depth is 0 where nothing is."""
+    """What is opaque: ``albedo`` and glow, and ``fine_normal``, ``fine`` times as many pixels along
+    each side; normals, and depth along the camera's axis. What is seen through, the nearest of it:
+    ``veil`` (colour and how much of it hides), ``veil_normal`` and ``veil_depth``. And whose each
+    pixel is. All (H, W); depth is 0 where nothing is."""
 
     def __init__(self, context: moderngl.Context, width: int, height: int, fine: int) -> None:
         size, larger = (width, height), (width * fine, height * fine)
         self.size = size
-        self.albedo = context.texture(larger, 4)
+        self.albedo, self.fine_normal = (context.texture(larger, 4) for _ in range(2))
         self.whose, self.veil = (context.texture(size, 4) for _ in range(2))
         self.normal, self.veil_normal = (context.texture(size, 4, dtype="f2") for _ in range(2))
         self.depth, self.veil_depth = (context.texture(size, 1, dtype="f4") for _ in range(2))
         z, fine_z = context.depth_renderbuffer(size), context.depth_renderbuffer(larger)
         of_veils = (self.veil_normal, self.veil_depth, self.veil)
-        self.colours = context.framebuffer([self.albedo], fine_z)
+        self.colours = context.framebuffer([self.albedo, self.fine_normal], fine_z)
         self.solid = context.framebuffer([self.whose, self.normal, self.depth], z)
         self.veils = context.framebuffer([self.whose, *of_veils], z)
         #: Emptied by themselves: whose pixels are and how deep has been drawn by then.
         self._own_veils = context.framebuffer(of_veils)
         frames = (self.colours, self.solid, self.veils, self._own_veils)
-        textures = (self.albedo, self.whose, self.normal, self.depth, *of_veils)
+        textures = (self.albedo, self.fine_normal, self.whose, self.normal, self.depth, *of_veils)
         self._held: tuple[Held, ...] = (*frames, z, fine_z, *textures)
 
     def clear(self) -> None:

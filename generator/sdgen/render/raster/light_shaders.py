@@ -159,7 +159,7 @@ float shaded(float z) {
 void main() {
     float z = max(texelFetch(depth_map, here(), 0).r, 0.001);
     vec4 own = texture(albedo_map, uv);
-    vec3 p = place(uv, z), n = texelFetch(normal_map, here(), 0).xyz;
+    vec3 p = place(uv, z), n = normalize(texture(normal_map, uv).xyz - 0.5);
     if (dot(n, eye - p) < 0.0) n = -n;
     vec3 given = around(p, n) * shaded(z) + sunny(p, n);
     vec3 found = toned(linear(own.rgb) * given / PI * exposure);

@@ -116,7 +116,8 @@ class Passes:
             targets.frames["light"],
             {**place, **light.uniforms, "coarse": targets.coarse, "outdoors": outdoors},
             {
-                **solid,
+                "depth_map": buffers.depth,
+                "normal_map": buffers.fine_normal,
                 **light.textures,
                 "albedo_map": buffers.albedo,
                 "shade_map": targets.blurred,

@@ -15,14 +15,18 @@ void main() {
 }
 """
 
-#: Colours of what is opaque, and whether it glows. They are drawn finer than all else: what is
-#: thinner than a pixel is seen as a thin line then.
+#: Colours of what is opaque with whether it glows, and its normals. They are drawn finer than all
+#: else and averaged: what is thinner than a pixel is a thin line then, and not dots and dashes.
 ALBEDO_PIXEL = """
 #version 330
 uniform sampler2D worn;
 in vec3 facing; in vec2 spot; flat in vec4 tint; flat in vec4 id;
-out vec4 albedo;
-void main() { albedo = vec4(min(texture(worn, spot).rgb * tint.rgb, 1.0), tint.a); }
+layout(location = 0) out vec4 albedo;
+layout(location = 1) out vec4 normal;
+void main() {
+    albedo = vec4(min(texture(worn, spot).rgb * tint.rgb, 1.0), tint.a);
+    normal = vec4(normalize(facing) * 0.5 + 0.5, 1.0);
+}
 """
 
 #: All but colours of what is opaque.

@@ -33,12 +33,12 @@ MODELS: dict[str, dict[str, Any]] = {
         "variants": {"pane": ["pane"]},
         "rgb": BLUE,
     },
-    "ceiling_lamp_01": {
+    "ceiling_lamp_91": {
         "parts": [("body", (-0.15, -0.15, 0.0), (0.15, 0.15, 0.1), None)],
         "rgb": (250, 240, 220),
         "rgba": [1.6, 1.6, 1.6, 1.0],
     },
-    "glass_01": {
+    "glass_91": {
         "parts": [("body", (-0.1, -0.1, 0.0), (0.1, 0.1, 0.2), None)],
         "rgb": BLUE,
         "rgba": [1.0, 1.0, 1.0, 0.4],

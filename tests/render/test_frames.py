@@ -154,7 +154,7 @@ def test_textures_do_not_leak_from_scene_to_scene(renderer: Renderer, library: L
     for round_ in range(4):
         names = ["cube_01", "cube_02"] if round_ % 2 else ["cube_02", "cube_01"]
         extra = [thing(50, "table_01", (1.4, 1.4, 0))] if round_ % 3 else []
-        lamp = thing(60, "ceiling_lamp_01", (0, 1, 2.39), fixed=True)
+        lamp = thing(60, "ceiling_lamp_91", (0, 1, 2.39), fixed=True)
         cubes = [thing(10, names[0], (-0.3, 0, 0)), thing(11, names[1], (0.3, 0, 0))]
         scene = box_room([*cubes, lamp, *extra])
         frame = one(renderer, library, scene, view)
@@ -169,7 +169,7 @@ def test_textures_do_not_leak_from_scene_to_scene(renderer: Renderer, library: L
 
 def test_the_room_is_bright(renderer: Renderer, library: Library) -> None:
     """Neither ceiling nor walls may put the room in shadow, or shine."""
-    lamp = thing(60, "ceiling_lamp_01", (0.0, 0.0, 2.39), fixed=True)
+    lamp = thing(60, "ceiling_lamp_91", (0.0, 0.0, 2.39), fixed=True)
     frame = one(renderer, library, box_room([lamp]), camera((-1.7, -1.7, 1.5), (1, 1, 0.9)))
     for number in set(np.unique(frame.instance).tolist()) - {2, 60}:
         values = frame.rgb[frame.instance == number].astype(float).mean(axis=1)

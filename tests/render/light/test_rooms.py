@@ -52,7 +52,7 @@ def test_a_shut_room_is_dark_however_the_sun_stands(library: Library) -> None:
 
 def test_a_lamp_lights_as_the_square_of_how_far_it_is(library: Library) -> None:
     """In a wide hall with black walls: what comes from above, below the lamp."""
-    lamp = thing(60, "ceiling_lamp_01", (0.0, 0.0, 3.8), fixed=True)
+    lamp = thing(60, "ceiling_lamp_91", (0.0, 0.0, 3.8), fixed=True)
     scene = at(box_room([lamp], size_m=(9.0, 9.0), height_m=4.0), NIGHT)
     light = light_of_home(library, scene, drawn_parts(library, scene))
     assert len(light.rooms) == 1
@@ -73,7 +73,7 @@ def test_light_falls_off_from_an_open_side(library: Library) -> None:
 
 def test_what_is_large_and_fixed_shades_what_is_under_it(library: Library) -> None:
     table = thing(10, "table_01", (0.0, 0.0, 0.0), fixed=True)
-    lamp = thing(60, "ceiling_lamp_01", (0.0, 0.0, 2.39), fixed=True)
+    lamp = thing(60, "ceiling_lamp_91", (0.0, 0.0, 2.39), fixed=True)
     bare, under = (
         cube_at(library, at(box_room(some), NIGHT), (0.2, 0.2, 0.4))[4].mean()
         for some in ([lamp], [lamp, table])
@@ -83,7 +83,7 @@ def test_what_is_large_and_fixed_shades_what_is_under_it(library: Library) -> No
 
 def test_what_is_not_fixed_changes_no_light(library: Library) -> None:
     """Light tells nothing of what lies about."""
-    lamp = thing(60, "ceiling_lamp_01", (0.0, 0.0, 2.39), fixed=True)
+    lamp = thing(60, "ceiling_lamp_91", (0.0, 0.0, 2.39), fixed=True)
     loose = [thing(10, "table_01", (0.0, 0.0, 0.0)), thing(11, "cube_01", (1.0, 1.0, 0.0))]
     opened = thing(12, "cabinet_01", (-1.2, 0.0, 0.0), fixed=True, joints={"door": -1.5})
     shut = opened.model_copy(update={"joints": {}})

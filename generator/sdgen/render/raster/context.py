@@ -9,6 +9,7 @@ from typing import Any, Protocol
 import moderngl
 
 from sdgen.errors import RendererError
+from sdgen.render.light import HAS_RAYS
 
 
 class Held(Protocol):
@@ -29,7 +30,8 @@ def open_context() -> moderngl.Context:
 
 def string_of(context: moderngl.Context) -> str:
     """What draws, for ``dataset.json``."""
-    return f"EGL {context.info['GL_RENDERER']} {context.info['GL_VERSION']}"
+    light = "" if HAS_RAYS else ", even light"
+    return f"EGL {context.info['GL_RENDERER']} {context.info['GL_VERSION']}{light}"
 
 
 def give(program: moderngl.Program, name: str, value: Any) -> None:

@@ -44,15 +44,22 @@ class Outside:
         self._landings = landings(scene.home)
 
     def seen(
-        self, instance: npt.NDArray[np.uint16], part: npt.NDArray[np.uint8], camera: Camera
+        self,
+        instance: npt.NDArray[np.uint16],
+        part: npt.NDArray[np.uint8],
+        camera: Camera,
+        wider: bool = False,
     ) -> SeenOutside:
         """What a camera sees of it in a picture of any size, by node and part of each pixel: where
-        nothing is drawn (``instance`` 0) and on clear panes. Through a doorway with a landing one
-        sees that."""
+        nothing is drawn (``instance`` 0) and on clear panes; ``wider``: and in pixels beside these.
+        Through a doorway with a landing one sees that."""
         glass = np.zeros(instance.shape, dtype=bool)
         for object_id, number in self._panes:
             glass |= (instance == object_id) & (part == number)
-        rows, columns = np.nonzero((instance == 0) | glass)
+        outdoors = (instance == 0) | glass
+        if wider and outdoors.any():
+            glass, outdoors = _widened(glass), _widened(outdoors)
+        rows, columns = np.nonzero(outdoors)
         share = np.where(glass[rows, columns], 1.0 - GLASS, 1.0)
         if len(rows) == 0:
             return SeenOutside(rows, columns, np.zeros((0, 3)), share)
@@ -87,6 +94,17 @@ class Outside:
         painted = seen.colours * share + GLASS_COLOUR * (1 - share)
         out[seen.rows, seen.columns] = np.rint(painted)
         return out
+
+
+def _widened(mask: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+    """A mask and the pixels beside it."""
+    out: npt.NDArray[np.bool_] = mask.copy()
+    out[1:] |= mask[:-1]
+    out[:-1] |= mask[1:]
+    across = out.copy()
+    out[:, 1:] |= across[:, :-1]
+    out[:, :-1] |= across[:, 1:]
+    return out
 
 
 def clear_panes(library: Library, scene: Scene) -> tuple[tuple[int, int], ...]:

@@ -6,6 +6,7 @@ doors between rooms. So a scene and its twin have the same, but for lamps that a
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -15,11 +16,12 @@ import numpy as np
 from sdgen.library import Library
 from sdgen.render.light import HAS_RAYS
 from sdgen.render.light.lamps import lamps_of
+from sdgen.render.light.panes import panes_of
 from sdgen.render.light.rooms import RoomLight, even_light, light_of_rooms
 from sdgen.render.light.sky import Sky, sky_of
 from sdgen.render.raster.drawn import Drawn, parts_of
 from sdgen.render.shell import ceiling_level_m
-from sdgen.scene import Scene
+from sdgen.scene import Home, Scene
 from sdgen.vocabulary import DayTime
 
 if TYPE_CHECKING:
@@ -27,6 +29,9 @@ if TYPE_CHECKING:
 
 #: Of a home without a ceiling, metres.
 _HIGH_M = 2.6
+#: The sun comes in below a window's frame, metres, and falls before it meets a wall: where windows
+#: reach up to the ceiling it stays so far below that.
+_FRAME_M, _BELOW_M = 0.04, 0.15
 _FRONT_DOOR = "front_door"
 
 
@@ -57,13 +62,23 @@ def light_of_home(library: Library, scene: Scene, parts: Sequence[Drawn]) -> Hom
     sky = sky_of(home.daylight, home.outdoors.weather)
     corners = np.array([c for room in home.rooms for c in room.polygon_m])
     low, top = (*corners.min(axis=0), 0.0), (*corners.max(axis=0), high)
-    sun = SunMap(world, sky.towards, np.array(low), np.array(top)) if sky.sun.any() else None
+    sun = None
+    if sky.sun.any():
+        highest = _highest_m(home, ceiling_m) if np.isfinite(ceiling_m) else math.inf
+        sun = SunMap(world, sky.towards, np.array(low), np.array(top), highest)
     shining = None if sun is None else (sun, sky.sun)
+    panes = panes_of(home)
     enclosed = any(one.category == "wall" for one in home.structures)
     rooms = light_of_rooms(
-        world, home.rooms, high, sky.radiance, shining, lamps_of(parts), enclosed
+        world, home.rooms, high, sky.radiance, shining, lamps_of(scene, parts), panes, enclosed
     )
     return HomeLight(home.daylight.time, rooms, sky, sun)
+
+
+def _highest_m(home: Home, ceiling_m: float) -> float:
+    """Above which height the sun shines on nothing."""
+    tops = [one.center_m[2] + one.height_m for one in home.openings if one.kind == "window"]
+    return min(max(tops, default=0.0) - _FRAME_M, ceiling_m - _BELOW_M)
 
 
 def _standing(library: Library, scene: Scene, parts: Sequence[Drawn]) -> Iterator[Drawn]:

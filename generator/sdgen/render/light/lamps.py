@@ -6,14 +6,19 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 import numpy as np
+from shapely.geometry import Polygon
 
 from sdgen.geometry import Array
 from sdgen.render.light.colour import mean_colour
 from sdgen.render.light.rooms import Lamp
 from sdgen.render.raster.drawn import CEILING_LAMP, Drawn
+from sdgen.scene import Scene
 
 #: What lamps give, W/sr, on the scale on which a clear sky gives some 3 W/sr from a square metre.
 _POWER = {CEILING_LAMP: 4.2, "floor_lamp": 2.4, "table_lamp": 1.2, "desk_lamp": 1.2}
+#: Of a lamp at the ceiling in a room of so many square metres, and how much less or more others
+#: give.
+_ROOM_M2, _SHARES = 16.0, (0.3, 1.6)
 _WARM = np.array((1.12, 0.94, 0.68))
 #: What else is lit - screens, flames, burners - gives as much from a square metre, W/sr, and no
 #: more than this.
@@ -24,17 +29,23 @@ _LEAST = 0.004
 _BODY_M = 0.2
 
 
-def lamps_of(parts: Sequence[Drawn]) -> list[Lamp]:
-    """What gives light, one lamp an object."""
+def lamps_of(scene: Scene, parts: Sequence[Drawn]) -> list[Lamp]:
+    """What gives light, one lamp an object: at a ceiling as much as its room is large."""
+    areas = {room.id: Polygon(room.polygon_m).area for room in scene.home.rooms}
+    share = {
+        item.id: float(np.clip(areas.get(item.room_id, _ROOM_M2) / _ROOM_M2, *_SHARES))
+        for item in scene.objects
+        if item.category == CEILING_LAMP
+    }
     glowing = sorted((part for part in parts if part.glows), key=lambda part: part.node_id)
     return [
         lamp
-        for _, group in groupby(glowing, key=lambda part: part.node_id)
-        for lamp in _lamp([*group])
+        for key, group in groupby(glowing, key=lambda part: part.node_id)
+        for lamp in _lamp([*group], share.get(key, 1.0))
     ]
 
 
-def _lamp(parts: Sequence[Drawn]) -> Iterator[Lamp]:
+def _lamp(parts: Sequence[Drawn], share: float) -> Iterator[Lamp]:
     areas = np.array([_area_m2(part) for part in parts])
     if areas.sum() <= 0:
         return
@@ -44,7 +55,7 @@ def _lamp(parts: Sequence[Drawn]) -> Iterator[Lamp]:
     radius = float(np.ptp(boxes, axis=1).max()) / 2 + _BODY_M
     power = _POWER.get(parts[0].category)
     if power is not None:
-        yield Lamp(at, radius, power * _WARM)
+        yield Lamp(at, radius, share * power * _WARM)
         return
     # A quarter of a body's surface is how large it looks, from all sides in the mean (Cauchy).
     colours = np.array([mean_colour(part.texture) * part.rgb for part in parts])

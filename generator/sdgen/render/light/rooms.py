@@ -9,7 +9,7 @@ Shading"; irradiance volumes: Greger et al. 1998.)
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -19,6 +19,7 @@ import shapely
 from shapely.geometry import Polygon
 
 from sdgen.geometry import Array
+from sdgen.render.light.panes import Panes
 from sdgen.scene import Room
 
 if TYPE_CHECKING:
@@ -33,6 +34,9 @@ _RAYS = 56
 _BOUNCES = 4
 #: Lamps light so far, metres, and cells nearer than this as if they were so far off.
 _LAMP_REACH_M, _LAMP_NEAR_M = 6.0, 0.35
+#: Nearer to a piece of a pane than this, metres, cells get no more light than so far off; and a ray
+#: through one goes on for so long at least.
+_PANE_NEAR_M, _BEYOND_M = 0.3, 2.0
 #: Light that comes from nowhere, by side: all of it where no rays are traced, and so little of it
 #: that it is seen only where there is no other.
 _EVEN = np.array((0.8, 0.8, 0.7, 0.7, 1.0, 0.6), dtype=np.float32)
@@ -100,11 +104,13 @@ def light_of_rooms(
     sky: Callable[[Array], Array],
     sun: tuple[SunMap, Array] | None,
     lamps: Sequence[Lamp],
+    panes: Mapping[int, Panes],
     enclosed: bool = True,
 ) -> list[RoomLight]:
     """The light in each room. ``sky`` gives radiance by direction (N, 3); ``sun``: its map, and
-    its light on a surface that faces it. Where nothing is ``enclosed`` by walls, light is nearly
-    the same everywhere, and found at a few places only."""
+    its light on a surface that faces it; ``panes``: those of the windows of a room, by its id.
+    Where nothing is ``enclosed`` by walls, light is nearly the same everywhere, and found at a few
+    places only."""
     grids: list[_Grid] = []
     volume = sum(Polygon(room.polygon_m).area for room in rooms) * height_m
     cell_m = max(CELL_M, (volume / _MOST_CELLS) ** (1 / 3)) if enclosed else math.inf
@@ -128,14 +134,23 @@ def light_of_rooms(
         first[lit] += _from_lamp(lamp, at[lit], facing_m[lit, None])[:, 0]
     weights = np.clip(rays @ _SIDES.T, 0.0, None)
     weights = (weights * math.pi / weights.sum(axis=0)).T.astype(np.float32)
-    radiance = np.where(hit[:, None], 0.0, sky(directions)).astype(np.float32)
+    # Of a room with windows, sky is found through these: rays of all cells alike would see them or
+    # not, in steps.
+    of_panes = np.concatenate(
+        [_from_sky(world, grid.middles, sky, panes.get(grid.room.id)) for grid in grids]
+    ).astype(np.float32)
+    by_rays = np.concatenate(
+        [np.full(len(grid.middles), grid.room.id not in panes) for grid in grids]
+    )
+    seen = ~hit & np.repeat(by_rays, _RAYS)
+    radiance = np.where(seen[:, None], sky(directions), 0.0).astype(np.float32)
     sides, share = _facing(facing_m)
     gives = met.albedo[hit] / math.pi
     got = first
     cubes: list[Array] = []
     for _ in range(_BOUNCES):
         radiance[hit] = gives * got
-        cube = weights @ radiance.reshape(len(middles), _RAYS, 3)
+        cube = weights @ radiance.reshape(len(middles), _RAYS, 3) + of_panes
         cubes = [_filled(grid, cube, within) for grid in grids]
         cube = np.concatenate([one[grid.inside] for one, grid in zip(cubes, grids, strict=True)])
         there = (cube[cell[:, None], sides] * share[..., None]).sum(axis=1)
@@ -151,6 +166,28 @@ def light_of_rooms(
         RoomLight(grid.room, grid.corner_m, grid.cell_m, _smooth(one) + _DIM * _EVEN[:, None])
         for grid, one in zip(grids, cubes, strict=True)
     ]
+
+
+def _from_sky(
+    world: LightWorld,
+    middles: Array,
+    sky: Callable[[Array], Array],
+    panes: Panes | None,
+) -> Array:
+    """What cells (N, 3) get straight from the sky through panes, on each side, (N, 6, 3)."""
+    out = np.zeros((len(middles), 6, 3))
+    if panes is None:
+        return out
+    for at, normal, area_m2 in zip(*panes, strict=True):
+        to = at - middles
+        far = np.maximum(np.linalg.norm(to, axis=1), 1e-6)
+        ways = to / far[:, None]
+        free = world.distance_m(middles, ways) > far + _BEYOND_M
+        slant = np.abs(ways @ normal)
+        solid = area_m2 * slant / np.maximum(far, _PANE_NEAR_M) ** 2
+        strength = np.where(free, solid, 0.0)[:, None] * np.clip(ways @ _SIDES.T, 0.0, None)
+        out += strength[..., None] * sky(ways)[:, None]
+    return out
 
 
 def even_light(rooms: Sequence[Room], height_m: float) -> list[RoomLight]:

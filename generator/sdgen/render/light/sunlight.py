@@ -20,13 +20,23 @@ class SunMap:
     """Depth along the sun's rays, (H, W): the first thing that each meets.
 
     ``towards`` is the direction to the sun; ``axes`` are right, up and along the rays, in rows.
+    Nothing above ``highest_m`` is lit: light that goes down from windows never reaches higher than
+    their tops, but where walls meet a ceiling the map is too coarse to tell.
     """
 
-    def __init__(self, world: LightWorld, towards: Array, low_m: Array, high_m: Array) -> None:
+    def __init__(
+        self,
+        world: LightWorld,
+        towards: Array,
+        low_m: Array,
+        high_m: Array,
+        highest_m: float = math.inf,
+    ) -> None:
         along = -towards
         right = np.cross((0.0, 0.0, 1.0), along)
         right /= np.linalg.norm(right)
         self.towards = towards
+        self.highest_m = highest_m
         self.axes = np.stack([right, np.cross(along, right), along])
         corners = np.array(
             [(x, y, z) for x in (low_m[0], high_m[0]) for y in (low_m[1], high_m[1])
@@ -56,5 +66,5 @@ class SunMap:
         inside = (cell >= 0).all(axis=1) & (cell[:, 0] < columns) & (cell[:, 1] < rows)
         depth = np.full(len(points_m), -np.inf)
         depth[inside] = self.depth_m[cell[inside, 1], cell[inside, 0]]
-        lit = depth > seen[:, 2] - 0.02
+        lit = (depth > seen[:, 2] - 0.02) & (points_m[:, 2] < self.highest_m)
         return np.asarray(lit * np.clip(normals @ self.towards, 0.0, None))

@@ -83,7 +83,8 @@ class LightWorld:
 
 def _roof(corners_m: Array) -> Array:
     """Two triangles over all of a home: walls are hollow, and open at their top."""
-    (x0, y0, _), (x1, y1, top) = corners_m.min(axis=0) - 0.1, corners_m.max(axis=0) + 0.1
+    (x0, y0, _), (x1, y1, _) = corners_m.min(axis=0) - 0.1, corners_m.max(axis=0) + 0.1
+    top = corners_m[:, 2].max()
     a, b, c, d = (x0, y0, top), (x1, y0, top), (x1, y1, top), (x0, y1, top)
     return np.array([(a, b, c), (a, c, d)])
 

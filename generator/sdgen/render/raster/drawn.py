@@ -15,8 +15,10 @@ from sdgen.geometry import Array, apply
 from sdgen.library import Library
 from sdgen.library.meshes import MeshData
 from sdgen.library.states import object_from_part
+from sdgen.render.outdoors import CLEAR_PANE
 from sdgen.render.shell import ceiling_level_m, structure_faces
 from sdgen.scene import Home, ObjectInstance, Scene, Structure
+from sdgen.vocabulary import HALF_WALL_M
 
 Floats = npt.NDArray[np.float32]
 Ints = npt.NDArray[np.uint32]
@@ -34,9 +36,9 @@ _LEAST_GLASS = 0.06
 #: Less opaque than this a part is seen through.
 _OPAQUE = 0.99
 #: Parts of windows that light comes through.
-_PANES = ("pane", "frosted")
+_PANES = (CLEAR_PANE, "frosted")
 #: Faces of the shell reach so far over their edges, metres: where they meet, rounding would leave
-#: cracks between them.
+#: cracks between them. Not those across a wall, which would stand out of it.
 _OVER_M = 0.0015
 
 
@@ -44,7 +46,8 @@ _OVER_M = 0.0015
 class Drawn:
     """One part: whose it is (``number`` counts an object's drawn parts from 1, and is 0 for
     structures), its triangles in the world, and how it looks. ``glows``: it gives light; ``clear``:
-    it is a window's pane; ``alpha``: how much it hides of what is behind it."""
+    it is a window's pane, ``painted``: one that shows the world; ``alpha``: how much it hides of
+    what is behind it."""
 
     node_id: int
     number: int
@@ -56,6 +59,7 @@ class Drawn:
     rgb: tuple[float, float, float]
     glows: bool = False
     clear: bool = False
+    painted: bool = False
     alpha: float = 1.0
     category: str = ""
 
@@ -102,8 +106,9 @@ def _of_structure(library: Library, structure: Structure, ceiling_m: float) -> I
         quads = face.vertices_m.reshape(-1, 4, 3)
         flat = np.cross(quads[:, 1] - quads[:, 0], quads[:, 2] - quads[:, 0])
         flat /= np.maximum(np.linalg.norm(flat, axis=1, keepdims=True), 1e-12)
-        middles = quads.mean(axis=1, keepdims=True)
-        quads = quads + _OVER_M * np.sign(np.round(quads - middles, 6))
+        if _wide(quads, structure.category):
+            middles = quads.mean(axis=1, keepdims=True)
+            quads = quads + _OVER_M * np.sign(np.round(quads - middles, 6))
         corners = np.arange(0, 4 * len(quads), 4)[:, None] + (0, 1, 2, 0, 2, 3)
         yield Drawn(
             structure.id,
@@ -115,6 +120,15 @@ def _of_structure(library: Library, structure: Structure, ceiling_m: float) -> I
             library.surface_texture(face.surface),
             (1.0, 1.0, 1.0),
         )
+
+
+def _wide(quads: Array, category: str) -> bool:
+    """Whether faces (N, 4, 3) of one direction are those of a wall's sides, or a floor's."""
+    if category != "wall":
+        return True
+    size = np.ptp(quads, axis=1)
+    upright = size[:, 2].max() > 0
+    return bool(upright and size[:, :2].max() > 2.5 * HALF_WALL_M)
 
 
 def parts_of(library: Library, item: ObjectInstance, lit: bool) -> Iterator[Drawn]:
@@ -135,6 +149,7 @@ def parts_of(library: Library, item: ObjectInstance, lit: bool) -> Iterator[Draw
             (rgb[0], rgb[1], rgb[2]),
             _gives_light(name, max(rgb)) and (lit or item.category != CEILING_LAMP),
             item.category == "window" and name in _PANES,
+            item.category == "window" and name == CLEAR_PANE,
             alpha,
             item.category,
         )

@@ -64,7 +64,7 @@ class Geometry:
             part = parts[k]
             own = corners[start : start + len(part.vertices)]
             own["at"], own["normal"], own["uv"] = part.vertices, part.normals, part.uvs
-            tint = np.rint(np.clip(np.array(part.rgb) / 2, 0, 1) * 255)
+            tint = np.rint(np.clip(np.array(part.rgb) / 2, 0, 1) * 255) * (not part.painted)
             # Opaque parts use the fourth byte to say whether they give light.
             own["colour"] = (
                 *tint,

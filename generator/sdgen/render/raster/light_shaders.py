@@ -46,7 +46,8 @@ void main() {
         ivec2 at = ivec2((c.xy / c.w * 0.5 + 0.5) * vec2(size));
         // Beyond the picture's edge what is at the edge is taken for what is there.
         float before = c.w - texelFetch(depth_map, clamp(at, ivec2(0), size - 1), 0).r;
-        hidden += step(0.012, before) * step(before, 0.5);
+        // The further before, the less: what stands off from a wall throws no halo on it.
+        hidden += step(0.008, before) * clamp(1.35 - before / 0.3, 0.0, 1.0);
     }
     shade.x = 1.0 - 0.85 * hidden / float(RAYS);
 }
@@ -115,7 +116,7 @@ vec3 toned(vec3 x) {
 _SUNNY = """
 uniform sampler2D sun_map;
 uniform vec3 sun_right, sun_up, sun_along, sun_corner, sun, sun_light;
-uniform float sun_step;
+uniform float sun_step, sun_highest;
 vec3 sunny(vec3 p, vec3 n) {
     vec3 q = p + 0.01 * n;
     vec2 at = (vec2(dot(q, sun_right), dot(q, sun_up)) - sun_corner.xy) / sun_step;
@@ -134,7 +135,7 @@ vec3 sunny(vec3 p, vec3 n) {
     }
     // Where walls meet, cells far off see past them: no light where there is none near by.
     sum *= clamp(2.0 * core, 0.0, 1.0);
-    return sun_light * max(slant, 0.0) * sum / 16.0;
+    return sun_light * max(slant, 0.0) * sum / 16.0 * step(p.z, sun_highest);
 }
 """
 _SUNLESS = """
@@ -158,15 +159,18 @@ float shaded(float z) {
 }
 void main() {
     float z = max(texelFetch(depth_map, here(), 0).r, 0.001);
-    vec4 own = texture(albedo_map, uv);
-    vec3 p = place(uv, z), n = normalize(texture(normal_map, uv).xyz - 0.5);
+    // Means of what there is: where one looks outdoors there is nothing.
+    vec4 own = texture(albedo_map, uv), facing = texture(normal_map, uv);
+    float there = max(facing.a, 0.01);
+    own /= there;
+    vec3 p = place(uv, z), n = normalize(facing.xyz / there - 0.5 + 1e-5);
     if (dot(n, eye - p) < 0.0) n = -n;
     vec3 given = around(p, n) * shaded(z) + sunny(p, n);
     vec3 found = toned(linear(own.rgb) * given / PI * exposure);
     // What gives light is as bright as its texture by day and by night.
     found = mix(found, max(found, own.rgb), own.a);
     vec4 world = texelFetch(world_map, here(), 0);
-    if (outdoors) found = mix(found, world.rgb, world.a);
+    if (outdoors) found = mix(found, world.rgb, world.a * (1.0 - facing.a));
     colour = vec4(found, 1.0);
 }
 """
@@ -186,7 +190,9 @@ void main() {
     vec3 way = normalize(p - eye);
     if (dot(n, way) > 0.0) n = -n;
     // What it mirrors (Schlick 1994) comes from where the mirrored ray goes.
-    float edge = 1.0 + dot(n, way), mirrors = 0.04 + 0.5 * edge * edge * edge;
+    float edge = 1.0 + dot(n, way), mirrors = 0.04 + 0.7 * edge * edge * edge;
+    // Glass is clearer than its colour's alpha has it, liquids are not.
+    veil.a *= mix(0.4, 1.0, smoothstep(0.45, 0.62, veil.a));
     vec3 lit = toned(linear(veil.rgb) * around(p, n) / PI * exposure);
     vec3 mirrored = toned(around(p, reflect(way, n)) / PI * exposure);
     float hides = 1.0 - (1.0 - veil.a) * (1.0 - mirrors);
@@ -213,11 +219,6 @@ void main() {
     float m = dot(own, GREY), nw = bright(-1, -1), ne = bright(1, -1);
     float sw = bright(-1, 1), se = bright(1, 1);
     float low = min(m, min(min(nw, ne), min(sw, se))), high = max(m, max(max(nw, ne), max(sw, se)));
-    // What is thinner than a pixel is dots and dashes: they are toned down.
-    float beyond = max(m - max(max(nw, ne), max(sw, se)), min(min(nw, ne), min(sw, se)) - m);
-    vec3 mean = 0.25 * (at(pixel * vec2(-0.5, -1.0)) + at(pixel * vec2(1.0, -0.5))
-        + at(pixel * vec2(0.5, 1.0)) + at(pixel * vec2(-1.0, 0.5)));
-    own = mix(own, mean, clamp(10.0 * beyond, 0.0, 0.8));
     colour = vec4(own, 1.0);
     if (high - low < max(0.02, 0.06 * high)) return;
     vec2 along = vec2(sw + se - nw - ne, nw + sw - ne - se);

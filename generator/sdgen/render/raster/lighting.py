@@ -29,8 +29,8 @@ _BESIDE_M = 0.5
 _MOST_ROOMS = 255
 #: How bright the middle of a room is to be by the time of day, how far dark rooms are brought up to
 #: it, and how far the colour of their light is taken out, as a camera does.
-_KEY: dict[DayTime, float] = {"day": 1.4, "evening": 1.1, "night": 0.9}
-_ADAPTS, _WHITENS = 0.85, 0.6
+_KEY: dict[DayTime, float] = {"day": 1.25, "evening": 1.1, "night": 0.9}
+_ADAPTS, _WHITENS = 0.9, 0.6
 #: At least so much light is reckoned with: it takes some to see anything.
 _DARKEST = 0.02
 #: How bright red, green and blue look (Rec. 709).
@@ -226,6 +226,7 @@ class Lighting:
                 "sun": tuple(sun.towards),
                 "sun_light": tuple(light.sky.sun),
                 "sun_step": sun.step_m,
+                "sun_highest": min(sun.highest_m, 1e6),
             }
         self._exposures = {room.room.id: _exposure(room, light.time) for room in rooms}
 

@@ -193,7 +193,7 @@ class GlRenderer(Renderer):
             camera,
             drawn.clip_from_world,
             scene.lighting,
-            scene.outside.seen(drawn.instance, drawn.part, camera),
+            scene.outside.seen(drawn.instance, drawn.part, camera, wider=True),
             drawn.veiled,
             smooth,
         )

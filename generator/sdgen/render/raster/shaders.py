@@ -24,8 +24,10 @@ in vec3 facing; in vec2 spot; flat in vec4 tint; flat in vec4 id;
 layout(location = 0) out vec4 albedo;
 layout(location = 1) out vec4 normal;
 void main() {
+    // A window's pane has a colour factor of 0: of it and of nothing no share is taken.
+    float there = step(0.002, tint.r + tint.g + tint.b);
     albedo = vec4(min(texture(worn, spot).rgb * tint.rgb, 1.0), tint.a);
-    normal = vec4(normalize(facing) * 0.5 + 0.5, 1.0);
+    normal = vec4((normalize(facing) * 0.5 + 0.5) * there, there);
 }
 """
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from itertools import count
+from itertools import count, product
 
+import numpy as np
 import pytest
 import shapely
 from sdgen.catalog.load import load_catalog
@@ -14,13 +15,14 @@ from sdgen.freespace import union
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
 from sdgen.home.clearances import sight_of
-from sdgen.home.fittings import _hung
+from sdgen.home.fittings import _hung, _lamp_places
 from sdgen.home.wall_sets import WallSets
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
+from sdgen.scene import Room
 from sdgen.seeding import lane
 from sdgen.zones import doorway_blocked, swing_blocked, swing_sectors
-from shapely.geometry import Point, Polygon
+from shapely.geometry import LineString, Point, Polygon
 
 from tests.shipped import shipped_library
 
@@ -89,14 +91,34 @@ def test_lamps_hug_the_ceilings(homes):
     for home in homes:
         for room in home.context.home.rooms:
             found = [i for i in things(home, "ceiling_lamp") if i.room_id == room.id]
-            assert len(found) <= 1
-            rooms, lit = rooms + 1, lit + len(found)
+            assert len(found) <= 3
+            rooms, lit = rooms + 1, lit + (len(found) > 0)
+            outline = Polygon(room.polygon_m)
             for lamp in found:
                 x, y, z = lamp.pose.position_m
                 top = z + LIBRARY.info(lamp.asset).extents_m[2]
                 assert room.height_m - 0.01 < top < room.height_m
-                assert Polygon(room.polygon_m).exterior.distance(Point(x, y)) > 0.4
-    assert lit > 0.8 * rooms
+                assert outline.exterior.distance(Point(x, y)) > 0.2
+    assert lit == rooms
+
+
+def test_light_goes_round_no_corner():
+    """A room with an arm has a lamp there, too; a square one has one in its middle."""
+    square = Room(
+        id=1, name="r", type="living_room", polygon_m=((0, 0), (4, 0), (4, 4), (0, 4)), height_m=2.6
+    )
+    assert list(_lamp_places(square)) == [(2.0, 2.0)]
+    corner = ((0, 0), (7, 0), (7, 2.5), (3, 2.5), (3, 8), (0, 8))
+    places = list(_lamp_places(square.model_copy(update={"polygon_m": corner})))
+    assert 2 <= len(places) <= 3
+    outline = Polygon(corner)
+    assert all(outline.contains(Point(place)) for place in places)
+    dark = sum(
+        not any(outline.buffer(0.05).covers(LineString([point, place])) for place in places)
+        for point in product(np.arange(0.1, 7, 0.2), np.arange(0.1, 8, 0.2))
+        if outline.contains(Point(point))
+    )
+    assert dark * 0.04 < 3.0
 
 
 def test_curtains_and_radiators_are_at_windows(homes):

@@ -13,6 +13,7 @@ from functools import cached_property
 from itertools import chain
 from typing import NamedTuple
 
+import numpy as np
 import shapely
 from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
@@ -67,6 +68,9 @@ BESIDE_PIECE_M = 0.06
 AT_HAND_M, BEHIND_FRONT_M = 0.5, 0.12
 #: The middle of a room is found to so much.
 MIDDLE_M = 0.05
+#: A lamp lights what lies straight before it and no further off than this; a room has one more
+#: where so much of it is dark, but not more than so many. By points so far apart.
+LIT_M, LEAST_DARK_M2, MOST_LAMPS, LIT_STEP_M = 4.5, 3.0, 3, 0.5
 #: A wall is an opening's when its middle is in it.
 SAME_WALL_M = HALF_WALL_M + 0.02
 
@@ -176,10 +180,10 @@ class _Hanging:
                 if rng.random() < fitting.chance:
                     yield [(model, spot) for spot in spots], None
         elif fitting.where == "ceiling":
-            if rng.random() < fitting.chance:
-                x, y = _middle_of(self.room)
-                high = self.room.height_m - HUNG_GAP_M
-                yield [(m, (x, y, high - m.extents_m[2], 0.0)) for m in self.sizes], None
+            high = self.room.height_m - HUNG_GAP_M
+            for x, y in _lamp_places(self.room):
+                if rng.random() < fitting.chance:
+                    yield [(m, (x, y, high - m.extents_m[2], 0.0)) for m in self.sizes], None
         elif fitting.where in ON_BARE_WALLS:
             yield from self._on_walls(rng)
         elif fitting.where in ("beside", "at_hand"):
@@ -329,6 +333,29 @@ def _hung(model: Asset, side: Side, along: float, z: float) -> Iterator[tuple[As
     deep, wide, _ = model.extents_m
     if wide / 2 <= along <= side.length_m - wide / 2:
         yield model, (*side.at(along, deep / 2 + HUNG_GAP_M), z, side.yaw)
+
+
+def _lamp_places(room: Room) -> Iterator[Vec2]:
+    """The middle of a room, and of what light from there and from those before does not reach."""
+    outline = Polygon(room.polygon_m)
+    x0, y0, x1, y1 = outline.bounds
+    steps = (
+        np.arange(low + LIT_STEP_M / 2, high, LIT_STEP_M) for low, high in ((x0, x1), (y0, y1))
+    )
+    points = np.stack(np.meshgrid(*steps), axis=-1).reshape(-1, 2)
+    points = points[shapely.contains_xy(outline, points[:, 0], points[:, 1])]
+    inside = outline.buffer(SAME_WALL_M)
+    shapely.prepare(inside)
+    place = _middle_of(room)
+    for _ in range(MOST_LAMPS):
+        yield place
+        ways = shapely.linestrings([[place, point] for point in points.tolist()])
+        lit = shapely.covers(inside, ways) & (np.hypot(*(points - place).T) < LIT_M)
+        points = points[~lit]
+        if len(points) * LIT_STEP_M**2 < LEAST_DARK_M2:
+            return
+        x, y = points[np.argmin(np.hypot(*(points - points.mean(axis=0)).T))]
+        place = (round(float(x), 3), round(float(y), 3))
 
 
 def _middle_of(room: Room) -> Vec2:

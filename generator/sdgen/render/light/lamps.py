@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
@@ -30,12 +31,15 @@ _BODY_M = 0.2
 
 
 def lamps_of(scene: Scene, parts: Sequence[Drawn]) -> list[Lamp]:
-    """What gives light, one lamp an object: at a ceiling as much as its room is large."""
+    """What gives light, one lamp an object: at ceilings as much together as a room is large."""
     areas = {room.id: Polygon(room.polygon_m).area for room in scene.home.rooms}
+    hung = [item for item in scene.objects if item.category == CEILING_LAMP]
+    count = Counter(item.room_id for item in hung)
     share = {
-        item.id: float(np.clip(areas.get(item.room_id, _ROOM_M2) / _ROOM_M2, *_SHARES))
-        for item in scene.objects
-        if item.category == CEILING_LAMP
+        item.id: float(
+            np.clip(areas.get(item.room_id, _ROOM_M2) / count[item.room_id] / _ROOM_M2, *_SHARES)
+        )
+        for item in hung
     }
     glowing = sorted((part for part in parts if part.glows), key=lambda part: part.node_id)
     return [

@@ -17,12 +17,15 @@ from sdgen.library import Library
 from sdgen.render.landing import landings, seen_on
 from sdgen.render.panorama import COLUMNS, HIGHEST, LOWEST, ROWS, panorama
 from sdgen.scene import Camera, Scene
+from sdgen.vocabulary import DayTime
 
 #: What windows call a pane that one sees through.
 CLEAR_PANE = "pane"
 #: So much of a pane's own colour stays: what it mirrors of a bright room.
 GLASS = 0.06
 GLASS_COLOUR = 235.0
+#: A camera that exposes for a room by lamplight sees more of the dusk than the eye outdoors.
+_GAIN: dict[DayTime, float] = {"day": 1.0, "evening": 1.5, "night": 1.0}
 
 
 class SeenOutside(NamedTuple):
@@ -40,6 +43,7 @@ class Outside:
 
     def __init__(self, library: Library, scene: Scene) -> None:
         self._world = scene.home.outdoors, scene.home.daylight
+        self._gain = _GAIN[scene.home.daylight.time]
         self._panes = clear_panes(library, scene)
         self._landings = landings(scene.home)
 
@@ -72,7 +76,7 @@ class Outside:
         rays = rays @ pose[:3, :3].T
         rise = rays[:, 2] / np.linalg.norm(rays, axis=1)
         turn = np.arctan2(rays[:, 1], rays[:, 0]) / (2 * math.pi) % 1.0
-        colours = _sampled(panorama(*self._world), turn, rise)
+        colours = np.minimum(_sampled(panorama(*self._world), turn, rise) * self._gain, 255.0)
         for landing in self._landings:
             there, on_it = seen_on(landing, pose[:3, 3], rays)
             colours[there] = on_it

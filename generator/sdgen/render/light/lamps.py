@@ -20,6 +20,8 @@ _POWER = {CEILING_LAMP: 4.2, "floor_lamp": 2.4, "table_lamp": 1.2, "desk_lamp": 
 #: Of a lamp at the ceiling in a room of so many square metres, and how much less or more others
 #: give.
 _ROOM_M2, _SHARES = 16.0, (0.3, 1.6)
+#: By day they are on in dark rooms, and seem dimmer beside others.
+_BY_DAY = 0.5
 _WARM = np.array((1.12, 0.94, 0.68))
 #: What else is lit - screens, flames, burners - gives as much from a square metre, W/sr, and no
 #: more than this.
@@ -35,12 +37,11 @@ def lamps_of(scene: Scene, parts: Sequence[Drawn]) -> list[Lamp]:
     areas = {room.id: Polygon(room.polygon_m).area for room in scene.home.rooms}
     hung = [item for item in scene.objects if item.category == CEILING_LAMP]
     count = Counter(item.room_id for item in hung)
-    share = {
-        item.id: float(
-            np.clip(areas.get(item.room_id, _ROOM_M2) / count[item.room_id] / _ROOM_M2, *_SHARES)
-        )
-        for item in hung
-    }
+    by_hour = _BY_DAY if scene.home.daylight.time == "day" else 1.0
+    share = {}
+    for item in hung:
+        area = areas.get(item.room_id, _ROOM_M2) / count[item.room_id]
+        share[item.id] = by_hour * float(np.clip(area / _ROOM_M2, *_SHARES))
     glowing = sorted((part for part in parts if part.glows), key=lambda part: part.node_id)
     return [
         lamp

@@ -33,7 +33,7 @@ _MOST_CELLS = 3200
 _RAYS = 56
 _BOUNCES = 4
 #: Lamps light so far, metres, and cells nearer than this as if they were so far off.
-_LAMP_REACH_M, _LAMP_NEAR_M = 6.0, 0.35
+_LAMP_REACH_M, _LAMP_NEAR_M = 6.0, 0.55
 #: Nearer to a piece of a pane than this, metres, cells get no more light than so far off; and a ray
 #: through one goes on for so long at least.
 _PANE_NEAR_M, _BEYOND_M = 0.3, 2.0

@@ -10,13 +10,16 @@ from sdgen.render.raster.context import Held, release_all
 
 
 class Buffers:
-    """What is opaque: ``albedo`` and glow, and ``fine_normal``, ``fine`` times as many pixels along
-    each side; normals, and depth along the camera's axis. What is seen through, the nearest of it:
-    ``veil`` (colour and how much of it hides), ``veil_normal`` and ``veil_depth``. And whose each
-    pixel is. All (H, W); depth is 0 where nothing is."""
+    """What is opaque: ``albedo`` and glow, and ``fine_normal``, where ``fine`` four times, in the
+    four quarters of a picture of twice the size; normals, and depth along the camera's axis. What
+    is seen through, the nearest of it: ``veil`` (colour and how much of it hides), ``veil_normal``
+    and ``veil_depth``. And whose each pixel is. All (H, W); depth is 0 where nothing is."""
 
-    def __init__(self, context: moderngl.Context, width: int, height: int, fine: int) -> None:
-        size, larger = (width, height), (width * fine, height * fine)
+    def __init__(self, context: moderngl.Context, width: int, height: int, fine: bool) -> None:
+        size, larger = (width, height), (width, height)
+        self.apart = (0, 0)
+        if fine:
+            larger, self.apart = (width * 2, height * 2), size
         self.size = size
         self.albedo, self.fine_normal = (context.texture(larger, 4) for _ in range(2))
         self.whose, self.veil = (context.texture(size, 4) for _ in range(2))

@@ -130,8 +130,8 @@ vec3 sunny(vec3 p, vec3 n) {
         ivec2 cell = ivec2(low) + ivec2(i, j);
         vec2 off = vec2(cell) + 0.5 - at;
         float lit = step(depth + dot(off, rise), texelFetch(sun_map, cell, 0).r);
-        vec2 near = max(1.0 - abs(off), 0.0);
-        sum += lit; core += lit * near.x * near.y;
+        vec2 near = max(1.0 - abs(off), 0.0), far = 2.0 - abs(off);
+        sum += lit * far.x * far.y; core += lit * near.x * near.y;
     }
     // Where walls meet, cells far off see past them: no light where there is none near by.
     sum *= clamp(2.0 * core, 0.0, 1.0);
@@ -145,6 +145,7 @@ vec3 sunny(vec3 p, vec3 n) { return vec3(0.0); }
 _LIGHT = """
 uniform sampler2D albedo_map, shade_map, world_map;
 uniform ivec2 coarse;                  // size of the shade map
+uniform ivec2 apart;                   // how far apart a pixel's four samples are in the buffers
 uniform bool outdoors;
 out vec4 colour;
 float shaded(float z) {
@@ -160,7 +161,12 @@ float shaded(float z) {
 void main() {
     float z = max(texelFetch(depth_map, here(), 0).r, 0.001);
     // Means of what there is: where one looks outdoors there is nothing.
-    vec4 own = texture(albedo_map, uv), facing = texture(normal_map, uv);
+    vec4 own = vec4(0.0), facing = vec4(0.0);
+    for (int k = 0; k < 4; k++) {
+        ivec2 at = here() + ivec2(k & 1, k >> 1) * apart;
+        own += 0.25 * texelFetch(albedo_map, at, 0);
+        facing += 0.25 * texelFetch(normal_map, at, 0);
+    }
     float there = max(facing.a, 0.01);
     own /= there;
     vec3 p = place(uv, z), n = normalize(facing.xyz / there - 0.5 + 1e-5);

@@ -114,7 +114,13 @@ class Passes:
         self._run(
             "light" if light.sunny else "light_sunless",
             targets.frames["light"],
-            {**place, **light.uniforms, "coarse": targets.coarse, "outdoors": outdoors},
+            {
+                **place,
+                **light.uniforms,
+                "coarse": targets.coarse,
+                "apart": buffers.apart,
+                "outdoors": outdoors,
+            },
             {
                 "depth_map": buffers.depth,
                 "normal_map": buffers.fine_normal,

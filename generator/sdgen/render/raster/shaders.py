@@ -26,7 +26,10 @@ layout(location = 1) out vec4 normal;
 void main() {
     // A window's pane has a colour factor of 0: of it and of nothing no share is taken.
     float there = step(0.002, tint.r + tint.g + tint.b);
-    albedo = vec4(min(texture(worn, spot).rgb * tint.rgb, 1.0), tint.a);
+    vec3 colour = texture(worn, spot).rgb * tint.rgb;
+    // What glows keeps its drawing, and does not turn white all over.
+    if (tint.a > 0.5) colour *= 1.3 / (colour + 0.3);
+    albedo = vec4(min(colour, 1.0), tint.a);
     normal = vec4((normalize(facing) * 0.5 + 0.5) * there, there);
 }
 """

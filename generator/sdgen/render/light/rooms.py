@@ -111,61 +111,76 @@ def light_of_rooms(
     its light on a surface that faces it; ``panes``: those of the windows of a room, by its id.
     Where nothing is ``enclosed`` by walls, light is nearly the same everywhere, and found at a few
     places only."""
-    grids: list[_Grid] = []
-    volume = sum(Polygon(room.polygon_m).area for room in rooms) * height_m
-    cell_m = max(CELL_M, (volume / _MOST_CELLS) ** (1 / 3)) if enclosed else math.inf
-    for room in rooms:
-        grids.append(_Grid(room, height_m, cell_m, sum(len(grid.middles) for grid in grids)))
+    grids = _grids(rooms, height_m, enclosed)
     middles = np.concatenate([grid.middles for grid in grids])
     rays = _even_directions(_RAYS)
-    origins = np.repeat(middles, _RAYS, axis=0)
     directions = np.tile(rays, (len(middles), 1))
-    met = world.meet(origins, directions)
+    met = world.meet(np.repeat(middles, _RAYS, axis=0), directions)
     within = met.behind.reshape(-1, _RAYS).mean(axis=1) > _WITHIN
-    hit, at, facing_m = met.hit, met.point_m[met.hit], met.normal[met.hit]
-    cell = np.max([grid.at(at + BEFORE_M * facing_m) for grid in grids], axis=0)
+    at, normals = met.point_m[met.hit], met.normal[met.hit]
+    cell = np.max([grid.at(at + BEFORE_M * normals) for grid in grids], axis=0)
     shone_on = [_shone_on(world, middles, lamp) for lamp in lamps]
+    # What is met gets light straight from the sun and from lamps: whether it sees a lamp is taken
+    # from the cell before it.
     first = np.zeros((len(at), 3))
     if sun is not None:
-        first += sun[0].shines(at, facing_m)[:, None] * sun[1]
-    for lamp, seen in zip(lamps, shone_on, strict=True):
-        # Whether a lamp is seen from a surface is taken from the cell before it.
-        lit = np.flatnonzero((cell >= 0) & seen[cell])
-        first[lit] += _from_lamp(lamp, at[lit], facing_m[lit, None])[:, 0]
-    weights = np.clip(rays @ _SIDES.T, 0.0, None)
-    weights = (weights * math.pi / weights.sum(axis=0)).T.astype(np.float32)
+        first += sun[0].shines(at, normals)[:, None] * sun[1]
+    for lamp, cells in zip(lamps, shone_on, strict=True):
+        lit = np.flatnonzero((cell >= 0) & cells[cell])
+        first[lit] += _from_lamp(lamp, at[lit], normals[lit, None])[:, 0]
     # Of a room with windows, sky is found through these: rays of all cells alike would see them or
     # not, in steps.
     of_panes = np.concatenate(
         [_from_sky(world, grid.middles, sky, panes.get(grid.room.id)) for grid in grids]
-    ).astype(np.float32)
-    by_rays = np.concatenate(
-        [np.full(len(grid.middles), grid.room.id not in panes) for grid in grids]
     )
-    seen = ~hit & np.repeat(by_rays, _RAYS)
-    radiance = np.where(seen[:, None], sky(directions), 0.0).astype(np.float32)
-    sides, share = _facing(facing_m)
-    gives = met.albedo[hit] / math.pi
-    got = first
-    cubes: list[Array] = []
-    for _ in range(_BOUNCES):
-        radiance[hit] = gives * got
+    bare = np.concatenate([np.full(len(one.middles), one.room.id not in panes) for one in grids])
+    open_sky = ~met.hit & np.repeat(bare, _RAYS)
+    radiance = np.where(open_sky[:, None], sky(directions), 0.0).astype(np.float32)
+    weights = np.clip(rays @ _SIDES.T, 0.0, None)
+    weights = (weights * math.pi / weights.sum(axis=0)).T.astype(np.float32)
+    sides, share = _facing(normals)
+    gives, got = met.albedo[met.hit] / math.pi, first
+    for bounce in range(_BOUNCES):
+        radiance[met.hit] = gives * got
         cube = weights @ radiance.reshape(len(middles), _RAYS, 3) + of_panes
         cubes = [_filled(grid, cube, within) for grid in grids]
-        cube = np.concatenate([one[grid.inside] for one, grid in zip(cubes, grids, strict=True)])
-        there = (cube[cell[:, None], sides] * share[..., None]).sum(axis=1)
-        got = first + np.where(cell[:, None] >= 0, there, 0.0)
-    straight = np.zeros((len(middles), 6, 3))
-    for lamp, seen in zip(lamps, shone_on, strict=True):
-        every = np.broadcast_to(_SIDES, (int(seen.sum()), 6, 3))
-        straight[seen] += _from_lamp(lamp, middles[seen], every)
-    if lamps:
-        from_lamps = (_filled(grid, straight, within) for grid in grids)
-        cubes = [a + b for a, b in zip(cubes, from_lamps, strict=True)]
+        if bounce + 1 < _BOUNCES:
+            known = np.concatenate(
+                [one[grid.inside] for one, grid in zip(cubes, grids, strict=True)]
+            )
+            there = (known[cell[:, None], sides] * share[..., None]).sum(axis=1)
+            got = first + np.where(cell[:, None] >= 0, there, 0.0)
+    straight = _straight(lamps, shone_on, middles)
     return [
-        RoomLight(grid.room, grid.corner_m, grid.cell_m, _smooth(one) + _DIM * _EVEN[:, None])
+        RoomLight(
+            grid.room,
+            grid.corner_m,
+            grid.cell_m,
+            _smooth(one + _filled(grid, straight, within)) + _DIM * _EVEN[:, None],
+        )
         for grid, one in zip(grids, cubes, strict=True)
     ]
+
+
+def _grids(rooms: Sequence[Room], height_m: float, enclosed: bool) -> list[_Grid]:
+    """The cells of all rooms, numbered on from room to room."""
+    volume = sum(Polygon(room.polygon_m).area for room in rooms) * height_m
+    cell_m = max(CELL_M, (volume / _MOST_CELLS) ** (1 / 3)) if enclosed else math.inf
+    grids: list[_Grid] = []
+    for room in rooms:
+        grids.append(_Grid(room, height_m, cell_m, sum(len(grid.middles) for grid in grids)))
+    return grids
+
+
+def _straight(
+    lamps: Sequence[Lamp], shone_on: Sequence[npt.NDArray[np.bool_]], middles: Array
+) -> Array:
+    """What cells get straight from the lamps that shine on them, on each side, (N, 6, 3)."""
+    out = np.zeros((len(middles), 6, 3))
+    for lamp, cells in zip(lamps, shone_on, strict=True):
+        every = np.broadcast_to(_SIDES, (int(cells.sum()), 6, 3))
+        out[cells] += _from_lamp(lamp, middles[cells], every)
+    return out
 
 
 def _from_sky(

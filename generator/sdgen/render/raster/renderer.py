@@ -45,7 +45,6 @@ _SIZES = 3
 #: Colours are drawn at four places of each pixel and averaged, turned so that no two lie on one
 #: line across or down: a rotated grid (Akenine-Moeller 2003), for nearly level and upright edges.
 _PLACES = ((-0.125, 0.375), (0.375, 0.125), (0.125, -0.375), (-0.375, -0.125))
-_CLOSED = "closed"
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,6 +91,7 @@ class GlRenderer(Renderer):
         self._passes = Passes(self._context)
         self._sizes: dict[tuple[int, int, bool], tuple[Buffers, Targets]] = {}
         self._scene: _Loaded | None = None
+        self._closed = False
 
     @staticmethod
     def probe() -> Probe:
@@ -142,15 +142,15 @@ class GlRenderer(Renderer):
 
     def close(self) -> None:
         """Let go of OpenGL; a second call does nothing."""
-        if self._context.extra == _CLOSED:
+        if self._closed:
             return
+        self._closed = True
         self._forget()
         for held in self._sizes.values():
             for one in held:
                 one.release()
         self._sizes = {}
         self._textures.clear()
-        self._context.extra = _CLOSED
         self._context.release()
 
     def _forget(self) -> None:

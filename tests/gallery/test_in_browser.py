@@ -184,9 +184,13 @@ def test_boxes_stand_for_models_that_are_not_there(page: browser.Page, toys: Pat
 
 
 def test_a_home_in_3d_tells_the_hazard_that_is_clicked(page: browser.Page, homes: Path) -> None:
-    item = Dataset(SAMPLE)[0]
-    anomaly = item.anomalies.anomalies[0]
-    scene(page, homes, "000000", f"#3d={anomaly.object_id}")
+    item, anomaly = next(
+        (item, one)
+        for item in Dataset(SAMPLE)
+        for one in item.anomalies.anomalies
+        if "height_m" in one.evidence
+    )
+    scene(page, homes, item.id, f"#3d={anomaly.object_id}")
     page.until(f"stage.dataset.chosen === '{anomaly.object_id}'")
     assert anomaly.message in page.run("panel.innerText")
     # The heights that make it one are drawn, with their numbers.

@@ -53,7 +53,7 @@ def test_rays_and_pictures_agree(home: int) -> None:
     floor, agree, seen = Floor(stage.scene), 0, 0
     poses: list[Gaze] = []
     for one in stage.anomalies:
-        for _ in range(6):
+        for _ in range(18):
             gaze = floor.random(rng)
             assert gaze is not None
             at = np.array(stage.scene.object(one.object_id).pose.position_m)

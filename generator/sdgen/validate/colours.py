@@ -24,8 +24,8 @@ _LEAST, _AHEAD = 0.2, 0.25
 _MEANS = 3
 _MOST_STOPS, _MOST_NOISE, _MOST_BLUR = 1.0, 0.06, 0.005
 #: And by as little are those of a turn, which looks at white doors in white walls from nearby (of
-#: 180 views 0.37 at least and 0.15 ahead).
-LEAST_FAINT, AHEAD_FAINT = 0.15, 0.1
+#: 180 views 0.37 at least and 0.15 ahead; small ones of dim corners are fainter).
+LEAST_FAINT, AHEAD_FAINT = 0.1, 0.05
 
 
 def looked_follows_mask(rgb: Rgb, ids: Ids, look: Look) -> bool:

@@ -31,7 +31,6 @@ SEASONS: tuple[Season, ...] = get_args(Season)
 Weather = Literal["clear", "cloudy", "overcast"]
 WEATHERS: tuple[Weather, ...] = get_args(Weather)
 DayTime = Literal["day", "evening", "night"]
-DAY_TIMES: tuple[DayTime, ...] = get_args(DayTime)
 
 #: What a home itself is made of, a piece a room: categories of nodes that are no objects, and the
 #: superclasses that VirtualHome gives them and rooms ("Floor" is its commoner spelling).

@@ -99,9 +99,6 @@ class Eyes(Closing):
         if self._renderer.holder is not self:
             self._renderer.load(self, self._library, self._scene)
             self._rooms = None
-            if not self._whole:
-                # Shadows are those of a scene's first picture: of all that is in it.
-                self._renderer.draw(camera.model_copy(update={"width": 8, "height": 8}))
         if self._whole:
             return
         rooms = self._portals.rooms(camera)

@@ -118,3 +118,56 @@ def test_only_what_is_to_be_shown_is(renderer: Renderer, library: Library) -> No
     again = renderer.draw(view)
     assert np.array_equal(every.instance, again.instance)
     assert np.array_equal(every.rgb, again.rgb)
+
+
+def test_pictures_do_not_depend_on_what_was_drawn_before(
+    renderer: Renderer, library: Library
+) -> None:
+    plain = night(LAMP, thing(10, "cube_01", (0.6, 0.0, 0.0)))
+    glazed = night(LAMP, thing(11, "glass_91", (0.2, 0.0, 0.0)))
+    view = camera_at((-1.0, 0.0, 0.5), (0.5, 0.0, 0.1), (160, 120))
+    renderer.load(library, plain)
+    first = renderer.draw(view).rgb
+    for factor in (1, 2):
+        renderer.load(library, glazed)
+        renderer.draw_colours(view, factor)
+        renderer.load(library, plain)
+        assert np.array_equal(renderer.draw(view).rgb, first)
+
+
+def test_two_renderers_draw_in_turn(renderer: Renderer, library: Library) -> None:
+    view = camera_at((-1.0, 0.0, 0.5), (0.5, 0.0, 0.1), (64, 48))
+    renderer.load(library, night(LAMP, thing(10, "cube_01", (0.6, 0.0, 0.0))))
+    first = renderer.draw(view).rgb
+    with open_renderer("egl") as other:
+        other.load(library, night(LAMP, thing(11, "cube_02", (0.4, 0.2, 0.0))))
+        second = other.draw(view).rgb
+        assert np.array_equal(renderer.draw(view).rgb, first)
+        assert np.array_equal(other.draw(view).rgb, second)
+    assert np.array_equal(renderer.draw(view).rgb, first)
+    assert not np.array_equal(first, second)
+
+
+def test_edges_are_as_smooth_as_in_a_picture_of_four_times_the_size(
+    renderer: Renderer, library: Library
+) -> None:
+    renderer.load(library, night(LAMP, thing(10, "cube_01", (0.6, 0.0, 0.0))))
+    view = camera_at((-1.0, 0.1, 0.7), (0.5, 0.0, 0.1), (160, 120))
+    picture = renderer.draw(view)
+    large = renderer.draw_colours(view, 4).astype(float)
+    ideal = large.reshape(120, 4, 160, 4, 3).mean(axis=(1, 3))
+    cube = picture.instance == 10
+    edge = np.zeros_like(cube)
+    edge[1:-1, 1:-1] = (cube[1:-1, 1:-1] != cube[:-2, 1:-1]) | (cube[1:-1, 1:-1] != cube[1:-1, 2:])
+    assert edge.sum() > 50
+    rough = large[2::4, 2::4]
+    error, before = (np.abs(one - ideal)[edge].mean() for one in (picture.rgb.astype(float), rough))
+    assert error < 0.7 * before
+
+
+def test_no_wall_beside_a_lamp_burns_out(renderer: Renderer, library: Library) -> None:
+    near = thing(60, "ceiling_lamp_91", (1.7, 0.0, 1.2), fixed=True)
+    renderer.load(library, night(near))
+    picture = renderer.draw(camera_at((-1.0, 0.0, 1.2), (1.0, 0.0, 1.2), (160, 120)))
+    wall = (picture.instance > 0) & (picture.instance != 60)
+    assert np.quantile(picture.rgb[wall].min(axis=1), 0.99) < 250

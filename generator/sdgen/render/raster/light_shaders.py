@@ -83,6 +83,7 @@ uniform vec3 cells;                    // of all grids and sides together
 uniform float side;                    // how many cells each of the six takes
 uniform vec3 exposure;
 const float PI = 3.14159265;
+vec3 exposed;                          // by how much the light found last is multiplied
 // Light on a surface at p that faces n, from the cells of the room that p is in.
 vec3 around(vec3 p, vec3 n) {
     vec3 q = p + 0.14 * n;
@@ -93,6 +94,7 @@ vec3 around(vec3 p, vec3 n) {
     vec3 at = (q - corner.xyz) / texelFetch(rooms, ivec2(1, k), 0).xyz;
     at = clamp(at, vec3(0.5), count.xyz - 0.5);
     at = (at + vec3(count.w, 0.0, 0.0)) / cells;
+    exposed = room < 0.5 ? exposure : texelFetch(rooms, ivec2(3, k), 0).rgb;
     vec3 share = n * n, up = (vec3(0.0, 2.0, 4.0) + vec3(lessThan(n, vec3(0.0)))) * side / cells.z;
     vec3 found = share.x * texture(sides, at + vec3(0.0, 0.0, up.x)).rgb
         + share.y * texture(sides, at + vec3(0.0, 0.0, up.y)).rgb
@@ -106,8 +108,14 @@ vec3 shown(vec3 x) {
     return clamp(0.662003 * a + 0.684122 * b - 0.323584 * sqrt(b) - 0.022541 * x, 0.0, 1.0);
 }
 // Narkowicz 2015, "ACES filmic tone mapping curve".
-vec3 toned(vec3 x) {
+vec3 filmic(vec3 x) {
     return shown(clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0));
+}
+// Much light counts for less, by its root in the end: no wall by a lamp burns out, no patch of sun.
+vec3 toned(vec3 colour, vec3 light) {
+    light *= exposed / PI;
+    float bright = dot(light, vec3(0.2126, 0.7152, 0.0722)) / 0.8;
+    return filmic(colour * light * inversesqrt(sqrt(1.0 + bright * bright)));
 }
 """
 )
@@ -142,15 +150,15 @@ _SUNLESS = """
 vec3 sunny(vec3 p, vec3 n) { return vec3(0.0); }
 """
 
-_LIGHT = """
+#: What a sample of a pixel shows: what is drawn there, by its light, and the world beyond.
+_LIT = """
 uniform sampler2D albedo_map, shade_map, world_map;
 uniform ivec2 coarse;                  // size of the shade map
 uniform ivec2 apart;                   // how far apart a pixel's four samples are in the buffers
 uniform bool outdoors;
-out vec4 colour;
-float shaded(float z) {
+float shaded(vec2 at, float z) {
     float sum = 0.0, weight = 0.0;
-    ivec2 first = ivec2(uv * vec2(coarse) - 0.5), last = coarse - 1;
+    ivec2 first = ivec2(at * vec2(coarse) - 0.5), last = coarse - 1;
     for (int i = 0; i < 2; i++) for (int j = 0; j < 2; j++) {
         vec2 near = texelFetch(shade_map, clamp(first + ivec2(i, j), ivec2(0), last), 0).rg;
         float alike = max(0.0, 1.0 - 20.0 * abs(near.g - z) / z) + 1e-4;
@@ -158,30 +166,96 @@ float shaded(float z) {
     }
     return sum / weight;
 }
+// own: colour and glow, facing: the normal by half and how much is drawn, at p.
+vec3 lit(vec4 own, vec4 facing, vec3 p, float shade, vec4 world) {
+    float there = max(facing.a, 0.01);
+    own /= there;
+    vec3 n = normalize(facing.xyz / there - 0.5 + 1e-5);
+    if (dot(n, eye - p) < 0.0) n = -n;
+    vec3 found = toned(linear(own.rgb), around(p, n) * shade + sunny(p, n));
+    // What gives light is as bright as its texture by day and by night, and less at its rim.
+    vec3 given = own.rgb * (0.7 + 0.3 * dot(n, normalize(eye - p)));
+    found = mix(found, max(found, given), own.a);
+    if (outdoors) found = mix(found, world.rgb, world.a * (1.0 - facing.a));
+    return found;
+}
+"""
+
+_LIGHT = """
+uniform sampler2D fine_depth_map;
+uniform vec2 range;                    // nearest and farthest of the camera
+out vec4 colour;                       // and whether its samples differ
+float deep_at(int x, int y) {
+    return texelFetch(fine_depth_map, here() + ivec2(x, y) * apart, 0).r;
+}
 void main() {
     float z = max(texelFetch(depth_map, here(), 0).r, 0.001);
     // Means of what there is: where one looks outdoors there is nothing.
-    vec4 own = vec4(0.0), facing = vec4(0.0);
+    vec4 own = vec4(0.0), facing = vec4(0.0), least = vec4(1.0), most = vec4(0.0);
+    vec4 pale = vec4(1.0), deep = vec4(0.0);
     for (int k = 0; k < 4; k++) {
         ivec2 at = here() + ivec2(k & 1, k >> 1) * apart;
-        own += 0.25 * texelFetch(albedo_map, at, 0);
-        facing += 0.25 * texelFetch(normal_map, at, 0);
+        vec4 a = texelFetch(albedo_map, at, 0), b = texelFetch(normal_map, at, 0);
+        own += 0.25 * a; facing += 0.25 * b;
+        pale = min(pale, a); deep = max(deep, a); least = min(least, b); most = max(most, b);
     }
-    float there = max(facing.a, 0.01);
-    own /= there;
-    vec3 p = place(uv, z), n = normalize(facing.xyz / there - 0.5 + 1e-5);
-    if (dot(n, eye - p) < 0.0) n = -n;
-    vec3 given = around(p, n) * shaded(z) + sunny(p, n);
-    vec3 found = toned(linear(own.rgb) * given / PI * exposure);
-    // What gives light is as bright as its texture by day and by night.
-    found = mix(found, max(found, own.rgb), own.a);
-    vec4 world = texelFetch(world_map, here(), 0);
-    if (outdoors) found = mix(found, world.rgb, world.a * (1.0 - facing.a));
-    colour = vec4(found, 1.0);
+    // Depth as OpenGL has it is even on a plane: opposite samples make twice what is between.
+    float between = range.y / (range.y - range.x) * (1.0 - range.x / z);
+    vec2 pairs = vec2(deep_at(0, 0) + deep_at(0, 1), deep_at(1, 0) + deep_at(1, 1));
+    vec2 bent = abs(pairs - 2.0 * between) * z / range.x;
+    vec4 unlike = max(2.0 * (most - least), deep - pale);
+    float edge = max(max(max(unlike.x, unlike.y), max(unlike.z, unlike.w)),
+                     100.0 * max(bent.x, bent.y));
+    vec3 p = place(uv, z);
+    vec3 found = lit(own, facing, p, shaded(uv, z), texelFetch(world_map, here(), 0));
+    colour = vec4(found, step(0.3, edge));
 }
 """
-LIGHT = _CELLS + _SUNNY + _LIGHT
-LIGHT_SUNLESS = _CELLS + _SUNLESS + _LIGHT
+LIGHT = _CELLS + _SUNNY + _LIT + _LIGHT
+LIGHT_SUNLESS = _CELLS + _SUNLESS + _LIT + _LIGHT
+
+#: The same for pixels in which there is more than one thing, and those alone: each of the four
+#: samples by its own light. One light for their mean made dots and dashes of what is thin.
+_EDGE = """
+uniform sampler2D fine_depth_map, spots;
+uniform vec2 range, samples[4];        // where in their pixel the samples lie
+uniform ivec2 size;
+uniform mat4 clip_from_world;
+out vec4 colour;
+// Shade of gaps that are too thin for the shade map: how much of what is close by is before p.
+float close(vec3 p, vec3 n, float turn) {
+    if (dot(n, eye - p) < 0.0) n = -n;
+    vec3 t = normalize(cross(n, abs(n.z) < 0.9 ? vec3(0, 0, 1) : vec3(1, 0, 0)));
+    vec3 b = cross(n, t);
+    float hidden = 0.0;
+    for (int k = 0; k < 4; k++) {
+        float angle = 1.5707963 * (float(k) + turn), far = 0.012 + 0.012 * float(k & 1);
+        vec4 c = clip_from_world
+            * vec4(p + far * (n + 0.9 * (cos(angle) * t + sin(angle) * b)), 1.0);
+        ivec2 at = clamp(ivec2((c.xy / c.w * 0.5 + 0.5) * vec2(size)), ivec2(0), size - 1);
+        float before = c.w - texelFetch(depth_map, at, 0).r;
+        hidden += smoothstep(0.0, 0.004, before) * (1.0 - smoothstep(0.06, 0.2, before));
+    }
+    return 1.0 - 0.2 * hidden;
+}
+void main() {
+    ivec2 spot = ivec2(texelFetch(spots, here(), 0).xy);
+    vec4 world = texelFetch(world_map, spot, 0);
+    colour = vec4(0.0, 0.0, 0.0, 1.0);
+    for (int k = 0; k < 4; k++) {
+        ivec2 at = spot + ivec2(k & 1, k >> 1) * apart;
+        vec2 exact = (vec2(spot) + 0.5 + samples[k]) / vec2(size);
+        float d = texelFetch(fine_depth_map, at, 0).r;
+        float z = range.x * range.y / (range.y - d * (range.y - range.x));
+        vec4 own = texelFetch(albedo_map, at, 0), facing = texelFetch(normal_map, at, 0);
+        vec3 p = place(exact, z), n = normalize(facing.xyz - 0.5 * facing.a + 1e-5);
+        float shade = min(shaded(exact, z), close(p, n, 0.25 * float(k)));
+        colour.rgb += 0.25 * lit(own, facing, p, shade, world);
+    }
+}
+"""
+EDGE = _CELLS + _SUNNY + _LIT + _EDGE
+EDGE_SUNLESS = _CELLS + _SUNLESS + _LIT + _EDGE
 
 #: What is seen through, over what is behind it: how much of it hides that comes out as alpha.
 VEIL = (
@@ -198,9 +272,13 @@ void main() {
     // What it mirrors (Schlick 1994) comes from where the mirrored ray goes.
     float edge = 1.0 + dot(n, way), mirrors = 0.04 + 0.7 * edge * edge * edge;
     // Glass is clearer than its colour's alpha has it, liquids are not.
-    veil.a *= mix(0.4, 1.0, smoothstep(0.45, 0.62, veil.a));
-    vec3 lit = toned(linear(veil.rgb) * around(p, n) / PI * exposure);
-    vec3 mirrored = toned(around(p, reflect(way, n)) / PI * exposure);
+    float clear = 1.0 - smoothstep(0.45, 0.62, veil.a);
+    veil.a *= 1.0 - 0.75 * clear;
+    // Towards its rim one looks through much of it, and at what is beside it: it is darker there.
+    float rim = clear * smoothstep(0.08, 0.7, edge);
+    veil = mix(veil, vec4(0.35 * veil.rgb, 0.5), rim);
+    vec3 lit = toned(linear(veil.rgb), around(p, n));
+    vec3 mirrored = toned(vec3(1.0), around(p, reflect(way, n)));
     float hides = 1.0 - (1.0 - veil.a) * (1.0 - mirrors);
     vec3 both = (lit * veil.a * (1.0 - mirrors) + mirrored * mirrors) / max(hides, 0.001);
     colour = vec4(both, z > 0.0 ? hides : 0.0);

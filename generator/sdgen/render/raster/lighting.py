@@ -15,9 +15,18 @@ from sdgen.geometry import Array, Vec3, vec3
 from sdgen.render.light.home_light import HomeLight
 from sdgen.render.light.rooms import RoomLight
 from sdgen.render.outdoors import SeenOutside
-from sdgen.render.raster.buffers import Buffers
+from sdgen.render.raster.buffers import PLACES, Buffers
 from sdgen.render.raster.context import give, release_all
-from sdgen.render.raster.light_shaders import BLUR, LIGHT, LIGHT_SUNLESS, SHADE, SMOOTH, VEIL
+from sdgen.render.raster.light_shaders import (
+    BLUR,
+    EDGE,
+    EDGE_SUNLESS,
+    LIGHT,
+    LIGHT_SUNLESS,
+    SHADE,
+    SMOOTH,
+    VEIL,
+)
 from sdgen.render.raster.shaders import FULL_VERTEX
 from sdgen.scene import Camera
 from sdgen.vocabulary import DayTime
@@ -31,6 +40,9 @@ _MOST_ROOMS = 255
 #: it, and how far the colour of their light is taken out, as a camera does.
 _KEY: dict[DayTime, float] = {"day": 1.25, "evening": 1.1, "night": 0.9}
 _ADAPTS, _WHITENS = 0.9, 0.6
+#: Rooms that are seen through a doorway are brought so far to a brightness of their own, as by the
+#: eye: no hall in the sun burns out beyond the door of a dim room.
+_ADAPTS_BEYOND = 0.65
 #: At least so much light is reckoned with: it takes some to see anything.
 _DARKEST = 0.02
 #: How bright red, green and blue look (Rec. 709).
@@ -42,9 +54,14 @@ _PASSES = {
     "blur": BLUR,
     "light": LIGHT,
     "light_sunless": LIGHT_SUNLESS,
+    "edge": EDGE,
+    "edge_sunless": EDGE_SUNLESS,
     "veil": VEIL,
     "smooth": SMOOTH,
 }
+
+#: Pixels with edges are lit side by side in pictures so wide.
+_EDGE_WIDTH = 256
 
 #: Left, bottom, width and height in pixels of a picture.
 Box = tuple[int, int, int, int]
@@ -60,17 +77,20 @@ class Targets:
         self.shade, self.blurred = (context.texture(small, 2, dtype="f2") for _ in range(2))
         self.light, self.smooth, self.world = (context.texture(size, 4) for _ in range(3))
         self.light.repeat_x = self.light.repeat_y = False
+        edges = (_EDGE_WIDTH, -(-size[0] * size[1] // _EDGE_WIDTH))
+        self.spots, self.edges = context.texture(edges, 2, dtype="f4"), context.texture(edges, 4)
         self.frames = {
             "shade": context.framebuffer([self.shade]),
             "blur": context.framebuffer([self.blurred]),
             "light": context.framebuffer([self.light]),
+            "edge": context.framebuffer([self.edges]),
             "smooth": context.framebuffer([self.smooth]),
         }
 
     def release(self) -> None:
         """Let go of all of it."""
         textures = (self.shade, self.blurred, self.light, self.smooth, self.world)
-        release_all([*self.frames.values(), *textures])
+        release_all([*self.frames.values(), *textures, self.spots, self.edges])
 
 
 class Passes:
@@ -100,7 +120,7 @@ class Passes:
     ) -> npt.NDArray[np.uint8]:
         """Colours of what is in the buffers, by this light, (H, W, 3). ``seen`` is painted in;
         ``veiled``: left, bottom, width and height of the pixels of what is seen through."""
-        place = {**_place(camera), "exposure": light.exposure(camera.room_id)}
+        place = {**_place(camera), "exposure": light.expose(camera.room_id)}
         self._context.disable(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         clip = tuple(clip_from_world.T.ravel())
         solid = {"normal_map": buffers.normal, "depth_map": buffers.depth}
@@ -111,25 +131,30 @@ class Passes:
         outdoors = len(seen.rows) > 0
         if outdoors:
             targets.world.write(_world(buffers.size, seen), alignment=1)
-        self._run(
-            "light" if light.sunny else "light_sunless",
-            targets.frames["light"],
-            {
-                **place,
-                **light.uniforms,
-                "coarse": targets.coarse,
-                "apart": buffers.apart,
-                "outdoors": outdoors,
-            },
-            {
-                "depth_map": buffers.depth,
-                "normal_map": buffers.fine_normal,
-                **light.textures,
-                "albedo_map": buffers.albedo,
-                "shade_map": targets.blurred,
-                "world_map": targets.world,
-            },
-        )
+        values = {
+            **place,
+            **light.uniforms,
+            "coarse": targets.coarse,
+            "apart": buffers.apart,
+            "outdoors": outdoors,
+            "range": (camera.near_m, camera.far_m),
+            "size": targets.size,
+            "clip_from_world": clip,
+            "samples": PLACES,
+        }
+        textures = {
+            "depth_map": buffers.depth,
+            "normal_map": buffers.fine_normal,
+            "albedo_map": buffers.albedo,
+            "fine_depth_map": buffers.fine_depth,
+            "shade_map": targets.blurred,
+            "world_map": targets.world,
+            **light.textures,
+        }
+        kind = "" if light.sunny else "_sunless"
+        self._run(f"light{kind}", targets.frames["light"], values, textures)
+        if buffers.fine:
+            self._edges(f"edge{kind}", targets, values, {**textures, "spots": targets.spots})
         if veiled is not None:
             self._veil(buffers, targets, place, light, veiled)
         if smooth:
@@ -138,6 +163,32 @@ class Passes:
         done = targets.frames["smooth" if smooth else "light"]
         raw = np.frombuffer(done.read(components=3, alignment=1), dtype=np.uint8)
         return np.ascontiguousarray(raw.reshape(*buffers.size[::-1], 3)[::-1])
+
+    def _edges(
+        self,
+        program: str,
+        targets: Targets,
+        values: Mapping[str, Any],
+        textures: Mapping[str, moderngl.Texture | moderngl.Texture3D],
+    ) -> None:
+        """Light once more the pixels whose samples differ, sample by sample. They are gathered
+        first: a CPU that draws would light all others, too."""
+        width = targets.size[0]
+        raw = targets.frames["light"].read(components=4, alignment=1)
+        colours = np.frombuffer(raw, dtype=np.uint32).copy()
+        edges = np.flatnonzero(colours >> 24)
+        if len(edges) == 0:
+            return
+        rows = -(-len(edges) // _EDGE_WIDTH)
+        spots = np.zeros((rows * _EDGE_WIDTH, 2), dtype=np.float32)
+        spots[: len(edges)] = np.stack([edges % width, edges // width], axis=1)
+        box, frame = (0, 0, _EDGE_WIDTH, rows), targets.frames["edge"]
+        targets.spots.write(spots.tobytes(), viewport=box, alignment=1)
+        frame.viewport = box
+        self._run(program, frame, values, textures)
+        found = np.frombuffer(frame.read(viewport=box, components=4, alignment=1), dtype=np.uint32)
+        colours[edges] = found[: len(edges)]
+        targets.light.write(colours.tobytes(), alignment=1)
 
     def _veil(
         self,
@@ -157,7 +208,8 @@ class Passes:
         self._context.enable(moderngl.BLEND)
         self._run("veil", frame, {**place, **light.uniforms}, {**veils, **light.textures})
         self._context.disable(moderngl.BLEND)
-        frame.scissor = (0, 0, *targets.size)
+        # Not all of it: that would stay for what is drawn next, which may be larger.
+        frame.scissor = None  # type: ignore[assignment]  # moderngl forgets to say so
 
     def _run(
         self,
@@ -200,7 +252,7 @@ class Lighting:
         offsets = np.concatenate([[0], np.cumsum(counts[:, 0])])
         size = (int(offsets[-1]), int(counts[:, 1].max()), int(counts[:, 2].max()))
         volumes = np.zeros((6, size[2], size[1], size[0], 3), dtype=np.float16)
-        table = np.zeros((len(rooms), 3, 4), dtype=np.float32)
+        table = np.zeros((len(rooms), 4, 4), dtype=np.float32)
         for k, (room, first) in enumerate(zip(rooms, offsets.tolist(), strict=False)):
             x, y, z = room.cube.shape[:3]
             volumes[:, :z, :y, first : first + x] = room.cube.transpose(3, 2, 1, 0, 4)
@@ -235,10 +287,16 @@ class Lighting:
                 "sun_highest": min(sun.highest_m, 1e6),
             }
         self._exposures = {room.room.id: _exposure(room, light.time) for room in rooms}
+        self._table = table
 
-    def exposure(self, room_id: int) -> Vec3:
-        """By how much red, green and blue are multiplied in pictures that are taken in a room."""
-        return self._exposures.get(room_id, (1.0, 1.0, 1.0))
+    def expose(self, room_id: int) -> Vec3:
+        """Expose pictures for a room: by how much red, green and blue are multiplied there, which
+        is returned, and in the rooms beyond its doors."""
+        here = self._exposures.get(room_id, (1.0, 1.0, 1.0))
+        own = np.array([*self._exposures.values()]).reshape(-1, 3)
+        self._table[:, 3, :3] = np.array(here) ** (1 - _ADAPTS_BEYOND) * own**_ADAPTS_BEYOND
+        self.textures["rooms"].write(self._table.tobytes(), alignment=1)
+        return here
 
     def release(self) -> None:
         """Let go of it."""

@@ -18,7 +18,7 @@ from sdgen.render.light.home_light import light_of_home
 from sdgen.render.opengl import projection_matrix, scaled, view_matrix
 from sdgen.render.outdoors import Outside
 from sdgen.render.protocol import Picture, Probe, Renderer
-from sdgen.render.raster.buffers import Buffers
+from sdgen.render.raster.buffers import PLACES, Buffers
 from sdgen.render.raster.context import give, open_context, string_of
 from sdgen.render.raster.drawn import drawn_parts
 from sdgen.render.raster.geometry import Geometry, Programs
@@ -42,9 +42,6 @@ print(string_of(open_context()))
 """
 #: Buffers of so many picture sizes are kept.
 _SIZES = 3
-#: Colours are drawn at four places of each pixel and averaged, turned so that no two lie on one
-#: line across or down: a rotated grid (Akenine-Moeller 2003), for nearly level and upright edges.
-_PLACES = ((-0.125, 0.375), (0.375, 0.125), (0.125, -0.375), (-0.375, -0.125))
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,8 +71,8 @@ class _Drawn:
 
 
 class GlRenderer(Renderer):
-    """Draws what each pixel shows in one pass, and lights it in others. Raises RendererError where
-    no OpenGL 3.3 starts."""
+    """Draws what each pixel shows in one pass, and lights it in others. Several may draw in turn.
+    Raises RendererError where no OpenGL 3.3 starts."""
 
     name: ClassVar[str] = "EGL"
 
@@ -115,11 +112,12 @@ class GlRenderer(Renderer):
 
     def load(self, library: Library, scene: Scene) -> None:
         """Put ``scene`` in place of what was loaded before."""
-        self._forget()
         parts = drawn_parts(library, scene)
-        lighting = Lighting(self._context, light_of_home(library, scene, parts))
-        geometry = Geometry(self._context, self._programs, parts, self._textures)
-        self._scene = _Loaded(geometry, lighting, Outside(library, scene))
+        light, outside = light_of_home(library, scene, parts), Outside(library, scene)
+        with self._context:
+            self._forget()
+            geometry = Geometry(self._context, self._programs, parts, self._textures)
+            self._scene = _Loaded(geometry, Lighting(self._context, light), outside)
 
     def show_only(self, node_ids: Collection[int] | None) -> None:
         """Draw of the loaded scene these nodes alone, by id; None: all."""
@@ -127,30 +125,33 @@ class GlRenderer(Renderer):
 
     def draw(self, camera: Camera, colours: bool = True) -> Picture:
         """What ``camera`` sees of the loaded scene; without ``colours``, ``rgb`` is black."""
-        drawn = self._draw(camera, 1, colours)
-        black = np.zeros((*drawn.instance.shape, 3), dtype=np.uint8)
-        return Picture(
-            rgb=self._lit(drawn, camera, smooth=True) if colours else black,
-            depth_m=drawn.buffers.depth_m(drawn.veiled is not None),
-            instance=drawn.instance,
-            part=drawn.part,
-        )
+        with self._context:
+            drawn = self._draw(camera, 1, colours)
+            black = np.zeros((*drawn.instance.shape, 3), dtype=np.uint8)
+            return Picture(
+                rgb=self._lit(drawn, camera, smooth=True) if colours else black,
+                depth_m=drawn.buffers.depth_m(drawn.veiled is not None),
+                instance=drawn.instance,
+                part=drawn.part,
+            )
 
     def draw_colours(self, camera: Camera, factor: int) -> npt.NDArray[np.uint8]:
         """Its colours alone, ``factor`` times as many pixels along each side."""
-        return self._lit(self._draw(camera, factor), camera, smooth=False)
+        with self._context:
+            return self._lit(self._draw(camera, factor), camera, smooth=False)
 
     def close(self) -> None:
         """Let go of OpenGL; a second call does nothing."""
         if self._closed:
             return
         self._closed = True
-        self._forget()
-        for held in self._sizes.values():
-            for one in held:
-                one.release()
-        self._sizes = {}
-        self._textures.clear()
+        with self._context:
+            self._forget()
+            for held in self._sizes.values():
+                for one in held:
+                    one.release()
+            self._sizes = {}
+            self._textures.clear()
         self._context.release()
 
     def _forget(self) -> None:
@@ -174,7 +175,7 @@ class GlRenderer(Renderer):
         buffers.clear()
         solid, veils = geometry.seen(clip)
         if colours:
-            self._draw_colours(geometry, buffers, solid, clip, _PLACES if fine else _PLACES[:0])
+            self._draw_colours(geometry, buffers, solid, clip, PLACES if fine else ())
         buffers.solid.use()
         geometry.draw(solid, "solid")
         if veils.any():

@@ -28,7 +28,7 @@ void main() {
     float there = step(0.002, tint.r + tint.g + tint.b);
     vec3 colour = texture(worn, spot).rgb * tint.rgb;
     // What glows keeps its drawing, and does not turn white all over.
-    if (tint.a > 0.5) colour *= 1.3 / (colour + 0.3);
+    if (tint.a > 0.5) colour /= max(1.0, max(colour.r, max(colour.g, colour.b)));
     albedo = vec4(min(colour, 1.0), tint.a);
     normal = vec4((normalize(facing) * 0.5 + 0.5) * there, there);
 }

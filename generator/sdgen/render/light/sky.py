@@ -13,7 +13,7 @@ from sdgen.vocabulary import Weather
 
 #: Light of the sun on what faces it, by weather, and of the sky: at noon, and in the evening.
 _SUN = np.array((14.0, 12.4, 10.2))
-_LOW_SUN = np.array((7.5, 4.8, 2.5))
+_LOW_SUN = np.array((5.4, 3.1, 1.4))
 _CLEAR, _GREY, _DUSK = (
     np.array((2.5, 2.9, 3.4)),
     np.array((3.0, 3.1, 3.2)),

@@ -96,7 +96,7 @@ def test_a_build_without_views_has_no_pictures_to_miss(tmp_path: Path, capsys: C
 
 
 def test_versions_that_decide_content_count_and_those_of_pictures_do_not(tmp_path: Path) -> None:
-    versions = {**package_versions(), "isal": "0.9", "pillow": "0.9", "numpy": "0.9"}
+    versions = {**package_versions(), "deflate": "0.1", "pillow": "0.9", "numpy": "0.9"}
     with toy.open_writer(tmp_path, toy.small(n=1), versions=versions) as writer:
         toy.add_scene(writer, 0)
         writer.finish()

@@ -1,5 +1,5 @@
 """Pictures to files and back. Lossless for depth and masks; bytes depend on the pixels and on the
-versions of isal (PNG) and Pillow (JPEG), which ``dataset.json`` records."""
+versions of deflate (PNG) and Pillow (JPEG), which ``dataset.json`` records."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import struct
 import zlib
 from typing import Any
 
+import deflate
 import numpy as np
 import numpy.typing as npt
-from isal import isal_zlib
 from PIL import Image
 
 from sdgen.errors import InputError
@@ -22,8 +22,8 @@ _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _GRAY, _RGB = 0, 2
 #: The row filter "Up": with it files are smallest, and it is the cheapest one.
 _UP = 2
-#: ISA-L's level 1 packs the same bytes on every x86-64 CPU with SSE4.2, all since 2008 (measured
-#: under QEMU as Nehalem, Sandy Bridge, Haswell and EPYC, and with AVX-512). Level 3 does not.
+#: libdeflate's fastest. (ISA-L's takes half the time, but packed one picture of a few thousand in
+#: other bytes than another process did; zlib's fastest takes two to three times as long.)
 _LEVEL = 1
 
 #: Larger than any size a build can ask for (4096 x 4096).
@@ -49,9 +49,8 @@ def gray_bytes(values: npt.NDArray[np.uint16] | npt.NDArray[np.uint8]) -> bytes:
 def _png(values: npt.NDArray[np.uint16] | npt.NDArray[np.uint8]) -> bytes:
     """PNG (ISO/IEC 15948) of (H, W) or (H, W, 3), every row as its difference from the one above.
 
-    640x480 colours, depth and both masks take 4.5 ms; with zlib's fastest level 17 ms, for files
-    of the same size, and with Pillow, which tries all filters on every row, 39 ms, for files 10 %
-    smaller.
+    640x480 colours, depth and both masks take 9 ms; with zlib's fastest level 19 ms, for files
+    10 % larger, and with Pillow, which tries all filters on every row, 39 ms.
     """
     height, width = values.shape[:2]
     wide = values.dtype == np.uint16
@@ -64,7 +63,7 @@ def _png(values: npt.NDArray[np.uint16] | npt.NDArray[np.uint8]) -> bytes:
     head = struct.pack(
         ">IIBBBBB", width, height, 16 if wide else 8, _RGB if values.ndim == 3 else _GRAY, 0, 0, 0
     )
-    data = isal_zlib.compress(lines, _LEVEL)
+    data = bytes(deflate.zlib_compress(lines, _LEVEL))
     return _SIGNATURE + _chunk(b"IHDR", head) + _chunk(b"IDAT", data) + _chunk(b"IEND", b"")
 
 

@@ -137,7 +137,7 @@ class Build(Record):
 class DatasetInfo(Record):
     """``dataset.json``.
 
-    ``versions`` names what decides bytes (sdgen, pybullet, numpy, isal …, the architecture),
+    ``versions`` names what decides bytes (sdgen, pybullet, numpy, deflate …, the architecture),
     ``renderers`` whatever drew the pictures, ``failed`` the scenes that could not be made, with
     the causes counted.
     """

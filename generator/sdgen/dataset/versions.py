@@ -8,10 +8,10 @@ from importlib.metadata import PackageNotFoundError, version
 import sdgen
 
 #: Content follows from numpy (random lanes, geometry), shapely, trimesh and pybullet; pictures
-#: also from embreex (light; not there on some machines), isal (PNG) and pillow (JPEG).
-PACKAGES = ("embreex", "isal", "numpy", "pillow", "pybullet", "shapely", "trimesh")
+#: also from embreex (light; not there on some machines), deflate (PNG) and pillow (JPEG).
+PACKAGES = ("deflate", "embreex", "numpy", "pillow", "pybullet", "shapely", "trimesh")
 #: What decides the bytes of pictures alone: content is the same without them.
-OF_PICTURES = ("embreex", "isal", "pillow")
+OF_PICTURES = ("deflate", "embreex", "pillow")
 
 
 def package_versions() -> dict[str, str]:

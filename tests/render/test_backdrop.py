@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from sdgen.render.backdrop.boxes import Block, Plain, paint_block
+from sdgen.render.backdrop.boxes import Block, paint_block
 from sdgen.render.backdrop.canvas import COLUMNS, Canvas, linear, noise
+from sdgen.render.backdrop.facades import Plain
 from sdgen.render.backdrop.light import light_of
 from sdgen.render.backdrop.places import place_random
 from sdgen.render.backdrop.plants import Tree, crowns, paint_tree

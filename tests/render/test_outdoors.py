@@ -10,7 +10,7 @@ from sdgen.cameras.pinhole import intrinsics, matrix4
 from sdgen.geometry import look_at
 from sdgen.library import Library
 from sdgen.render.outdoors import Outside
-from sdgen.render.panorama import panorama
+from sdgen.render.backdrop.world import panorama
 from sdgen.scene import Camera, Daylight, Outdoors
 from sdgen.vocabulary import SEASONS, WEATHERS
 
@@ -168,7 +168,7 @@ def test_few_worlds_are_painted_for_suns_that_differ_little():
 
 _CRC = """
 from zlib import crc32
-from sdgen.render.panorama import panorama
+from sdgen.render.backdrop.world import panorama
 from sdgen.scene import Daylight, Outdoors
 print(crc32(panorama(Outdoors(storey=2, season="winter"), Daylight(time="evening")).tobytes()))
 """

@@ -199,10 +199,10 @@ class Builder:
                 lows, highs = lows[::-1], highs[::-1]
             return (x + lows[0], y + lows[1]), (x + highs[0], y + highs[1])
 
-        tyres = Plain(linear(34, 34, 36))
+        tyres, body = Plain(linear(34, 34, 36)), Plain(colour, rough=0.0)
         self.block(*part(0.35, 1.0, 0.0), 0.6, tyres, colour)
         self.block(*part(long - 1.05, long - 0.4, 0.0), 0.6, tyres, colour)
-        self.block(*part(0.0, long, 0.02), 0.88, Plain(colour), colour, foot_m=0.32)
+        self.block(*part(0.0, long, 0.02), 0.88, body, colour, foot_m=0.32)
         self.block(*part(long * 0.22, long * 0.86, 0.14), 1.43, Cabin(colour), colour)
 
     def lamps(self, y: float, step: float, reach: float = 70.0) -> None:

@@ -13,10 +13,13 @@ LOWEST, HIGHEST = -0.7, 0.7
 #: Rows by elevation (sine): as close as columns round the horizon, which windows show, sparser
 #: where there is the sky overhead or the ground at one's feet.
 _RISE_KNOTS = (HIGHEST, 0.42, -0.36, LOWEST)
-_ROW_KNOTS = (0.0, 78.0, 586.0, 698.0)
+_ROW_KNOTS = (0.0, 60.0, 568.0, 640.0)
 ROWS = int(_ROW_KNOTS[-1]) + 1
 #: How wide a pixel is, in radians: what is finer than that is to be drawn fainter.
 PIXEL = float(2 * np.pi / COLUMNS)
+
+#: So far one sees through air as if there were none, metres.
+_CLEAR_M = 40.0
 
 Floats = npt.NDArray[np.float32]
 Ints = npt.NDArray[np.intp]
@@ -59,11 +62,17 @@ class Canvas:
 
     def fill(self, places: Ints, far_m: Array | Floats | float, colours: Floats) -> None:
         """Paint colours (N, 3) that lie so far away at places counted along the rows."""
-        far = np.asarray(far_m, dtype=np.float32)
-        clear = np.exp(far * np.float32(-1 / self.haze_m))[..., None]
-        hazy = self.haze[places & (COLUMNS - 1)]
-        hazy += (colours - hazy) * clear
-        self.colours.reshape(-1, 3)[places] = hazy
+        far = np.broadcast_to(np.asarray(far_m, dtype=np.float32), places.shape)
+        # Near by there is none that one would see.
+        deep = np.nonzero(far > _CLEAR_M)[0]
+        if len(deep):
+            clear = np.exp(far[deep] * np.float32(-1 / self.haze_m))[:, None]
+            hazy = self.haze.take(places[deep] & (COLUMNS - 1), axis=0)
+            if len(deep) == len(places):
+                colours = hazy + (colours - hazy) * clear
+            else:
+                colours[deep] = hazy + (colours[deep] - hazy) * clear
+        self.colours.reshape(-1, 3)[places] = colours
         self.far_m.reshape(-1)[places] = far
 
     def add(self, azimuth: float, rise: float, radius: float, colour: Array) -> None:

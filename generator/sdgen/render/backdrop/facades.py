@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sdgen.render.backdrop.boxes import Wall
-from sdgen.render.backdrop.canvas import Floats, Ints, linear, looked_up, soft
+from sdgen.render.backdrop.canvas import Floats, Ints, between, linear, looked_up, soft
 from sdgen.render.backdrop.light import Light
 
 #: Doors are so wide and high, metres.
@@ -58,7 +58,7 @@ class Facade:
         # Party walls of some houses have few windows.
         own = table.reshape(-1, 5)[(wall.facing * 24 + floor) * 64 + bay]
         there = (floor < self.floors) & (wall.long_m > 3.0)
-        there &= (wall.facing >= 2) | (own[:, 3] >= 0.35)
+        there &= (wall.facing >= 2) | (own[:, 3] >= 0.25)
         door_bay = (table[wall.facing, 0, 63, 3] * bays).astype(np.int32)
         doors = (floor == 0) & (bay == door_bay) & (wall.long_m > 6.0)
         if self.balconies:
@@ -89,8 +89,8 @@ class Facade:
         return colours
 
     def _plaster(self, wall: Wall, grain: Floats) -> Floats:
-        rough = 1 + 0.02 * looked_up(grain, wall.along_m * 5, wall.up_m * 5)
-        rough += 0.02 * looked_up(grain, wall.along_m * 1.1, wall.up_m * 0.35)
+        rough = 1 + 0.015 * looked_up(grain, wall.along_m * 21, wall.up_m * 21)
+        rough += 0.025 * between(grain, wall.along_m * 0.9, wall.up_m * 0.3)
         if self.brick:
             # Courses of bricks where they are some pixels high.
             course = wall.up_m * np.float32(1 / 0.085)
@@ -103,7 +103,7 @@ class Facade:
         # Plinths are darker, and what is under the eaves, with its gutter.
         rough *= np.where(wall.up_m < 0.5, np.float32(0.75), np.float32(1))
         under = np.float32(self.floors * self.floor_m) - wall.up_m
-        rough *= 1 - 0.3 * soft(0.4, 0.0, under) * (under > -0.9)
+        rough *= 1 - 0.3 * soft(0.3, 0.0, under) * (under > -0.18)
         return np.asarray(self.colour * rough[:, None], dtype=np.float32)
 
     def _windows(
@@ -234,23 +234,28 @@ def _panes(x: Floats, z: Floats, own: Floats, light: Light) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Plain:
-    """One colour with a grain; ``slats_m``: boards so wide; ``leaves``: of a hedge."""
+    """One colour, so ``rough``; ``slats_m``: boards so wide; ``leaves``: of a hedge."""
 
     colour: Floats
     slats_m: float = 0.0
     leaves: bool = False
+    rough: float = 0.05
 
     def __call__(
         self, wall: Wall, lights: Floats, light: Light, grain: Floats, seed: int
     ) -> Floats:
         """The colours of a wall."""
         if self.leaves:
-            leaf = looked_up(grain, wall.along_m * 19, wall.up_m * 19 + seed % 97)
-            clump = looked_up(grain, wall.along_m * 3.7 + seed % 89, wall.up_m * 3.7)
+            # Askew, as no leaf lies along the rows of a picture.
+            x, z = wall.along_m + 0.6 * wall.up_m, wall.up_m - 0.6 * wall.along_m
+            leaf = 0.6 * looked_up(grain, x * 43, z * 43 + seed % 97)
+            leaf += 0.7 * looked_up(grain, x * 23, z * 23)
+            clump = between(grain, x * 3.7 + seed % 89, z * 3.7)
             rough = np.clip(0.85 + 0.28 * leaf + 0.16 * clump, 0.25, 1.8)
             rough *= 0.75 + 0.25 * soft(0.0, 0.8, wall.up_m)
         else:
-            rough = 1 + 0.05 * looked_up(grain, wall.along_m * 6 + seed % 83, wall.up_m * 2)
+            tone = looked_up(grain, wall.along_m * 6 + seed % 83, wall.up_m * 2)
+            rough = 1 + np.float32(self.rough) * tone
         if self.slats_m:
             board = wall.along_m * np.float32(1 / self.slats_m)
             tone = looked_up(grain, np.floor(board) * 7 + seed % 79, np.zeros_like(board))

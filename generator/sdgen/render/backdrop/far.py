@@ -6,7 +6,7 @@ import numpy as np
 
 from sdgen.geometry import Array
 from sdgen.render.backdrop.builder import Place
-from sdgen.render.backdrop.canvas import COLUMNS, PIXEL, Canvas, Floats, places_of, soft
+from sdgen.render.backdrop.canvas import COLUMNS, PIXEL, Canvas, Floats, Ints, places_of, soft
 from sdgen.render.backdrop.light import Light
 from sdgen.render.backdrop.plants import grass_of
 from sdgen.vocabulary import Season
@@ -16,6 +16,8 @@ _TURN = (np.arange(COLUMNS) + 0.5) / COLUMNS * 2 * np.pi
 _SHORE = 0.25
 #: Crowns on a hill are so many columns wide.
 _CROWN = 3
+#: By night such a share of a hill's pixels are windows and lamps.
+_LIGHTS_SHARE = 0.006
 
 
 def _off_street() -> Array:
@@ -45,7 +47,20 @@ def paint_hills(
         speckle = rng.standard_normal((rows.stop - rows.start, COLUMNS // 2)).astype(np.float32)
         tone = 1 + 0.13 * speckle[r, c // 2]
         colours = woods * lit * tone[:, None]
-        canvas.fill(places_of(r + rows.start, c), away_m, np.asarray(colours, dtype=np.float32))
+        places = places_of(r + rows.start, c)
+        canvas.fill(places, away_m, np.asarray(colours, dtype=np.float32))
+        if light.lit and len(places):
+            _add_lights(canvas, light, places, rng)
+
+
+def _add_lights(canvas: Canvas, light: Light, places: Ints, rng: np.random.Generator) -> None:
+    """In the dark far windows and lamps on hills are points of light."""
+    some = places[rng.random(len(places)) < _LIGHTS_SHARE * light.lamps]
+    tones = np.array((1.0, 0.7, 0.4), np.float32) * (0.3 + 1.1 * rng.random((len(some), 1)) ** 2)
+    canvas.colours.reshape(-1, 3)[some] += tones.astype(np.float32)
+    # Each is a little wider than a pixel.
+    beside = np.where((some & (COLUMNS - 1)) < COLUMNS - 1, some + 1, some)
+    canvas.colours.reshape(-1, 3)[beside] += (0.6 * tones).astype(np.float32)
 
 
 def _ragged(rng: np.random.Generator) -> Array:

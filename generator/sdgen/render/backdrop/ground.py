@@ -17,6 +17,8 @@ from sdgen.render.backdrop.plants import Tree, shadow_of
 _SHADOWS_M, _COARSE = 70.0, 4
 #: A lamp lights the ground for so many metres.
 _POOL_M = 14.0
+#: Blocks that are thinner or lower than this cast no shadow that one would see.
+_THIN_M, _FLAT_M = 0.2, 0.9
 
 
 class Patch(NamedTuple):
@@ -57,9 +59,12 @@ def paint_ground(
     seen = _seen(canvas, rows)
     far, x, y = seen.far_m, seen.x, seen.y
     # Far away grain is finer than a pixel.
-    rough = looked_up(grain, x * 22, y * 22) * np.exp(far * np.float32(-1 / 22.0))
-    rough += looked_up(grain, x * 3.1, y * 3.1) * np.exp(far * np.float32(-1 / 60.0)) * 0.7
-    rough += looked_up(grain, x * 0.9, y * 0.9) * np.exp(far * np.float32(-1 / 150.0)) * 0.6
+    rough = looked_up(grain, x * 22, y * 22)
+    # Broad spots have no straight edges: their places are shaken.
+    px, py = x + 0.35 * rough, y + 0.35 * rough
+    rough *= np.exp(far * np.float32(-1 / 22.0))
+    rough += looked_up(grain, px * 3.1, py * 3.1) * np.exp(far * np.float32(-1 / 60.0)) * 0.6
+    rough += looked_up(grain, px * 0.9, py * 0.9) * np.exp(far * np.float32(-1 / 150.0)) * 0.5
     which = np.zeros(len(x), dtype=np.uint8)
     joints = np.ones(len(x), dtype=np.float32)
     for k, patch in enumerate(patches, start=1):
@@ -67,9 +72,10 @@ def paint_ground(
         if patch.slabs_m:
             # Joints are seen where they are some pixels apart.
             near = np.nonzero(inside & (far < 30.0))[0]
-            size, px, py = patch.slabs_m, x[near], y[near]
-            line = (px % size < 0.03) | (py % size < 0.03)
-            tone = 0.1 * looked_up(grain, np.floor(px / size) * 5, np.floor(py / size) * 7)
+            size = patch.slabs_m
+            sx, sy = x[near] / size, y[near] / size
+            line = (sx % 1 < 0.03 / size) | (sy % 1 < 0.03 / size)
+            tone = 0.1 * looked_up(grain, np.floor(sx) * 5, np.floor(sy) * 7)
             deep = np.exp(far[near] / -14.0)
             joints[near] = 1 + deep * np.where(line, np.float32(-0.35), tone)
         which[inside] = k
@@ -168,7 +174,8 @@ def _shadows(
     way = light.towards[:2] / max(level, 1e-3)
     climb = float(light.towards[2]) / max(level, 1e-3)
     for block in blocks:
-        if block.away_m > _SHADOWS_M or block.high_m < 0.5:
+        thin = min(block.high[0] - block.low[0], block.high[1] - block.low[1]) < _THIN_M
+        if block.away_m > _SHADOWS_M or thin or block.high_m < _FLAT_M:
             continue
         enter: Floats = np.zeros(px.shape, dtype=np.float32)
         leave: Floats = np.full(px.shape, np.inf, dtype=np.float32)

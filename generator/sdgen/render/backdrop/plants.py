@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from sdgen.geometry import Vec2
 from sdgen.render.backdrop.canvas import COLUMNS, Canvas, Floats, linear, noise, places_of, soft
 from sdgen.render.backdrop.light import Light
 from sdgen.vocabulary import Season
 
 #: A crown is drawn so many pixels high: as many as the nearest of them takes of the picture.
 SIZE = 256
+#: Twigs of a bare crown.
+_TWIGS = 620
 _BARK = linear(88, 74, 62)
 
 #: Colours of leaves, and of grass, by season; how many of the broad-leaved trees are bare.
@@ -45,6 +49,13 @@ class Crown(NamedTuple):
     wide: float
 
 
+class _Waves(NamedTuple):
+    """What makes crowns uneven: leaf by leaf and bough by bough, (SIZE, SIZE)."""
+
+    fine: Floats
+    broad: Floats
+
+
 class Tree(NamedTuple):
     """Where a tree stands and how high it is."""
 
@@ -61,6 +72,7 @@ class Tree(NamedTuple):
 def crowns(season: Season, snow: bool, rng: np.random.Generator) -> list[Crown]:
     """The kinds of trees of one world: the last two are bushes and firs."""
     out = []
+    waves = _Waves(noise(rng, SIZE, 0.75, 16), noise(rng, SIZE, 1.0, 4))
     for _ in range(4):
         if rng.random() < _BARE[season]:
             out.append(_bare(rng))
@@ -68,10 +80,10 @@ def crowns(season: Season, snow: bool, rng: np.random.Generator) -> list[Crown]:
         leaves = _LEAVES[season][int(rng.integers(len(_LEAVES[season])))]
         if season == "spring" and rng.random() < 0.25:
             leaves = _BLOSSOM[int(rng.integers(2))]
-        out.append(_leafy(leaves, float(rng.uniform(0.62, 1.0)), 0.3, rng))
+        out.append(_leafy(leaves, float(rng.uniform(0.62, 1.0)), 0.3, rng, waves))
     leaves = _LEAVES[season][int(rng.integers(len(_LEAVES[season])))]
-    out.append(_leafy(leaves, 1.25, 0.0, rng))
-    out.append(_fir(_NEEDLES[int(rng.integers(2))], snow, rng))
+    out.append(_leafy(leaves, 1.25, 0.0, rng, waves))
+    out.append(_fir(_NEEDLES[int(rng.integers(2))], snow, waves))
     return out
 
 
@@ -82,10 +94,13 @@ def _grid() -> tuple[Floats, Floats]:
     return across.astype(np.float32), up.astype(np.float32)
 
 
-def _leafy(leaves: Floats, wide: float, trunk: float, rng: np.random.Generator) -> Crown:
+def _leafy(
+    leaves: Floats, wide: float, trunk: float, rng: np.random.Generator, waves: _Waves
+) -> Crown:
     """A heap of clumps, with gaps between leaves at its edges."""
     x, z = _grid()
-    fine, broad = noise(rng, SIZE, 0.35, 20), noise(rng, SIZE, 1.0, 4)
+    shift = int(rng.integers(SIZE))
+    fine, broad = (np.roll(field, shift, axis=(0, 1)) for field in waves)
     there = np.zeros((SIZE, SIZE), dtype=bool)
     aside, up, tone = (np.zeros((SIZE, SIZE), dtype=np.float32) for _ in range(3))
     depth = np.full((SIZE, SIZE), -1, dtype=np.float32)
@@ -100,7 +115,7 @@ def _leafy(leaves: Floats, wide: float, trunk: float, rng: np.random.Generator) 
             slice(*_span(middle_x + 1, r * 1.5, 2.0)),
         )
         dx, dz = (x[:, near[1]] - middle_x) / r, (z[near[0]] - middle_z) / (r * 0.62)
-        away = dx * dx + dz * dz + 0.34 * fine[near] + 0.2 * broad[near]
+        away = dx * dx + dz * dz + 0.26 * fine[near] + 0.2 * broad[near]
         bulge = np.sqrt(np.clip(1 - away, 0, 1)) * r + np.float32(rng.uniform(0, 0.25))
         front = (away < 1) & (bulge > depth[near])
         depth[near] = np.where(front, bulge, depth[near])
@@ -129,9 +144,9 @@ def _span(middle: float, reach: float, whole: float) -> tuple[int, int]:
     return max(0, int(low / whole * SIZE)), min(SIZE, max(0, int(high / whole * SIZE) + 1))
 
 
-def _fir(needles: Floats, snow: bool, rng: np.random.Generator) -> Crown:
+def _fir(needles: Floats, snow: bool, waves: _Waves) -> Crown:
     x, z = _grid()
-    fine = noise(rng, SIZE, 0.4, 16)
+    fine = waves.fine
     tier = (z * 11 + 0.12 * fine + 0.5 * np.abs(x)) % 1.0
     edge = (1 - z) * (0.74 + 0.32 * (1 - tier)) + 0.05 * fine
     there = (np.abs(x) < edge) & (z > 0.07)
@@ -166,18 +181,27 @@ def _bare(rng: np.random.Generator) -> Crown:
                 short = length * float(rng.uniform(0.62, 0.82))
                 grown.append((float(px[-1]), float(pz[-1]), bend, short, thick * 0.62))
         tips = grown[:130]
-    x_, z_ = _grid()
-    fine = noise(rng, SIZE, 0.4, 16)
-    ball = 1 - (x_ / 0.9) ** 2 - ((z_ - 0.66) / 0.36) ** 2 + 0.2 * fine
-    # The finest twigs are too fine to be drawn one by one.
-    there |= rng.random((SIZE, SIZE)) < 0.3 * soft(0.0, 0.5, ball) * soft(-0.8, 1.2, fine)
+    _add_twigs(there, rng)
+    x_, _ = _grid()
     colours = np.broadcast_to(_BARK * np.float32(1.05), (SIZE, SIZE, 3))
     aside = np.broadcast_to(x_ * 0.5, (SIZE, SIZE)).astype(np.float32)
     return Crown(there, colours, aside, np.full_like(aside, 0.1), 0.85)
 
 
-def paint_tree(canvas: Canvas, light: Light, tree: Tree) -> None:
-    """Put it into the picture."""
+def _add_twigs(there: npt.NDArray[np.bool_], rng: np.random.Generator) -> None:
+    """Fine ones all over a bare crown, each pointing away from the trunk's upper end."""
+    angle, out = rng.uniform(0, 2 * math.pi, _TWIGS), np.sqrt(rng.random(_TWIGS))
+    x, z = 0.86 * out * np.cos(angle), 0.66 + 0.32 * out * np.sin(angle)
+    way = np.arctan2(z - 0.36, x * 0.8) + rng.normal(0, 0.45, _TWIGS)
+    steps = np.arange(14)[:, None] / SIZE
+    column = ((x + 2 * steps * np.cos(way) + 1) / 2 * SIZE).astype(int)
+    row = ((1 - z - steps * np.sin(way)) * SIZE).astype(int)
+    inside = (column >= 0) & (column < SIZE) & (row >= 0) & (row < SIZE)
+    there[row[inside], column[inside]] = True
+
+
+def paint_tree(canvas: Canvas, light: Light, tree: Tree, lamps: Sequence[Vec2] = ()) -> None:
+    """Put it into the picture, lit by street lamps near it, too."""
     away = tree.away_m
     azimuth = math.atan2(tree.at[1], tree.at[0])
     half = tree.high_m * tree.crown.wide / 2
@@ -209,6 +233,9 @@ def paint_tree(canvas: Canvas, light: Light, tree: Tree) -> None:
     # Some light comes through leaves.
     shone = np.clip(0.8 * facing + 0.22, 0.06, 1)[:, None] * light.sun
     lit = shone + light.sky * (0.62 + 0.3 * z)[:, None]
+    if light.lamps:
+        near = sum(1 / (1 + ((p - tree.at[0]) ** 2 + (q - tree.at[1]) ** 2) / 16) for p, q in lamps)
+        lit += near * np.array((0.3, 0.2, 0.09), dtype=np.float32) * light.lamps
     colours = np.asarray(crown.colours[at] * lit, dtype=np.float32)
     canvas.fill(places_of(r + rows.start, columns[c]), away, colours)
 

@@ -24,9 +24,9 @@ _SKIES: dict[tuple[DayTime, Weather], tuple[Floats, Floats]] = {
     ("evening", "clear"): (_colour(0.34, 0.3, 0.36), _colour(0.1, 0.16, 0.34)),
     ("evening", "cloudy"): (_colour(0.3, 0.28, 0.33), _colour(0.11, 0.15, 0.28)),
     ("evening", "overcast"): (_colour(0.23, 0.24, 0.29), _colour(0.12, 0.135, 0.18)),
-    ("night", "clear"): (_colour(0.026, 0.028, 0.045), _colour(0.0045, 0.0075, 0.02)),
-    ("night", "cloudy"): (_colour(0.03, 0.03, 0.042), _colour(0.008, 0.011, 0.023)),
-    ("night", "overcast"): (_colour(0.036, 0.034, 0.042), _colour(0.014, 0.016, 0.026)),
+    ("night", "clear"): (_colour(0.052, 0.044, 0.05), _colour(0.0045, 0.0075, 0.02)),
+    ("night", "cloudy"): (_colour(0.054, 0.046, 0.05), _colour(0.008, 0.011, 0.023)),
+    ("night", "overcast"): (_colour(0.06, 0.05, 0.05), _colour(0.014, 0.016, 0.026)),
 }
 #: How much of the sky clouds take.
 _COVER: dict[Weather, float] = {"clear": 0.16, "cloudy": 0.55, "overcast": 0.8}

@@ -38,7 +38,7 @@ _HAZE_M = {"clear": 2200.0, "cloudy": 1500.0, "overcast": 900.0}
 _SHOULDER = 0.6
 #: Steps of a table of colours between black and white, and how bright the last of them is.
 _LEVELS, _BRIGHTEST = 16384, 3.99
-#: So many worlds are kept, 8.6 MB each.
+#: So many worlds are kept, 7.9 MB each.
 _KEPT = 8
 
 
@@ -98,7 +98,7 @@ def _paint(
     things: list[Block | Tree] = [*place.blocks, *place.trees]
     for thing in sorted(things, key=lambda thing: thing.away_m):
         if isinstance(thing, Tree):
-            paint_tree(canvas, light, thing)
+            paint_tree(canvas, light, thing, place.lamps)
         else:
             paint_block(canvas, light, thing, grain, place.lamps)
     paint_woods(canvas, light, place, outdoors.season, rng)

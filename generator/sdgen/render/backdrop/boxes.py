@@ -26,6 +26,11 @@ class Wall(NamedTuple):
     long_m: Floats
     pixel_m: Floats
 
+    def some(self, which: Ints) -> Wall:
+        """These pixels of it."""
+        along, up, facing, long, pixel = self
+        return Wall(along[which], up[which], facing[which], long[which], pixel[which])
+
 
 #: From what is seen of a wall and the light on it (N, 3) to its colours (N, 3).
 Painter = Callable[[Wall, Floats, Light, Floats, int], Floats]
@@ -130,10 +135,10 @@ def paint_block(
     if (block.slope or canvas.eye_m > block.wall_m) and above.any():
         # The top over the way of each ray: up to the ridge, then down.
         turn = np.clip(middle / rays.ways[k], rays.first, rays.last)
-        places = np.nonzero(above)
+        r, c = np.nonzero(above)
         stops = np.stack([rays.first, turn, rays.last])
         heights = np.stack([eaves, top(turn), top(rays.last)])
-        _paint_top(canvas, light, block, rays, rows, places, stops, heights, grain)
+        _paint_top(canvas, light, block, rays, rows, (r, c), stops, heights, grain)
 
 
 def _paint_walls(

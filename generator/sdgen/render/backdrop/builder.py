@@ -203,7 +203,7 @@ class Builder:
         self.block(*part(0.35, 1.0, 0.0), 0.6, tyres, colour)
         self.block(*part(long - 1.05, long - 0.4, 0.0), 0.6, tyres, colour)
         self.block(*part(0.0, long, 0.02), 0.88, body, colour, foot_m=0.32)
-        self.block(*part(long * 0.22, long * 0.86, 0.14), 1.43, Cabin(colour), colour)
+        self.block(*part(long * 0.22, long * 0.86, 0.14), 1.43, Cabin(colour), colour, foot_m=0.85)
 
     def lamps(self, y: float, step: float, reach: float = 70.0) -> None:
         post = Plain(linear(92, 96, 98))

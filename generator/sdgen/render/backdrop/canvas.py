@@ -25,9 +25,9 @@ Floats = npt.NDArray[np.float32]
 Ints = npt.NDArray[np.intp]
 
 
-def row_of(rise: Array | Floats) -> Array:
+def row_of(rise: Array) -> Array:
     """The row, with its fraction, of elevations given as sines."""
-    return np.interp(-np.asarray(rise), [-rise for rise in _RISE_KNOTS], _ROW_KNOTS)
+    return np.asarray(np.interp(-rise, [-knot for knot in _RISE_KNOTS], _ROW_KNOTS))
 
 
 class Canvas:

@@ -65,7 +65,7 @@ class Facade:
             doors &= wall.facing >= 2
         some = np.nonzero(there & ~doors)[0]
         if len(some):
-            cut = Wall(*(value[some] for value in wall))
+            cut = wall.some(some)
             colours[some] = self._windows(
                 colours[some],
                 cut,
@@ -90,7 +90,7 @@ class Facade:
 
     def _plaster(self, wall: Wall, grain: Floats) -> Floats:
         rough = 1 + 0.015 * looked_up(grain, wall.along_m * 21, wall.up_m * 21)
-        rough += 0.025 * between(grain, wall.along_m * 0.9, wall.up_m * 0.3)
+        rough += 0.025 * between(grain, wall.along_m * np.float32(0.9), wall.up_m * np.float32(0.3))
         if self.brick:
             # Courses of bricks where they are some pixels high.
             course = wall.up_m * np.float32(1 / 0.085)
@@ -247,10 +247,12 @@ class Plain:
         """The colours of a wall."""
         if self.leaves:
             # Askew, as no leaf lies along the rows of a picture.
-            x, z = wall.along_m + 0.6 * wall.up_m, wall.up_m - 0.6 * wall.along_m
+            askew = np.float32(0.6)
+            x, z = wall.along_m + askew * wall.up_m, wall.up_m - askew * wall.along_m
             leaf = 0.6 * looked_up(grain, x * 43, z * 43 + seed % 97)
             leaf += 0.7 * looked_up(grain, x * 23, z * 23)
-            clump = between(grain, x * 3.7 + seed % 89, z * 3.7)
+            broad = np.float32(3.7)
+            clump = between(grain, x * broad + np.float32(seed % 89), z * broad)
             rough = np.clip(0.85 + 0.28 * leaf + 0.16 * clump, 0.25, 1.8)
             rough *= 0.75 + 0.25 * soft(0.0, 0.8, wall.up_m)
         else:

@@ -40,9 +40,10 @@ def paint_hills(
         # Crowns of trees along the top.
         rough = 0.0012 * (1400 / away_m) * _ragged(rng)
         top = top + rough * land
-        rows = canvas.rows(-0.02, float(top.max()))
+        # What lies on the ground farther away is behind them.
+        rows = canvas.rows(-canvas.eye_m / away_m, float(top.max()))
         cover = (canvas.rises[rows][:, None] < top.astype(np.float32)) & (land > 0)
-        cover &= np.isinf(canvas.far_m[rows])
+        cover &= canvas.far_m[rows] > away_m
         r, c = np.nonzero(cover)
         speckle = rng.standard_normal((rows.stop - rows.start, COLUMNS // 2)).astype(np.float32)
         tone = 1 + 0.13 * speckle[r, c // 2]

@@ -109,6 +109,9 @@ def _leafy(
         middle_x = out * math.cos(angle) * 0.92
         middle_z = trunk + (1 - trunk) * (0.5 + 0.48 * out * math.sin(angle))
         r = float(rng.uniform(0.13, 0.3))
+        # None is cut off at the edges of the drawing.
+        middle_x = min(max(middle_x, 1.05 * r - 1), 1 - 1.05 * r)
+        middle_z = min(middle_z, 1 - 0.68 * r)
         # No clump reaches farther than this.
         near = (
             slice(*_span(1 - middle_z, 0.62 * r * 1.5, 1.0)),

@@ -59,7 +59,7 @@ def paint_sky(canvas: Canvas, light: Light, weather: Weather, rng: np.random.Gen
     """All above the horizon, and the haze below it."""
     count = int(np.sum(canvas.rises >= -0.02)) // 2 * 2
     rays = _Coarse(
-        (canvas.ways[:, ::2] + canvas.ways[:, 1::2]) / 2,
+        (canvas.ways[:, ::2] + canvas.ways[:, 1::2]) * np.float32(0.5),
         np.maximum(canvas.climbs[:count:2], 0)[:, None],
         np.maximum(canvas.rises[:count:2], 0)[:, None],
     )
@@ -132,7 +132,7 @@ def _clouded(
     rng: np.random.Generator,
 ) -> Floats:
     """Clouds lie on a level high above: the lower they stand the flatter they look."""
-    fields = noise(rng, _CLOUDS_SIZE, 1.35, 2.0)
+    fields = noise(rng, _CLOUDS_SIZE, 1.55, 2.0)
     climb = rays.climbs + 0.1
     size = np.float32((9.0 if weather == "overcast" else 16.0) * _CLOUDS_SIZE / 256)
     drift = rng.uniform(0, _CLOUDS_SIZE, 2).astype(np.float32)
@@ -142,7 +142,7 @@ def _clouded(
     aside = light.towards[:2] * np.float32(5.0 * _CLOUDS_SIZE / 256)
     there = looked_up(fields, x + aside[0], y + aside[1])
     cut = float(np.quantile(fields[::4, ::4], 1 - _COVER[weather]))
-    amount = soft(cut - 0.06, cut + 0.5, here) * np.float32(0.94)
+    amount = soft(cut - 0.08, cut + 0.55, here) * np.float32(0.94)
     # Nothing stands out at the horizon.
     amount *= soft(0.0, 0.14, rays.rises)
     bright, dark = (_GREY if weather == "overcast" else _CLOUDS)[light.time]

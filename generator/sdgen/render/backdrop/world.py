@@ -135,7 +135,7 @@ def _softened(picture: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
     wide[-1] *= 2
     wide += 2
     wide >>= 2
-    return wide.astype(np.uint8)
+    return np.asarray(wide.astype(np.uint8))
 
 
 @lru_cache(maxsize=1)
@@ -145,7 +145,8 @@ def _table() -> npt.NDArray[np.uint8]:
     over = np.maximum(levels - _SHOULDER, 0) / (1 - _SHOULDER)
     share = np.minimum(levels, _SHOULDER) + (1 - _SHOULDER) * (1 - np.exp(-over))
     bright = 1.055 * np.maximum(share, 1e-9) ** (1 / 2.4) - 0.055
-    return np.rint(np.where(share <= 0.0031308, 12.92 * share, bright) * 255).astype(np.uint8)
+    eight = np.rint(np.where(share <= 0.0031308, 12.92 * share, bright) * 255)
+    return np.asarray(eight.astype(np.uint8))
 
 
 def _developed(colours: Floats) -> npt.NDArray[np.uint8]:

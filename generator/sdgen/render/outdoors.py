@@ -27,7 +27,7 @@ GLASS = 0.06
 GLASS_COLOUR = 235.0
 #: A camera that exposes for a room sees the day a little too bright; and by lamplight, more of the
 #: dusk than the eye outdoors.
-_GAIN: dict[DayTime, float] = {"day": 1.04, "evening": 1.4, "night": 1.1}
+_GAIN: dict[DayTime, float] = {"day": 1.04, "evening": 1.3, "night": 1.1}
 
 
 class SeenOutside(NamedTuple):

@@ -150,7 +150,7 @@ class Facade:
         x = aside / half
         z = (up - sill_m) / high_m
         colours = _mix(colours, self.frame * lights, framed)
-        return _mix(colours, _panes(x, z, own, light), pane)
+        return _mix(colours, _panes(x, z, own, pixel, light), pane)
 
     def _add_balconies(
         self,
@@ -207,7 +207,7 @@ def _door(
     return _mix(colours, np.float32(0.4) * lights, (up < 0.18) * _within(aside, 0.8, pixel_m))
 
 
-def _panes(x: Floats, z: Floats, own: Floats, light: Light) -> Floats:
+def _panes(x: Floats, z: Floats, own: Floats, pixel_m: Floats, light: Light) -> Floats:
     """By day they show the sky and curtains; in the dark, the light inside."""
     mirrored = light.sky * ((0.12 + 0.36 * own[:, 4]) * (0.45 + 0.55 * z))[:, None]
     # In the depth of the wall, and what hangs inside.
@@ -223,10 +223,11 @@ def _panes(x: Floats, z: Floats, own: Floats, light: Light) -> Floats:
     cool = np.array((0.75, 0.78, 0.8), np.float32)
     tone = np.where(some[:, 1:2] < 0.15, cool, warm)
     power = light.glow * (0.3 + 0.8 * some[:, 1] ** 1.5) * (0.65 + 0.45 * z[on])
-    # A lamp hangs in the room; furniture stands dark below.
+    # A lamp hangs in the room; furniture stands dark below: seen from near by only.
+    near = np.clip(1.4 - 12 * pixel_m[on], 0, 1)
     lamp = np.exp(-(((x[on] - 0.2) / 0.3) ** 2) - ((z[on] - 0.72) / 0.16) ** 2)
-    power *= 1 + 0.9 * lamp * (some[:, 4] > 0.4)
-    power *= np.where((z[on] < 0.3 * some[:, 4]) & (x[on] > some[:, 3] - 0.4), 0.4, 1.0)
+    power *= 1 + 0.9 * near * lamp * (some[:, 4] > 0.4)
+    power *= 1 - 0.6 * near * ((z[on] < 0.3 * some[:, 4]) & (x[on] > some[:, 3] - 0.4))
     power *= np.where(drawn[on], np.float32(0.6), np.float32(1.0))
     day[on] += tone * power[:, None]
     return np.asarray(day, dtype=np.float32)

@@ -238,7 +238,7 @@ def paint_tree(canvas: Canvas, light: Light, tree: Tree, lamps: Sequence[Vec2] =
     lit = shone + light.sky * (0.62 + 0.3 * z)[:, None]
     if light.lamps:
         near = sum(1 / (1 + ((p - tree.at[0]) ** 2 + (q - tree.at[1]) ** 2) / 16) for p, q in lamps)
-        lit += near * np.array((0.3, 0.2, 0.09), dtype=np.float32) * light.lamps
+        lit += near * np.array((0.22, 0.15, 0.07), dtype=np.float32) * light.lamps
     colours = np.asarray(crown.colours[at] * lit, dtype=np.float32)
     canvas.fill(places_of(r + rows.start, columns[c]), away, colours)
 

@@ -24,9 +24,9 @@ _SKIES: dict[tuple[DayTime, Weather], tuple[Floats, Floats]] = {
     ("evening", "clear"): (_colour(0.34, 0.3, 0.36), _colour(0.1, 0.16, 0.34)),
     ("evening", "cloudy"): (_colour(0.3, 0.28, 0.33), _colour(0.11, 0.15, 0.28)),
     ("evening", "overcast"): (_colour(0.23, 0.24, 0.29), _colour(0.12, 0.135, 0.18)),
-    ("night", "clear"): (_colour(0.052, 0.044, 0.05), _colour(0.0045, 0.0075, 0.02)),
-    ("night", "cloudy"): (_colour(0.054, 0.046, 0.05), _colour(0.008, 0.011, 0.023)),
-    ("night", "overcast"): (_colour(0.06, 0.05, 0.05), _colour(0.014, 0.016, 0.026)),
+    ("night", "clear"): (_colour(0.042, 0.039, 0.05), _colour(0.0045, 0.0075, 0.02)),
+    ("night", "cloudy"): (_colour(0.046, 0.041, 0.049), _colour(0.008, 0.011, 0.023)),
+    ("night", "overcast"): (_colour(0.052, 0.045, 0.049), _colour(0.014, 0.016, 0.026)),
 }
 #: How much of the sky clouds take.
 _COVER: dict[Weather, float] = {"clear": 0.16, "cloudy": 0.55, "overcast": 0.8}
@@ -119,7 +119,7 @@ def _round_the_sun(angle: Floats, rise: Floats, light: Light, weather: Weather) 
     low = np.exp(-rise / 0.22)[..., None]
     wide = np.exp(-((angle / 0.85) ** 2))[..., None]
     close = np.exp(-angle / 0.13)[..., None]
-    glow = low * wide * _colour(0.85, 0.38, 0.1) + close * _colour(1.3, 0.72, 0.28)
+    glow = low * wide * _colour(0.66, 0.29, 0.07) + close * _colour(0.85, 0.45, 0.16)
     return np.asarray(share * glow)
 
 

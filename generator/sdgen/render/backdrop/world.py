@@ -121,8 +121,8 @@ def _lamps(canvas: Canvas, light: Light, place: Place) -> None:
         row = int(np.argmin(np.abs(canvas.rises - rise)))
         if abs(rise) > HIGHEST or canvas.far_m[row, column] < away - 1.0:
             continue
-        size = max(0.2 / away, 0.0022)
-        canvas.add(azimuth, rise, size, warm * 6.0 * light.lamps)
+        size = max(0.2 / away, 0.004)
+        canvas.add(azimuth, rise, size, warm * 3.0 * light.lamps)
         canvas.add(azimuth, rise, max(2.0 / away, 0.02), warm * 0.16 * light.lamps)
 
 

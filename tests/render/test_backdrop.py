@@ -2,8 +2,11 @@
 
 import numpy as np
 import pytest
-from sdgen.render.backdrop.boxes import Block, Plain, paint_block
+from sdgen.render.backdrop.boxes import Block, paint_block
+from sdgen.render.backdrop.builder import Builder
 from sdgen.render.backdrop.canvas import COLUMNS, Canvas, linear, noise
+from sdgen.render.backdrop.facades import Cabin, Plain
+from sdgen.render.backdrop.far import paint_hills
 from sdgen.render.backdrop.light import light_of
 from sdgen.render.backdrop.places import place_random
 from sdgen.render.backdrop.plants import Tree, crowns, paint_tree
@@ -78,3 +81,27 @@ def test_nothing_stands_in_the_home_and_all_are_finite(storey, season):
         assert len(place.trees) > 8
         for thing in (*place.blocks, *place.trees):
             assert thing.away_m > 6.0
+
+
+@pytest.mark.parametrize("storey", [0, 5])
+def test_by_night_far_hills_have_lights_and_by_day_none(storey):
+    outdoors = Outdoors(storey=storey, season="summer")
+    place = place_random(outdoors, np.random.default_rng(1))
+    place.sea = 0.0
+    counts = {}
+    for time in ("day", "night"):
+        canvas = Canvas(1.5 + 2.9 * storey)
+        light = light_of(time, "clear", 0.0, 0.6)
+        paint_hills(canvas, light, place, "summer", np.random.default_rng(3))
+        hills = canvas.colours[np.isfinite(canvas.far_m)]
+        counts[time] = int((hills[:, 0] > 1.5 * hills[:, 2] + 0.1).sum())
+    assert counts["day"] == 0
+    assert counts["night"] > 100
+
+
+def test_of_a_car_one_sees_windows_over_its_body_only():
+    builder = Builder(Outdoors(season="summer"), np.random.default_rng(4))
+    builder.car(12.0, 0.0)
+    cabins = [block for block in builder.place.blocks if isinstance(block.painter, Cabin)]
+    bodies = [block for block in builder.place.blocks if 0 < block.foot_m < 0.5]
+    assert [cabin.foot_m for cabin in cabins] == [pytest.approx(bodies[0].wall_m, abs=0.05)]

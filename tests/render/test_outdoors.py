@@ -9,8 +9,9 @@ import pytest
 from sdgen.cameras.pinhole import intrinsics, matrix4
 from sdgen.geometry import look_at
 from sdgen.library import Library
+from sdgen.render.backdrop.canvas import COLUMNS, ROWS, row_of
+from sdgen.render.backdrop.world import _painted, panorama
 from sdgen.render.outdoors import Outside
-from sdgen.render.panorama import panorama
 from sdgen.scene import Camera, Daylight, Outdoors
 from sdgen.vocabulary import SEASONS, WEATHERS
 
@@ -168,7 +169,7 @@ def test_few_worlds_are_painted_for_suns_that_differ_little():
 
 _CRC = """
 from zlib import crc32
-from sdgen.render.panorama import panorama
+from sdgen.render.backdrop.world import panorama
 from sdgen.scene import Daylight, Outdoors
 print(crc32(panorama(Outdoors(storey=2, season="winter"), Daylight(time="evening")).tobytes()))
 """
@@ -185,3 +186,46 @@ def test_a_world_is_the_same_in_every_process():
 def test_nobody_can_write_into_the_one_that_is_kept():
     with pytest.raises(ValueError, match="read-only"):
         panorama(SUMMER, DAY)[0, 0] = 0
+
+
+def widths(picture):
+    """How many pixels of a world the clear edges of what stands before the sky take."""
+    grey = picture[200:330].astype(float).mean(axis=2)
+    out = []
+    for line in grey:
+        steps = np.abs(line[8:] - line[:-8])
+        for at in np.flatnonzero((steps > 90) & (steps == np.max(steps))):
+            low, high = sorted((line[at], line[at + 8]))
+            part = (line[at : at + 9] - low) / (high - low)
+            out.append(int(((part > 0.1) & (part < 0.9)).sum()))
+    return out
+
+
+@pytest.mark.parametrize("storey", [0, 2])
+def test_edges_outside_are_sharp(storey):
+    # A picture of a room has some seven pixels a degree, a world eleven.
+    found = widths(panorama(Outdoors(storey=storey, weather="clear"), DAY))
+    assert len(found) > 30
+    assert np.median(found) <= 2
+
+
+def test_what_is_seen_lies_where_it_is_painted(monkeypatch):
+    # One bright place a little over the horizon, ahead; then to the left.
+    world = np.zeros((ROWS, COLUMNS, 3), dtype=np.uint8)
+    rows = np.abs(row_of(np.array([0.1])) - np.arange(ROWS)) < 6
+    monkeypatch.setattr("sdgen.render.outdoors.panorama", lambda *_: world)
+    sky = np.zeros((48, 64), dtype=np.uint16)
+    for yaw in (0.0, 0.3):
+        world[:] = 0
+        middle = int(yaw / (2 * np.pi) * COLUMNS)
+        world[np.ix_(rows, np.arange(middle - 6, middle + 7) % COLUMNS)] = 255
+        _, after = painted(sky, view=camera(yaw))
+        seen_rows, seen_columns = np.nonzero(after[..., 0] > 60)
+        assert seen_columns.mean() == pytest.approx(31.5, abs=1.0)
+        focal = intrinsics(64, 48)[1][1]
+        assert seen_rows.mean() == pytest.approx(23.5 - 0.1 * focal, abs=1.0)
+
+
+def test_the_few_worlds_that_are_kept_take_moderate_memory():
+    one = panorama(SUMMER, DAY)
+    assert one.nbytes * _painted.cache_info().maxsize < 80 * 2**20

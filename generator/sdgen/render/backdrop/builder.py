@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sdgen.geometry import Vec2
-from sdgen.render.backdrop.boxes import Block, Cabin, Facade, Painter, Plain
+from sdgen.render.backdrop.boxes import Block, Painter
 from sdgen.render.backdrop.canvas import Floats, linear
+from sdgen.render.backdrop.facades import Cabin, Facade, Plain
 from sdgen.render.backdrop.ground import Patch
 from sdgen.render.backdrop.plants import Crown, Tree, crowns, grass_of, leaves_of
 from sdgen.scene import Outdoors
@@ -27,6 +28,7 @@ BRICK = (linear(150, 92, 74), linear(164, 112, 86), linear(132, 98, 84), linear(
 CONCRETE = (linear(190, 188, 182), linear(208, 204, 194), linear(176, 180, 182))
 ROOFS = (linear(132, 74, 58), linear(86, 80, 78), linear(112, 100, 92), linear(150, 92, 66))
 FRAMES = (linear(232, 232, 228), linear(226, 222, 212), linear(96, 84, 74))
+SHUTTERS = (linear(74, 98, 84), linear(92, 66, 52), linear(196, 200, 200), linear(84, 104, 124))
 CARS = (
     linear(178, 180, 182),
     linear(52, 56, 62),
@@ -36,6 +38,7 @@ CARS = (
     linear(96, 100, 102),
 )
 ASPHALT, PAVING, KERB = linear(98, 98, 100), linear(158, 154, 148), linear(176, 174, 170)
+LINES = linear(206, 206, 200)
 GRAVEL, SAND = linear(168, 156, 138), linear(206, 190, 158)
 SEA, TIMBER, SNOW = linear(52, 92, 108), linear(128, 104, 80), linear(222, 226, 232)
 
@@ -89,7 +92,8 @@ class Builder:
         foot_m: float = 0.0,
     ) -> None:
         seed = int(self.rng.integers(2**16))
-        block = Block(low, high, wall_m, painter, top, slope, ridge, foot_m, seed)
+        tiled = slope > 0 and isinstance(painter, Facade) and not self.snow
+        block = Block(low, high, wall_m, painter, top, slope, ridge, foot_m, seed, tiled)
         self.place.blocks.append(block)
 
     def road(self, low: Vec2, high: Vec2, colour: Floats = ASPHALT) -> None:
@@ -109,6 +113,7 @@ class Builder:
             self.between(1.15, 1.5),
             brick=brick,
             floors=floors,
+            shutters=self.pick(SHUTTERS) if self.rng.random() < 0.3 else None,
         )
         roof = SNOW if self.snow else self.pick(ROOFS)
         low, high = (x - wide / 2, y - deep / 2), (x + wide / 2, y + deep / 2)
@@ -141,6 +146,7 @@ class Builder:
                 floors=count,
                 balconies=self.rng.random() < 0.2,
                 rail=self.pick(CONCRETE),
+                shops=self.rng.random() < 0.35,
             )
             roof = SNOW if self.snow else self.pick(ROOFS)
             wall = count * facade.floor_m + self.between(0.3, 0.8)
@@ -193,11 +199,11 @@ class Builder:
                 lows, highs = lows[::-1], highs[::-1]
             return (x + lows[0], y + lows[1]), (x + highs[0], y + highs[1])
 
-        tyres = Plain(linear(34, 34, 36))
+        tyres, body = Plain(linear(34, 34, 36)), Plain(colour, rough=0.0)
         self.block(*part(0.35, 1.0, 0.0), 0.6, tyres, colour)
         self.block(*part(long - 1.05, long - 0.4, 0.0), 0.6, tyres, colour)
-        self.block(*part(0.0, long, 0.02), 0.88, Plain(colour), colour, foot_m=0.32)
-        self.block(*part(long * 0.22, long * 0.86, 0.14), 1.43, Cabin(colour), colour)
+        self.block(*part(0.0, long, 0.02), 0.88, body, colour, foot_m=0.32)
+        self.block(*part(long * 0.22, long * 0.86, 0.14), 1.43, Cabin(colour), colour, foot_m=0.85)
 
     def lamps(self, y: float, step: float, reach: float = 70.0) -> None:
         post = Plain(linear(92, 96, 98))
@@ -211,6 +217,10 @@ class Builder:
         self.road((-reach, near + 2.0), (reach, near + 8.0))
         self.road((-reach, near + 1.85), (reach, near + 2.0), KERB)
         self.road((-reach, near + 8.0), (reach, near + 10.0), PAVING)
+        self.road((-reach, near + 8.0), (reach, near + 8.15), KERB)
+        if not self.snow:
+            line = Patch((-reach, near + 4.93), (reach, near + 5.07), LINES, 0.05, dash_m=2.0)
+            self.place.patches.append(line)
         for x in np.arange(-38, 38, 6.2).tolist():
             if self.rng.random() < 0.4:
                 self.car(x + self.between(0, 1.2), near + 3.0)

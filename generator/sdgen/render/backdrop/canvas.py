@@ -7,21 +7,36 @@ import numpy.typing as npt
 
 from sdgen.geometry import Array
 
-#: Columns for a full turn, and rows between the lowest and the highest elevation (sine): some six
-#: pixels a degree, as many as a picture of 640 pixels has.
-COLUMNS, ROWS = 2048, 320
+#: Columns for a full turn: some eleven pixels a degree, where a picture of 640 has seven or eight.
+COLUMNS = 4096
 LOWEST, HIGHEST = -0.7, 0.7
+#: Rows by elevation (sine): as close as columns round the horizon, which windows show, sparser
+#: where there is the sky overhead or the ground at one's feet.
+_RISE_KNOTS = (HIGHEST, 0.42, -0.36, LOWEST)
+_ROW_KNOTS = (0.0, 60.0, 568.0, 640.0)
+ROWS = int(_ROW_KNOTS[-1]) + 1
+#: How wide a pixel is, in radians: what is finer than that is to be drawn fainter.
+PIXEL = float(2 * np.pi / COLUMNS)
+
+#: So far one sees through air as if there were none, metres.
+_CLEAR_M = 40.0
 
 Floats = npt.NDArray[np.float32]
+Ints = npt.NDArray[np.intp]
+
+
+def row_of(rise: Array) -> Array:
+    """The row, with its fraction, of elevations given as sines."""
+    return np.asarray(np.interp(-rise, [-knot for knot in _RISE_KNOTS], _ROW_KNOTS))
 
 
 class Canvas:
     """All the way round an eye over the ground. Columns go with the azimuth, rows down; what is
-    put there hides what is farther away."""
+    put there hides what is farther away. The nearest first, little is painted twice."""
 
     def __init__(self, eye_m: float) -> None:
         turn = (np.arange(COLUMNS) + 0.5) / COLUMNS * 2 * np.pi
-        rise = np.linspace(HIGHEST, LOWEST, ROWS)
+        rise = np.interp(np.arange(ROWS), _ROW_KNOTS, _RISE_KNOTS)
         self.eye_m = eye_m
         #: Level directions (2, COLUMNS), and what a ray climbs a metre of its way, (ROWS,).
         self.ways: Floats = np.stack([np.cos(turn), np.sin(turn)]).astype(np.float32)
@@ -38,27 +53,27 @@ class Canvas:
         first = int(np.searchsorted(-self.climbs, -high))
         return slice(first, int(np.searchsorted(-self.climbs, -low, side="right")))
 
-    def put(
-        self,
-        rows: slice,
-        columns: npt.NDArray[np.intp],
-        far_m: Array | Floats,
-        colours: Array | Floats,
-        share: Array | Floats,
-    ) -> None:
-        """Paint colours (R, C, 3) that lie so far (R, C), or (C,), away where nothing nearer is,
-        covering a share (R, C) of what is there."""
-        window = (rows, slice(int(columns[0]), int(columns[-1]) + 1))
-        if int(columns[-1]) - int(columns[0]) + 1 != len(columns):
-            # Round the seam, or with gaps.
-            window = np.ix_(np.arange(rows.start, rows.stop), columns)  # type: ignore[assignment]
-        before_m, before = self.far_m[window], self.colours[window]
-        far = np.broadcast_to(np.asarray(far_m, dtype=np.float32), before_m.shape)
-        seen = np.where(far < before_m, share, np.float32(0)).astype(np.float32)
-        clear = np.exp(-far / np.float32(self.haze_m))[..., None]
-        hazy = colours * clear + self.haze[columns] * (1 - clear)
-        self.colours[window] = before + (hazy - before) * seen[..., None]
-        self.far_m[window] = np.where(seen > 0.5, far, before_m)
+    def before(self, rows: slice, columns: Ints) -> Floats:
+        """How far away is what stands in a window of the picture, (R, C)."""
+        if int(columns[-1]) - int(columns[0]) + 1 == len(columns):
+            return self.far_m[rows, int(columns[0]) : int(columns[-1]) + 1]
+        # Round the seam, or with gaps.
+        return np.asarray(self.far_m[rows][:, columns])
+
+    def fill(self, places: Ints, far_m: Array | Floats | float, colours: Floats) -> None:
+        """Paint colours (N, 3) that lie so far away at places counted along the rows."""
+        far = np.broadcast_to(np.asarray(far_m, dtype=np.float32), places.shape)
+        # Near by there is none that one would see.
+        deep = np.nonzero(far > _CLEAR_M)[0]
+        if len(deep):
+            clear = np.exp(far[deep] * np.float32(-1 / self.haze_m))[:, None]
+            hazy = self.haze.take(places[deep] & (COLUMNS - 1), axis=0)
+            if len(deep) == len(places):
+                colours = hazy + (colours - hazy) * clear
+            else:
+                colours[deep] = hazy + (colours[deep] - hazy) * clear
+        self.colours.reshape(-1, 3)[places] = colours
+        self.far_m.reshape(-1)[places] = far
 
     def add(self, azimuth: float, rise: float, radius: float, colour: Array) -> None:
         """Light round a lamp or the moon: it fades with the angle from there, in radians."""
@@ -76,6 +91,11 @@ class Canvas:
         self.colours[window] += (light[..., None] * colour).astype(np.float32)
 
 
+def places_of(rows: Ints, columns: Ints) -> Ints:
+    """Places of a picture counted along its rows."""
+    return np.asarray(rows * COLUMNS + columns, dtype=np.intp)
+
+
 def noise(rng: np.random.Generator, size: int, slope: float, first: float = 1.0) -> Floats:
     """A field that repeats at its edges, (size, size), of mean 0 and deviation 1: waves from
     ``first`` to the field's width on, weaker the finer they are by ``slope``."""
@@ -87,11 +107,28 @@ def noise(rng: np.random.Generator, size: int, slope: float, first: float = 1.0)
     return np.asarray(field / field.std(), dtype=np.float32)
 
 
+def _cells(x: Array | Floats, size: int) -> npt.NDArray[np.int32]:
+    """The cells of a repeating field in which places lie."""
+    return np.asarray(np.floor(x).astype(np.int32) & (size - 1))
+
+
 def looked_up(field: Floats, x: Array | Floats, y: Array | Floats) -> Floats:
     """A repeating field at places counted in its cells."""
     size = len(field)
-    rows, columns = (np.floor(a).astype(np.int32) & (size - 1) for a in (y, x))
-    return np.asarray(field[rows, columns], dtype=np.float32)
+    return np.asarray(field.reshape(-1).take(_cells(y, size) * size + _cells(x, size)))
+
+
+def between(field: Floats, x: Floats, y: Floats) -> Floats:
+    """The same, drawn out between the cells: for what is looked at closely."""
+    size, flat = len(field), field.reshape(-1)
+    left, top = _cells(x, size), _cells(y, size) * size
+    right, below = (left + 1) & (size - 1), (top + size) & (size * size - 1)
+    across, down = x - np.floor(x), y - np.floor(y)
+    above, under = flat.take(top + left), flat.take(below + left)
+    above += (flat.take(top + right) - above) * across
+    under += (flat.take(below + right) - under) * across
+    above += (under - above) * down
+    return np.asarray(above, dtype=np.float32)
 
 
 def soft(low: float, high: float, value: Array | Floats) -> Floats:

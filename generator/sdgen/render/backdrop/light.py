@@ -38,9 +38,9 @@ def _colour(*values: float) -> Floats:
 _SUN_SHARE: dict[Weather, float] = {"clear": 1.0, "cloudy": 0.55, "overcast": 0.0}
 #: Of the sky, by weather, where the sun takes its share of the day.
 _DAY_SKY: dict[Weather, Floats] = {
-    "clear": _colour(0.36, 0.43, 0.55),
-    "cloudy": _colour(0.56, 0.6, 0.67),
-    "overcast": _colour(0.84, 0.86, 0.9),
+    "clear": _colour(0.48, 0.55, 0.66),
+    "cloudy": _colour(0.7, 0.74, 0.81),
+    "overcast": _colour(0.95, 0.97, 1.0),
 }
 _DUSK_SKY: dict[Weather, Floats] = {
     "clear": _colour(0.15, 0.155, 0.21),
@@ -59,9 +59,10 @@ def light_of(time: DayTime, weather: Weather, azimuth: float, elevation: float) 
     share = _SUN_SHARE[weather]
     if time == "night":
         moon = 0.012 if weather == "clear" else 0.0
-        sky = _colour(0.011, 0.0145, 0.027)
-        return Light(time, towards, _colour(0.8, 0.9, 1.1) * moon, sky, 0.4, 0.85, 1.0)
+        # The glow of a town under its own lamps.
+        sky = _colour(0.024, 0.025, 0.034)
+        return Light(time, towards, _colour(0.8, 0.9, 1.1) * moon, sky, 0.5, 0.95, 1.0)
     if time == "evening":
-        sun = _colour(0.95, 0.5, 0.2) * share
+        sun = _colour(0.85, 0.5, 0.25) * share
         return Light(time, towards, sun, _DUSK_SKY[weather], 0.3, 0.75, 0.5)
     return Light(time, towards, _colour(1.0, 0.94, 0.82) * share, _DAY_SKY[weather], 0.0, 0.0, 0.0)

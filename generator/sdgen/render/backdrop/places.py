@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from sdgen.render.backdrop.boxes import Facade, Plain
 from sdgen.render.backdrop.builder import (
     FRAMES,
     GRAVEL,
@@ -18,6 +17,7 @@ from sdgen.render.backdrop.builder import (
     Place,
 )
 from sdgen.render.backdrop.canvas import linear
+from sdgen.render.backdrop.facades import Facade, Plain
 from sdgen.render.backdrop.ground import Patch
 from sdgen.scene import Outdoors
 

@@ -7,13 +7,13 @@ from sdgen.catalog.load import load_catalog
 from sdgen.geometry import quat_from_yaw
 from sdgen.home.layout import Layout, corners_of
 from sdgen.home.room_try import RoomTry, empty_room
-from sdgen.home.rugs import SEEN_SHARE, lying
+from sdgen.home.rugs import APART_M, SEEN_SHARE, lying
 from sdgen.library import load_library
 from sdgen.scene import Home, ObjectInstance, Pose, Room
 from sdgen.seeding import lane
 
 CATALOG, LIBRARY = load_catalog(), load_library()
-LARGE, SMALL = LIBRARY.info("rug_15"), LIBRARY.info("rug_01")
+LARGE, SMALL, MAT = (LIBRARY.info(name) for name in ("rug_15", "rug_01", "bath_mat_01"))
 
 
 def room_with(*pieces: tuple[str, float, float, float]) -> RoomTry:
@@ -73,3 +73,12 @@ def test_no_chair_stands_half_on_a_rug():
 def test_a_rug_too_large_for_the_room_lies_nowhere():
     walls = [("bookshelf_01", 0.8 * k + 0.6, 4.3, 0.0) for k in range(5)]
     assert lying(LARGE, 10, 0.0, room_with(("coffee_table_02", 2.5, 3.6, 0.0), *walls)) == []
+
+
+def test_two_large_rugs_keep_apart_and_mats_need_not():
+    tried = room_with(("rug_01", 1.6, 2.0, 0.0))
+    lies = shapely.polygons(corners_of(SMALL, 1.6, 2.0, 0.0))
+    rugs, mats = (outlines(asset, lying(asset, None, 0.0, tried)) for asset in (SMALL, MAT))
+    assert rugs
+    assert min(rug.distance(lies) for rug in rugs) > APART_M
+    assert min(mat.distance(lies) for mat in mats) < APART_M

@@ -24,6 +24,8 @@ from sdgen.vocabulary import FLAT_M
 FLAT_OFF_M = 0.08
 #: Where that leaves no place it reaches so far under what stands, but leaves it so much beyond.
 FLAT_UNDER_M, BEYOND_M = 0.4, 0.3
+#: Two that are larger than this keep so far apart: patterns side by side clash.
+LARGE_M2, APART_M = 1.0, 0.6
 #: Under a piece a rug lies within so much of where the rule has it, metres, in such steps: large
 #: ones would reach under shelves else. Aside it is missed more.
 SHIFT_M, STEP_M, ASIDE_COSTS = 0.8, 0.2, 1.5
@@ -36,8 +38,9 @@ def lying(asset: AssetInfo, target_id: int | None, gap_m: float, tried: RoomTry)
     if target_id is not None:
         return _under(asset, target_id, gap_m, tried)
     size = (asset.extents_m[0], asset.extents_m[1])
-    clear = on_free_floor(_bare_floor(tried), size)
-    return clear or on_free_floor(_bare_floor(tried, tucked=True), size)
+    lies = unary_union(_flat(tried, size[0] * size[1]))
+    clear = on_free_floor(_bare_floor(tried, lies), size)
+    return clear or on_free_floor(_bare_floor(tried, lies, tucked=True), size)
 
 
 def _under(asset: AssetInfo, target_id: int, gap_m: float, tried: RoomTry) -> list[PlacedAt]:
@@ -71,31 +74,35 @@ def _lying_well(boxes: Array, target_id: int, tried: RoomTry) -> list[int]:
         if "MOVABLE" in tried.catalog.category(tried.layout.items[k].category).properties:
             fair |= shapely.covers(left, shape)
         good = good[fair]
-    for flat in _flat(tried):
+    for flat in _flat(tried, float(shapely.area(boxes[0]))):
         good = good[~shapely.intersects(boxes[good], flat)]
     found: list[int] = good.tolist()
     return found
 
 
-def _bare_floor(tried: RoomTry, tucked: bool = False) -> BaseGeometry:
-    """The floor on which nothing stands or lies and no door swings, a little less of it; with
+def _bare_floor(tried: RoomTry, lies: BaseGeometry, tucked: bool = False) -> BaseGeometry:
+    """The floor on which nothing stands or ``lies`` and no door swings, a little less of it; with
     ``tucked``, also a strip under what is deep enough: beds, not shelves."""
     stands: list[BaseGeometry] = list(tried.prints.values())
     if tucked:
         stands = [_beyond_strip(shape, tried.layout.info(k)) for k, shape in tried.prints.items()]
-    grown = unary_union([*_flat(tried), *stands]).buffer(FLAT_OFF_M, join_style="mitre")
+    grown = unary_union([lies, *stands]).buffer(FLAT_OFF_M, join_style="mitre")
     within = tried.outline.buffer(-FLAT_OFF_M, join_style="mitre")
     return within.difference(unary_union([grown, tried.swings]))
 
 
-def _flat(tried: RoomTry) -> list[Polygon]:
-    """What lies flat on the floor."""
-    return [
+def _flat(tried: RoomTry, area_m2: float) -> list[BaseGeometry]:
+    """What lies flat on the floor, with as much around it as a thing of this area keeps off it."""
+    lies = [
         shapely.polygons(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw)))
         for item in (tried.layout.items[k] for ids in tried.placed.values() for k in ids)
         for x, y, z in [item.pose.position_m]
         for info in [tried.layout.info(item.id)]
         if info.extents_m[2] <= FLAT_M and z < FLAT_M
+    ]
+    return [
+        shape.buffer(APART_M, join_style="mitre") if min(area_m2, shape.area) > LARGE_M2 else shape
+        for shape in lies
     ]
 
 

@@ -50,6 +50,6 @@ class Textures:
             upright = image.convert("RGB").transpose(Image.Transpose.FLIP_TOP_BOTTOM)
         texture = self._context.texture(upright.size, 3, upright.tobytes(), alignment=1)
         texture.build_mipmaps()
-        texture.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+        texture.filter = (moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR)
         self._pixels += texture.width * texture.height
         return texture

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from sdgen.render.backdrop.boxes import Block, paint_block
+from sdgen.render.backdrop.boxes import paint_block
 from sdgen.render.backdrop.builder import Builder
 from sdgen.render.backdrop.canvas import COLUMNS, Canvas, linear, noise
 from sdgen.render.backdrop.facades import Cabin, Plain
@@ -10,6 +10,7 @@ from sdgen.render.backdrop.far import paint_hills
 from sdgen.render.backdrop.light import light_of
 from sdgen.render.backdrop.places import place_random
 from sdgen.render.backdrop.plants import Tree, crowns, paint_tree
+from sdgen.render.backdrop.solids import Block
 from sdgen.scene import Outdoors
 from sdgen.vocabulary import SEASONS
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from sdgen.geometry import Vec2
-from sdgen.render.backdrop.boxes import Block, Painter
 from sdgen.render.backdrop.canvas import Floats, linear
 from sdgen.render.backdrop.facades import Cabin, Facade, Plain
 from sdgen.render.backdrop.ground import Patch
 from sdgen.render.backdrop.plants import Crown, Tree, crowns, grass_of, leaves_of
+from sdgen.render.backdrop.solids import Block, Painter
 from sdgen.scene import Outdoors
 
 PLASTER = (

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdgen.render.backdrop.boxes import Wall
 from sdgen.render.backdrop.canvas import Floats, Ints, between, linear, looked_up, soft
 from sdgen.render.backdrop.light import Light
+from sdgen.render.backdrop.solids import Wall
 
 #: Doors are so wide and high, metres.
 _DOOR_M = (1.0, 2.1)

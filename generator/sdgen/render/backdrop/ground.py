@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from sdgen.geometry import Vec2
-from sdgen.render.backdrop.boxes import Block
 from sdgen.render.backdrop.canvas import COLUMNS, Canvas, Floats, Ints, looked_up, soft
 from sdgen.render.backdrop.light import Light
 from sdgen.render.backdrop.plants import Tree, shadow_of
+from sdgen.render.backdrop.solids import Block
 
 #: Shadows are reckoned for so many metres around, one of so many pixels each way.
 _SHADOWS_M, _COARSE = 70.0, 4

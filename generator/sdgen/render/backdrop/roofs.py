@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from sdgen.render.backdrop.canvas import Floats, looked_up
 from sdgen.render.backdrop.light import Light
-
-if TYPE_CHECKING:
-    from sdgen.render.backdrop.boxes import Block
+from sdgen.render.backdrop.solids import Block
 
 #: How far courses of tiles and tiles in one are apart, metres.
 _COURSE_M, _TILE_M = 0.34, 0.3

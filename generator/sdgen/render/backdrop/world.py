@@ -16,7 +16,7 @@ from zlib import crc32
 import numpy as np
 import numpy.typing as npt
 
-from sdgen.render.backdrop.boxes import Block, paint_block
+from sdgen.render.backdrop.boxes import paint_block
 from sdgen.render.backdrop.builder import Place
 from sdgen.render.backdrop.canvas import COLUMNS, HIGHEST, Canvas, Floats, noise
 from sdgen.render.backdrop.far import paint_hills, paint_woods
@@ -25,6 +25,7 @@ from sdgen.render.backdrop.light import Light, light_of
 from sdgen.render.backdrop.places import place_random
 from sdgen.render.backdrop.plants import Tree, paint_tree
 from sdgen.render.backdrop.sky import moon_of, paint_sky
+from sdgen.render.backdrop.solids import Block
 from sdgen.scene import Daylight, Outdoors
 from sdgen.vocabulary import DayTime
 

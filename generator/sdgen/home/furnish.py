@@ -16,6 +16,7 @@ from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_qua
 from sdgen.home.anchors import BACK_GAP_M
 from sdgen.home.blocks import Block
 from sdgen.home.context import HomeContext, Models
+from sdgen.home.hoods import underside_of
 from sdgen.home.layout import Intent, Layout, room_to_change, within_room
 from sdgen.home.style import HomeStyle
 from sdgen.home.ways import stand_of, way_of
@@ -222,9 +223,15 @@ def drawn_at(
     rng: Rng,
 ) -> tuple[ObjectInstance, Intent | None] | None:
     """A model where a piece of the drawing says, at rest, and what it stands on; None when that is
-    not there. ``placed`` are the pieces of the room so far, by category."""
+    not there, or for a hood whose chimney cannot end at the ceiling: where no model is named, it
+    hangs where it does. ``placed`` are the pieces of the room so far, by category."""
     yaw = math.radians(piece.yaw_deg)
     x, y, z = piece.position_m
+    if piece.model is None:
+        under = underside_of(asset, z, room.height_m)
+        if under is None:
+            return None
+        z = under
     intent = None
     if piece.on is not None:
         target = _nearest(layout, placed.get(piece.on, ()), x, y)

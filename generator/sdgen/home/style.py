@@ -68,12 +68,17 @@ class HomeStyle:
 
 
 def style_random(
-    styles: Sequence[Style], library: Library, has_suite: Callable[[str], bool], rng: Rng
+    styles: Sequence[Style],
+    library: Library,
+    has_suite: Callable[[str], bool],
+    rng: Rng,
+    others: Sequence[Style] = (),
 ) -> HomeStyle:
     """The style of one home, of these by weight; no style where there are none.
 
     ``has_suite`` says of which suites there are models. Where a home may show none of a part's
-    suites, it has one that another style names for that part: never strangers side by side.
+    suites, it has one that another style names for that part, of these or of ``others``: never
+    strangers side by side.
     """
     if not styles:
         return HomeStyle()
@@ -95,7 +100,7 @@ def style_random(
                 surfaces.append(DrawnSurface(kind, choice.rooms, name))
     suites = []
     for part, names in style.suites:
-        elsewhere = (dict(other.suites).get(part, ()) for other in styles)
+        elsewhere = (dict(other.suites).get(part, ()) for other in (*styles, *others))
         found = [name for name in names if has_suite(name)]
         found = found or [name for other in elsewhere for name in other if has_suite(name)]
         if found:

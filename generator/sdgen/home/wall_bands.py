@@ -30,9 +30,9 @@ WORKTOP_M = (0.7, 1.35)
 #: far above it.
 BELOW_TOP_M, SPLASH_M = 0.02, 0.55
 #: A unit's back is so near the wall that it stands at (the ends of a U stand a little off it), and
-#: gaps up to so wide are tiled too.
+#: gaps up to so wide are tiled too, to a corner of the room up to so wide.
 BACK_M = 0.1
-JOIN_M = 0.65
+JOIN_M, TO_CORNER_M = 0.65, 0.2
 #: Walls end at outlines but for rounding.
 RIM_M = 1e-4
 #: A tub or a basin is so near a wall that it wets.
@@ -115,7 +115,7 @@ def _behind_worktops(
             tiled = [s for s in run if _is_worktop(s) and s.high - s.low >= 2 * BACK_M]
             if tiled:
                 low, high = min(s.low for s in tiled), max(s.high for s in tiled)
-                found.append((k, *_to_corners(low, high, ends, BACK_M)))
+                found.append((k, *_to_corners(low, high, ends)))
                 tops += [s.top for s in tiled]
     if not found:
         return []
@@ -180,15 +180,16 @@ def _standing_at(
         info = layout.info(object_id)
         shape = Polygon(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw)))
         at_wall = shapely.intersection(shape, strip)
-        if not at_wall.is_empty:
+        # What only touches the strip has its edge there by the last digit.
+        if at_wall.area > RIM_M:
             top = z + info.extents_m[2] if heights is None else heights[item.category]
             yield _Span(at_wall.bounds[axis], at_wall.bounds[axis + 2], top)
 
 
-def _to_corners(low: float, high: float, ends: Sequence[float], near_m: float) -> Vec2:
+def _to_corners(low: float, high: float, ends: Sequence[float]) -> Vec2:
     """A stretch of a wall, within its ends and up to one that is near."""
-    low = ends[0] if low - ends[0] < near_m else low
-    high = ends[1] if ends[1] - high < near_m else high
+    low = ends[0] if low - ends[0] < TO_CORNER_M else low
+    high = ends[1] if ends[1] - high < TO_CORNER_M else high
     return round(low, 4), round(high, 4)
 
 

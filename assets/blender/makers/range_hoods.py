@@ -79,7 +79,7 @@ def range_hood(
         # Two sleeves, the upper one drawn out to the ceiling with a collar where they meet.
         top, meet = tall - 0.009, tall - 0.26
         asm.board("body", (back, -0.13, low), (0.0, 0.13, meet), shell, 0.004)
-        asm.board("body", (back + 0.01, -0.12, meet), (-0.01, 0.12, top), shell, 0.003)
+        asm.board("body", (back + 0.01, -0.12, meet), (-0.01, 0.12, top - 0.004), shell, 0.003)
         asm.board("body", (back, -0.13, top - 0.015), (0.0, 0.13, top), shell, 0.003)
         slit = plain("#3a3d40", 0.03)
         for k in range(4):

@@ -84,6 +84,9 @@ CHILD_REACH_M = 1.29
 #: 1.3 m or more in our homes, over furniture or against the wall.
 OVERHEAD_M = 1.3
 
+#: Where, of fittings, what people hang on walls is: of any models, in sets.
+ON_BARE_WALLS = ("over", "bare_wall")
+
 #: Of its footprint, a thing that is in a zone has at least this in it: more in than out.
 ZONE_SHARE = 0.5
 #: So near to that it is undecided: of a thing 0.3 m long this is 4.5 cm, which is seen, not

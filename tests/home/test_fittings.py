@@ -12,10 +12,13 @@ from sdgen.catalog.load import load_catalog
 from sdgen.errors import InputError
 from sdgen.facts import bodies_of, in_the_air
 from sdgen.freespace import union
+from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
 from sdgen.home.anchors import sides_of
 from sdgen.home.clearances import sight_of
 from sdgen.home.fittings import _hung, _lamp_places
+from sdgen.home.layout import corners_of
+from sdgen.home.room_try import free_parts
 from sdgen.home.wall_sets import WallSets
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
@@ -286,3 +289,56 @@ def test_hardly_a_wall_of_rooms_one_lives_in_stays_bare(homes):
                 bare += bool(sets.bare_parts(side, 1.3, 1.9))
     assert walls > 40
     assert bare < 0.06 * walls
+
+
+def test_no_print_hangs_twice_in_a_room(homes):
+    for made in (*homes, *base_homes()):
+        for room in made.context.home.rooms:
+            items = [i for i in made.layout.items.values() if i.room_id == room.id]
+            prints = [i.asset for i in items if i.category in ("picture_frame", "poster")]
+            assert len(set(prints)) == len(prints), (room.type, prints)
+
+
+def base_homes():
+    """All that are drawn, where pictures are of drawings, too."""
+    for number, spec in enumerate(CATALOG.homes):
+        models, rng = SplitModels(LIBRARY, "train"), lane(4, number, "furnish")
+        made = furnished_home(spec, CATALOG, LIBRARY, models, count(1), rng)
+        assert isinstance(made, FurnishedHome), made
+        yield made
+
+
+def test_long_walls_have_something_at_the_height_of_eyes(homes):
+    """On nearly every wall that is free of what is tall, of windows and of doors over 2.5 m."""
+    hung = walls = 0
+    for made in homes:
+        for room in made.context.home.rooms:
+            if room.type not in LIVED_IN:
+                continue
+            mine = [o for o in made.context.home.openings if room.id in o.room_ids]
+            taken = [shapely.get_coordinates(sight_of(o).before) for o in mine]
+            items = [i for i in made.layout.items.values() if i.room_id == room.id]
+            tall = [i for i in items if i.pose.position_m[2] < 0.9 and top_of(i) > 1.3]
+            taken += [outline(i) for i in tall]
+            on_walls = [i for i in items if i.pose.position_m[2] >= 0.9 and top_of(i) > 1.4]
+            for side in sides_of(room.polygon_m):
+                for part in free_parts(side, taken, 0.45):
+                    if part.length_m > 2.5:
+                        spots = [part.measure(i.pose.position_m[:2]) for i in on_walls]
+                        walls += 1
+                        hung += any(0 < t < part.length_m and away < 0.3 for t, away in spots)
+    assert walls >= 12
+    assert hung >= 0.9 * walls
+
+
+LIVED_IN = ("living_room", "bedroom", "child_room", "dining_room", "office", "hall")
+
+
+def top_of(item):
+    return item.pose.position_m[2] + LIBRARY.info(item.asset).extents_m[2]
+
+
+def outline(item):
+    x, y, _ = item.pose.position_m
+    corners = corners_of(LIBRARY.info(item.asset), x, y, yaw_of(item.pose.quat_xyzw))
+    return np.array(corners)

@@ -9,6 +9,9 @@ import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.geometry import yaw_of
 from sdgen.hazards.splits import SplitModels
+from sdgen.home.anchors import HUNG_GAP_M
+from sdgen.home.generate import HEIGHTS_M
+from sdgen.home.hoods import CHIMNEY_M, HIGHEST_M, LOWEST_M, underside_of
 from sdgen.home.wall_units import fewest
 from sdgen.options import BuildOptions
 from sdgen.pipeline.furnished import FurnishedHome, furnished_home, pick_home
@@ -18,6 +21,7 @@ from tests.shipped import shipped_library
 
 CATALOG = load_catalog()
 LIBRARY = shipped_library()
+SUITES = {m.id: m.suite for m in LIBRARY.by_category("wall_cabinet")}
 BASE_UNITS = ("kitchen_counter", "sink_cabinet", "stove", "fridge", "corner_counter")
 
 
@@ -117,46 +121,83 @@ def test_no_fridge_stands_beside_the_stove(kitchens):
         assert apart > (width(fridge) + width(stove)) / 2 + 0.3
 
 
-def over_which(cabinet, units):
-    """The base unit whose width a wall unit hangs within, if any."""
-    for unit in units:
-        ahead, left = in_frame(unit, cabinet)
-        deep, wide, _ = LIBRARY.info(unit.asset).extents_m
-        # A corner unit has arms along two walls.
-        along, half = (left, wide) if same_yaw(unit, cabinet) else (ahead, deep)
-        turned = not same_yaw(unit, cabinet)
-        if turned and unit.category != "corner_counter":
-            continue
-        if abs(along) + width(cabinet) / 2 <= half / 2 + 0.008 and abs(ahead) < 0.8:
-            return unit
-    return None
+def side_gaps(item, others):
+    """Between the sides of a piece and those of others at the same wall, metres; below 0: they
+    overlap."""
+    return [
+        abs(in_frame(item, other)[1]) - (width(item) + width(other)) / 2
+        for other in others
+        if other is not item and same_yaw(item, other) and abs(in_frame(item, other)[0]) < 0.3
+    ]
 
 
-def test_what_hangs_is_in_line_with_the_unit_it_belongs_to(kitchens):
+def test_wall_units_of_a_kitchen_are_of_one_height_depth_and_suite(kitchens):
+    for pieces in kitchens:
+        cabinets = pieces.get("wall_cabinet", ())
+        models = [LIBRARY.info(c.asset) for c in cabinets]
+        assert len({round(m.extents_m[0], 2) for m in models}) <= 1
+        assert len({m.extents_m[2] for m in models}) <= 1
+        assert len({SUITES[c.asset] for c in cabinets}) <= 1
+        assert len({c.pose.position_m[2] for c in cabinets}) <= 1
+
+
+def test_no_wall_unit_hangs_alone(kitchens):
+    """Each has another right beside it, or a hood with one at its other side."""
+    for pieces in kitchens:
+        cabinets, hoods = pieces.get("wall_cabinet", []), pieces.get("range_hood", [])
+        for cabinet in cabinets:
+            beside = [gap for gap in side_gaps(cabinet, cabinets) if gap < 0.02]
+            flanked = [
+                hood
+                for hood in hoods
+                if min(side_gaps(cabinet, [hood]), default=1.0) < 0.03
+                and sum(gap < 0.03 for gap in side_gaps(hood, cabinets)) == 2
+            ]
+            assert beside or flanked
+
+
+def test_what_hangs_is_over_base_units_and_overlaps_nothing(kitchens):
     hoods = cabinets = 0
     for pieces in kitchens:
         under = ("kitchen_counter", "sink_cabinet", "dishwasher", "corner_counter")
         below = [unit for category in under for unit in pieces.get(category, ())]
+        hung = [*pieces.get("wall_cabinet", ()), *pieces.get("range_hood", ())]
+        for piece in hung:
+            assert min(side_gaps(piece, hung), default=0.0) > -0.001
         for cabinet in pieces.get("wall_cabinet", ()):
             cabinets += 1
-            assert over_which(cabinet, below) is not None
+            assert any(math.hypot(*in_frame(unit, cabinet)) < 0.85 for unit in below)
         for hood in pieces.get("range_hood", ()):
             hoods += 1
             assert abs(in_frame(pieces["stove"][0], hood)[1]) < 0.01
+            # Flush with a row, or clearly apart.
+            gaps = side_gaps(hood, pieces.get("wall_cabinet", ()))
+            assert all(gap < 0.03 or gap > 0.15 for gap in gaps)
     assert hoods
     assert cabinets > len(kitchens)
 
 
-def test_wall_units_fill_the_width_of_base_units_that_are_not_at_windows(kitchens):
-    shares = []
+def test_chimneys_end_at_the_ceiling(kitchens):
+    ends = set()
     for pieces in kitchens:
-        for category in ("kitchen_counter", "sink_cabinet", "dishwasher"):
-            for unit in pieces.get(category, ()):
-                over = [c for c in pieces.get("wall_cabinet", ()) if over_which(c, [unit])]
-                shares.append(sum(map(width, over)) / width(unit))
-    # Half of them in forty homes; where the kitchens of so few homes have their windows, fewer.
-    assert sum(share > 0.95 for share in shares) > 0.25 * len(shares)
-    assert max(shares) < 1.03
+        for hood in pieces.get("range_hood", ()):
+            tall = LIBRARY.info(hood.asset).extents_m[2]
+            if tall > CHIMNEY_M:
+                ends.add(round(hood.pose.position_m[2] + tall + HUNG_GAP_M, 3))
+                assert LOWEST_M <= hood.pose.position_m[2] <= HIGHEST_M
+    assert ends
+    assert ends <= set(HEIGHTS_M)
+
+
+@pytest.mark.parametrize("ceiling_m", HEIGHTS_M)
+def test_some_hood_with_a_chimney_fits_under_every_ceiling(ceiling_m):
+    hoods = LIBRARY.by_category("range_hood")
+    tall = [m for m in hoods if m.extents_m[2] > CHIMNEY_M]
+    assert any(underside_of(model, 1.6, ceiling_m) for model in tall)
+    for model in hoods:
+        if model not in tall:
+            assert underside_of(model, 1.6, ceiling_m) == 1.6
+    assert all(underside_of(model, 1.6, 3.2) is None for model in tall)
 
 
 def test_dishwashers_stand_by_the_sink(kitchens):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 from sdgen.catalog.load import load_catalog
 from sdgen.catalog.records import HomeSpec
@@ -88,20 +90,49 @@ def test_tiles_are_behind_worktops_and_nowhere_else(homes):
     assert tiled >= len(homes)
 
 
-def test_walls_are_tiled_where_tubs_and_basins_stand(homes):
+def test_wet_rooms_are_tiled_all_round(homes):
+    """From corner to corner of every wall, as high as the home has it; higher where a tub wets."""
     heights = {c.name: c.tiled_m for c in CATALOG.categories if c.tiled_m}
-    behind = 0
+    used = set()
     for made in homes:
-        wet = {r.id for r in made.context.home.rooms if r.type in ("bathroom", "toilet")}
-        stands = [i for i in made.layout.items.values() if i.category in heights]
+        wet = {i.room_id for i in made.layout.items.values() if i.category in heights}
+        rooms = {r.id: r for r in made.context.home.rooms}
+        lower = {}
         for wall in made.context.home.structures:
-            tiles = [b for b in wall.bands if b.low_m[1] == 0 and b.high_m[1] > 1]
-            assert not tiles or wall.room_id in wet
-            for band in tiles:
-                near = [i for i in stands if distance(made, i, line_of(wall, band)) < 0.2]
-                assert band.high_m[1] in {heights[item.category] for item in near}
-                behind += len(near)
-    assert behind >= len(homes)
+            if wall.category != "wall" or rooms[wall.room_id].type not in ("bathroom", "toilet"):
+                continue
+            assert wall.room_id in wet
+            (band,) = wall.bands
+            line = line_of(wall, band)
+            outline = Polygon(rooms[wall.room_id].polygon_m).exterior
+            corners = [LineString([c, c]).centroid for c in outline.coords]
+            for end in line.boundary.geoms:
+                assert min(end.distance(corner) for corner in corners) < 1e-3
+            assert band.low_m[1] == 0
+            tubs = [i for i in made.layout.items.values() if i.category == "bathtub"]
+            if not any(distance(made, tub, line) < 0.2 for tub in tubs):
+                lower.setdefault(wall.room_id, set()).add(band.high_m[1])
+        assert all(len(found) == 1 for found in lower.values())
+        of_home = set().union(*lower.values())
+        assert len(of_home) <= 1
+        used |= of_home
+    assert used == {1.2, 2.1}
+
+
+def test_tiles_of_one_kitchen_are_between_two_heights_and_run_on(homes):
+    """Between two worktops at one wall there is no hole but where something long is no worktop."""
+    for made in homes:
+        rooms = {r.id: r for r in made.context.home.rooms}
+        found = {}
+        for wall in made.context.home.structures:
+            if rooms[wall.room_id].type == "kitchen":
+                bands = [b for b in wall.bands if LIBRARY.surfaces[b.surface].kind != "skirting"]
+                found.setdefault(wall.room_id, set()).update(
+                    (b.low_m[1], b.high_m[1]) for b in bands
+                )
+                spans = sorted((b.low_m[0], b.high_m[0]) for b in bands)
+                assert all(b[0] - a[1] > 0.6 for a, b in pairwise(spans))
+        assert all(len(heights) <= 1 for heights in found.values())
 
 
 def test_every_basin_has_tiles_behind_it(homes):

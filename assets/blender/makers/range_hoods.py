@@ -56,10 +56,17 @@ def _buttons(asm: Assembly, x: float, z: float, dark: bool) -> None:
 
 
 def range_hood(
-    form: str = "pyramid", colour: str = "steel", width: float = 0.6, offset: Offset = (0, 0, 0)
+    form: str = "pyramid",
+    colour: str = "steel",
+    width: float = 0.6,
+    tall: float = 0.95,
+    offset: Offset = (0, 0, 0),
 ) -> Model:
     """form: "pyramid" under a chimney, flat "box" under a chimney, curved "glass" canopy,
-    "slanted" black glass, or a slim "visor" to fit under a cabinet."""
+    "slanted" black glass, or a slim "visor".
+
+    Chimneys are `tall` with what is below them: homes hang them so that they end at the ceiling.
+    The others give back the air that they clean, and have no duct that would end in mid-air."""
     asm, half = Assembly(), width / 2
     shell = steel(3.0) if colour == "steel" else plain(colour, 0.02, 8, offset)
     back, depth = -0.25, 0.5
@@ -69,13 +76,16 @@ def range_hood(
         wide = half if form != "glass" else half - 0.1
         deep = x1 if form != "glass" else x1 - 0.1
         asm.board("body", (back, -wide, 0), (deep, wide, low), shell, 0.004)
-        asm.board("body", (back, -0.13, low), (0.0, 0.13, 0.78), shell, 0.004)
-        asm.board("body", (back + 0.01, -0.12, 0.78), (-0.01, 0.12, 0.92), shell, 0.003)
+        # Two sleeves, the upper one drawn out to the ceiling with a collar where they meet.
+        top, meet = tall - 0.009, tall - 0.26
+        asm.board("body", (back, -0.13, low), (0.0, 0.13, meet), shell, 0.004)
+        asm.board("body", (back + 0.01, -0.12, meet), (-0.01, 0.12, top - 0.004), shell, 0.003)
+        asm.board("body", (back, -0.13, top - 0.015), (0.0, 0.13, top), shell, 0.003)
         slit = plain("#3a3d40", 0.03)
         for k in range(4):
             for s in (-1, 1):
                 a, b = sorted((s * 0.1195, s * 0.1225))
-                z = 0.82 + 0.02 * k
+                z = top - 0.1 + 0.02 * k
                 asm.board("body", (-0.17, a, z), (-0.07, b, z + 0.009), slit, solid=False)
         if form == "pyramid":
             rings = []
@@ -98,7 +108,6 @@ def range_hood(
         side = [(back, 0.0), (back + 0.12, 0.0), (x1 - 0.1, 0.36), (x1 - 0.14, 0.42), (back, 0.42)]
         asm.add("body", extrude(side, width, mat=shell, axis="y", bevel_width=0.004))
         asm.piece("body", np.array([(x, y, z) for x, z in side for y in (-half, half)]))
-        asm.board("body", (back, -0.14, 0.42), (back + 0.24, 0.14, 0.78), shell, 0.004)
         # a pane of dark glass laid on the slope, standing off it
         a, b = np.array([back + 0.13, 0.0]), np.array([x1 - 0.085, 0.36])
         along = (b - a) / np.linalg.norm(b - a)
@@ -121,11 +130,6 @@ def range_hood(
         side = [(back, 0.0), (x1, 0.0), (x1, 0.045), (x1 - 0.16, 0.13), (back, 0.13)]
         asm.add("body", extrude(side, width, mat=shell, axis="y", bevel_width=0.003))
         asm.piece("body", np.array([(x, y, z) for x, z in side for y in (-half, half)]))
-        duct = [(0, 0.13), (0.068, 0.13), (0.068, 0.14), (0.06, 0.145), (0.06, 0.165)]
-        duct += [(0.064, 0.17), (0.06, 0.175), (0.06, 0.2), (0.052, 0.2), (0.05, 0.17), (0, 0.17)]
-        pipe = [plain("#9ea4a9", 0.05), plain("#2b2d30", 0.03)]
-        mesh = lathe(duct, 16, mats=pipe, mat_of_segment=[0] * 8 + [1, 1])
-        asm.add("body", mesh.move(back + 0.14, 0, 0), solid=True)
         slit = plain("#3a3d40", 0.03)
         for k in range(9):
             y = (k - 4) * 0.045
@@ -146,7 +150,7 @@ def range_hood(
         "box": "flat chimney range hood",
         "glass": "range hood with a glass canopy",
         "slanted": "slanted range hood of black glass",
-        "visor": "slim under-cabinet range hood",
+        "visor": "slim range hood",
     }
     return Model(
         title=words[form],
@@ -184,6 +188,7 @@ def range_hood_random(rng: np.random.Generator) -> dict:
     return {
         "form": pick(rng, ["pyramid", "box", "glass", "slanted", "visor"]),
         "colour": pick(rng, ["steel", "#f1f1ee", "#26282b"]),
+        "tall": 0.95,
         "offset": noise_offset(rng),
     }
 
@@ -196,8 +201,8 @@ MODELS = {
         [
             {"form": "pyramid", "colour": "steel"},
             {"form": "pyramid", "colour": "#26282b"},
-            {"form": "box", "colour": "steel"},
-            {"form": "glass", "colour": "steel"},
+            {"form": "box", "colour": "steel", "tall": 0.85},
+            {"form": "glass", "colour": "steel", "tall": 0.85},
             {"form": "slanted", "colour": "#e9e8e4"},
             {"form": "slanted", "colour": "#26282b"},
             {"form": "visor", "colour": "#f1f1ee"},

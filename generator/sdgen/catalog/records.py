@@ -279,7 +279,8 @@ class Category(Record):
     ``climb_m``: children climb on it and stand about so high above its bottom (a model's own
     surface near that height says how high); None: they do not.
 
-    ``tiled_m``: walls that its furniture stands at are tiled up to so high, in rooms with tiles.
+    ``tiled_m``: rooms with such furniture are tiled all round, where there are tiles, and the walls
+    that it stands at up to so high at least.
 
     ``alike``: it comes in several, so that one piece of furniture may hold two of one model.
     ``reserved``: hollows that only take what lives in a hollow of that name. ``belongs_to``: the

@@ -17,6 +17,7 @@ from sdgen.home import anchors
 from sdgen.home.anchors import PlacedAt, Side
 from sdgen.home.context import Models
 from sdgen.home.furnish import top_of
+from sdgen.home.hoods import underside_of
 from sdgen.home.islands import with_island
 from sdgen.home.layout import Layout
 from sdgen.home.room_try import (
@@ -300,8 +301,9 @@ def _candidates(rule: FurnitureRule, target: int | None, tried: RoomTry) -> list
     found = tried.models(rule.category)
     order = [found[k] for k in tried.rng.permutation(len(found)).tolist()]
     if rule.where == "above" and target is not None:
-        wide = tried.layout.info(target).extents_m[1]
+        wide, ceiling_m = tried.layout.info(target).extents_m[1], tried.room.height_m
         order = [m for m in order if m.extents_m[1] <= wide + ABOVE_WIDER_M]
+        order = [m for m in order if underside_of(m, rule.z_m, ceiling_m) is not None]
         return sorted(order, key=lambda m: round(wide - m.extents_m[1], 1))
     if rule.z_m:
         return order
@@ -368,5 +370,6 @@ def _poses(
         seated = [layout.items[k].pose.position_m[:2] for k in tried.all([rule.category])]
         return anchors.around(target, info, size, seated, rng, rule.gap_m)
     if rule.where == "above":
-        return anchors.above(target, info, size, rule.z_m, tried.sides)
+        z_m = underside_of(asset, rule.z_m, tried.room.height_m) or rule.z_m
+        return anchors.above(target, info, size, z_m, tried.sides)
     return anchors.opposite(target, tried.sides, size, rng, reach)

@@ -160,8 +160,10 @@ class _Look:
         for model in models:
             rng = lane(0, 0, "still")  # pieces are drawn without jitter: nothing is drawn from it
             found = drawn_at(piece, model, room, home.layout, home.inside(room), rng)
-            if found is None:
+            if found is None and piece.on is not None:
                 return []  # what it stands on was told of
+            if found is None:
+                continue  # a chimney of another length
             why = self._why_not(piece, model, *found, room, home)
             if not why:
                 home.add(found[0], room, path)

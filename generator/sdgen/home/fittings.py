@@ -47,7 +47,7 @@ from sdgen.home.wall_sets import WallSets, wall_behind
 from sdgen.library.records import Asset
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import DOORS, HALF_WALL_M
+from sdgen.vocabulary import DOORS, HALF_WALL_M, ON_BARE_WALLS
 from sdgen.zones import DOORWAY_DEPTH_M, TOUCH_M2, floor_obstacles, swing_sectors
 
 #: A rod hangs so far above the window, what is under it ends so far below the sill.
@@ -73,9 +73,6 @@ MIDDLE_M = 0.05
 LIT_M, LEAST_DARK_M2, MOST_LAMPS, LIT_STEP_M = 4.5, 3.0, 3, 0.5
 #: A wall is an opening's when its middle is in it.
 SAME_WALL_M = HALF_WALL_M + 0.02
-
-#: Where of any models, in sets, what people hang on walls is.
-ON_BARE_WALLS = ("over", "bare_wall")
 
 #: Models with the poses they may have, first the best.
 Candidates = Iterable[tuple[Asset, PlacedAt]]

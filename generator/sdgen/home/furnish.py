@@ -16,6 +16,7 @@ from sdgen.geometry import Vec3, apply, quat_from_yaw, round_position, round_qua
 from sdgen.home.anchors import BACK_GAP_M
 from sdgen.home.blocks import Block
 from sdgen.home.context import HomeContext, Models
+from sdgen.home.hoods import underside_of
 from sdgen.home.layout import Intent, Layout, room_to_change, within_room
 from sdgen.home.style import HomeStyle
 from sdgen.home.ways import stand_of, way_of
@@ -24,7 +25,7 @@ from sdgen.library.records import Asset, AssetInfo
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import Home, ObjectInstance, Opening, Pose, Room
 from sdgen.seeding import Rng
-from sdgen.vocabulary import DOORS, FLAT_M, INNER_DOORS, OPENINGS, PRESSED_M
+from sdgen.vocabulary import DOORS, FLAT_M, INNER_DOORS, ON_BARE_WALLS, OPENINGS, PRESSED_M
 from sdgen.zones import swing_blocked
 
 #: Of the pieces a drawn home marks optional, so many stand: chosen by eye, for variety.
@@ -155,6 +156,7 @@ def _furnish_room(
     as_drawn: bool,
 ) -> Layout | Rejection:
     placed: dict[str, list[int]] = {}
+    hung = {fitting.category for fitting in catalog.fittings if fitting.where in ON_BARE_WALLS}
     for piece in source.furniture:
         skip = rng.random() >= OPTIONAL_SHARE
         # What belongs to somebody stands wherever they live: an infant's cot.
@@ -164,10 +166,11 @@ def _furnish_room(
         wide = candidates_for(piece, among, layout.library)
         order = [wide[k] for k in rng.permutation(len(wide)).tolist()] if wide else []
         # Of the home's style first. Chairs round a table, and tables beside a bed, are of one model
-        # where it fits.
+        # where it fits; of pictures nobody hangs one twice.
         there = {layout.items[k].asset for k in placed.get(piece.category, ())}
         matching = {model.id for model in style.matching(wide)}
-        order.sort(key=lambda m: (m.id not in there, m.id not in matching))
+        alike = piece.category not in hung
+        order.sort(key=lambda m: ((m.id in there) != alike, m.id not in matching))
         done = False
         for model in order:
             done = _try_piece(piece, model, room, layout, catalog, placed, rng, as_drawn)
@@ -222,9 +225,15 @@ def drawn_at(
     rng: Rng,
 ) -> tuple[ObjectInstance, Intent | None] | None:
     """A model where a piece of the drawing says, at rest, and what it stands on; None when that is
-    not there. ``placed`` are the pieces of the room so far, by category."""
+    not there, or for a hood whose chimney cannot end at the ceiling: where no model is named, it
+    hangs where it does. ``placed`` are the pieces of the room so far, by category."""
     yaw = math.radians(piece.yaw_deg)
     x, y, z = piece.position_m
+    if piece.model is None:
+        under = underside_of(asset, z, room.height_m)
+        if under is None:
+            return None
+        z = under
     intent = None
     if piece.on is not None:
         target = _nearest(layout, placed.get(piece.on, ()), x, y)

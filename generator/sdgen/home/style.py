@@ -15,8 +15,12 @@ from sdgen.catalog.records import Style, SurfaceChoice
 from sdgen.home.context import Models
 from sdgen.library import Library
 from sdgen.library.records import Asset
-from sdgen.seeding import Rng
+from sdgen.seeding import Rng, unit_hash
 from sdgen.vocabulary import SurfaceKind
+
+#: Walls of wet rooms are tiled so high, to the basin or as high as doors: of all of our tiles whole
+#: ones (0.1, 0.15, 0.3 m). The first in so many homes.
+TILED_M, LOW_SHARE = (1.2, 2.1), 0.6
 
 
 class DrawnSurface(NamedTuple):
@@ -29,12 +33,14 @@ class DrawnSurface(NamedTuple):
 
 @dataclass(frozen=True)
 class HomeStyle:
-    """What one home has of a style: a surface for each choice, a suite for each part."""
+    """What one home has of a style: a surface for each choice, a suite for each part; the walls of
+    its wet rooms are tiled up to ``tiled_m``."""
 
     name: str = ""
     surfaces: tuple[DrawnSurface, ...] = ()
     suites: frozenset[str] = frozenset()
     tags: frozenset[str] = frozenset()
+    tiled_m: float = TILED_M[0]
 
     def surface(self, kind: SurfaceKind, room_type: str) -> str | None:
         """A surface of a room; None: the style says nothing of it."""
@@ -62,12 +68,17 @@ class HomeStyle:
 
 
 def style_random(
-    styles: Sequence[Style], library: Library, has_suite: Callable[[str], bool], rng: Rng
+    styles: Sequence[Style],
+    library: Library,
+    has_suite: Callable[[str], bool],
+    rng: Rng,
+    others: Sequence[Style] = (),
 ) -> HomeStyle:
     """The style of one home, of these by weight; no style where there are none.
 
     ``has_suite`` says of which suites there are models. Where a home may show none of a part's
-    suites, it has one that another style names for that part: never strangers side by side.
+    suites, it has one that another style names for that part, of these or of ``others``: never
+    strangers side by side.
     """
     if not styles:
         return HomeStyle()
@@ -89,9 +100,12 @@ def style_random(
                 surfaces.append(DrawnSurface(kind, choice.rooms, name))
     suites = []
     for part, names in style.suites:
-        elsewhere = (dict(other.suites).get(part, ()) for other in styles)
+        elsewhere = (dict(other.suites).get(part, ()) for other in (*styles, *others))
         found = [name for name in names if has_suite(name)]
         found = found or [name for other in elsewhere for name in other if has_suite(name)]
         if found:
             suites.append(found[int(rng.integers(len(found)))])
-    return HomeStyle(style.name, tuple(surfaces), frozenset(suites), frozenset(style.tags))
+    # By what else was drawn: one draw more would change all that is furnished after it.
+    low = unit_hash("tiles", style.name, *(d.surface for d in surfaces), *suites) < LOW_SHARE
+    tags, tiled_m = frozenset(style.tags), TILED_M[0 if low else 1]
+    return HomeStyle(style.name, tuple(surfaces), frozenset(suites), tags, tiled_m)

@@ -20,21 +20,23 @@ from sdgen.scene import Band, Home, Room, Structure
 from sdgen.vocabulary import FLAT_M, Facing
 
 Edge = tuple[Vec2, Vec2]
+#: A wall by its id, and a lower and an upper corner, along and up it.
+Area = tuple[int, Vec2, Vec2]
 
 #: Units with a worktop are so high, metres, with the tap of a sink: what is higher of a run (a
-#: fridge) needs no tiles behind it.
+#: fridge) needs no tiles behind it, but between two worktops they go on behind it.
 WORKTOP_M = (0.7, 1.35)
-#: Tiles end so far above a worktop: where wall units begin.
-SPLASH_M = 0.55
+#: Tiles begin so far below the lowest worktop of a room, and end where its wall units begin, or so
+#: far above it.
+BELOW_TOP_M, SPLASH_M = 0.02, 0.55
 #: A unit's back is so near the wall that it stands at (the ends of a U stand a little off it), and
-#: gaps up to so wide are tiled too.
+#: gaps up to so wide are tiled too, to a corner of the room up to so wide.
 BACK_M = 0.1
-JOIN_M = 0.65
+JOIN_M, TO_CORNER_M = 0.65, 0.2
 #: Walls end at outlines but for rounding.
 RIM_M = 1e-4
-#: A tub or a basin is so near a wall that it wets, tiles go on so far beside it, and up to a corner
-#: that is no further away. By eye.
-WET_M, BESIDE_WET_M, TO_CORNER_M = 0.15, 0.1, 0.35
+#: A tub or a basin is so near a wall that it wets.
+WET_M = 0.15
 
 
 class _Span(NamedTuple):
@@ -59,69 +61,103 @@ def skirting_of(start: Vec2, end: Vec2, library: Library, surface: str) -> Band:
 
 
 def with_tiles(home: Home, layout: Layout, catalog: Catalog, style: HomeStyle) -> Home:
-    """The home with tiles, in rooms that its style has some for, on the walls behind the worktops
-    of runs and behind furniture whose category says how high its walls are tiled."""
+    """The home with tiles, in rooms that its style has some for: round all walls of a room with
+    wet furniture (whose category says how high its walls are tiled), and behind worktops of runs,
+    both between the same heights wherever they are in a room."""
     types = {room_type.name: room_type for room_type in catalog.room_types}
     heights = {c.name: c.tiled_m for c in catalog.categories if c.tiled_m is not None}
-    rooms = {room.id: room for room in home.rooms}
-    out = []
-    for wall in home.structures:
-        room = rooms[wall.room_id]
-        surface = style.surface("splashback", room.type)
-        spec = types.get(room.type)
-        edge = _edge_of(wall, room) if wall.category == "wall" and surface is not None else None
-        if edge is not None and surface is not None and spec is not None:
-            # Not those of an island: at its back, in the middle of the room, stand seats.
-            runs = [rule for rule in spec.furniture if rule.where in ("row", "run")]
-            units = {name for rule in runs for name in (*rule.row, *rule.extra, rule.corner)}
-            areas = [*_behind_worktops(edge, room, layout, units)]
-            areas += _in_the_wet(edge, room, layout, heights)
-            _, facing = _facing(*edge)
-            # Down to the floor there is no skirting.
-            tiles = [Band(surface=surface, facing=facing, low_m=a, high_m=b) for a, b in areas]
-            if tiles:
-                wall = wall.model_copy(update={"bands": (*tiles, *wall.bands)})
-        out.append(wall)
-    return home.model_copy(update={"structures": tuple(out)})
+    walls = [wall for wall in home.structures if wall.category == "wall"]
+    tiles: dict[int, list[Band]] = {}
+    for room in home.rooms:
+        surface, spec = style.surface("splashback", room.type), types.get(room.type)
+        if surface is None or spec is None:
+            continue
+        edges = {w.id: _edge_of(w, room) for w in walls if w.room_id == room.id}
+        found = {k: edge for k, edge in edges.items() if edge is not None}
+        # Not those of an island: at its back, in the middle of the room, stand seats.
+        runs = [rule for rule in spec.furniture if rule.where in ("row", "run")]
+        units = {name for rule in runs for name in (*rule.row, *rule.extra, rule.corner)}
+        hung_m = next((rule.z_m for rule in spec.furniture if rule.where == "over"), None)
+        areas = [
+            *_behind_worktops(found, room, layout, units, hung_m),
+            *_in_the_wet(found, room, layout, heights, style.tiled_m),
+        ]
+        for k, low, high in areas:
+            _, facing = _facing(*found[k])
+            band = Band(surface=surface, facing=facing, low_m=low, high_m=high)
+            tiles.setdefault(k, []).append(band)
+    # Down to the floor there is no skirting: of bands that overlap the first is seen.
+    structures = (
+        wall.model_copy(update={"bands": (*tiles[wall.id], *wall.bands)})
+        if wall.id in tiles
+        else wall
+        for wall in home.structures
+    )
+    return home.model_copy(update={"structures": tuple(structures)})
 
 
 def _behind_worktops(
-    edge: Edge, room: Room, layout: Layout, units: Collection[str]
-) -> Iterator[tuple[Vec2, Vec2]]:
-    """Lower and upper corners, along and up the wall, of what is above its worktops."""
-    axis, _ = _facing(*edge)
-    joined: list[_Span] = []
-    for span in sorted(_standing_at(edge, BACK_M, room, layout, units)):
-        if not WORKTOP_M[0] < span.top < WORKTOP_M[1] or span.high - span.low < 2 * BACK_M:
-            continue
-        if joined and span.low - joined[-1].high < JOIN_M:
-            before = joined.pop()
-            high, top = max(before.high, span.high), min(before.top, span.top)
-            span = _Span(before.low, high, top)
-        joined.append(span)
-    ends = sorted((edge[0][axis], edge[1][axis]))
-    for span in joined:
-        low, high = _to_corners(span.low, span.high, ends, BACK_M)
-        yield (low, round(span.top - 0.02, 3)), (high, round(span.top + SPLASH_M, 3))
+    edges: Mapping[int, Edge],
+    room: Room,
+    layout: Layout,
+    units: Collection[str],
+    hung_m: float | None,
+) -> list[Area]:
+    """What is tiled above worktops: at each wall from where a run of units begins to where it
+    ends, up to ``hung_m`` where wall units are, all of a room between the same heights."""
+    found: list[tuple[int, float, float]] = []
+    tops: list[float] = []
+    for k, edge in edges.items():
+        axis, _ = _facing(*edge)
+        ends = sorted((edge[0][axis], edge[1][axis]))
+        for run in _runs(sorted(_standing_at(edge, BACK_M, room, layout, units))):
+            # What is only the side of the last unit of a run along the next wall is as good.
+            tiled = [s for s in run if _is_worktop(s) and s.high - s.low >= 2 * BACK_M]
+            if tiled:
+                low, high = min(s.low for s in tiled), max(s.high for s in tiled)
+                found.append((k, *_to_corners(low, high, ends)))
+                tops += [s.top for s in tiled]
+    if not found:
+        return []
+    bottom = round(min(tops) - BELOW_TOP_M, 3)
+    top = round(min(tops) + SPLASH_M, 3) if hung_m is None else hung_m
+    return [(k, (low, bottom), (high, top)) for k, low, high in found]
+
+
+def _runs(spans: Sequence[_Span]) -> Iterator[list[_Span]]:
+    """Units at one wall, in order along it, parted where nothing stands for long."""
+    run: list[_Span] = []
+    for span in spans:
+        if run and span.low - max(s.high for s in run) >= JOIN_M:
+            yield run
+            run = []
+        run.append(span)
+    if run:
+        yield run
+
+
+def _is_worktop(span: _Span) -> bool:
+    return WORKTOP_M[0] < span.top < WORKTOP_M[1]
 
 
 def _in_the_wet(
-    edge: Edge, room: Room, layout: Layout, heights: Mapping[str, float]
-) -> Iterator[tuple[Vec2, Vec2]]:
-    """Lower and upper corners of what is tiled from the floor up, the highest first."""
-    axis, _ = _facing(*edge)
-    ends = sorted((edge[0][axis], edge[1][axis]))
-    found = sorted(_standing_at(edge, WET_M, room, layout, heights, heights))
-    spans = [s for s in found if s.high - s.low > WET_M]
-    grown: list[_Span] = []
-    for k, span in enumerate(spans):
-        low, high = span.low - BESIDE_WET_M, span.high + BESIDE_WET_M
-        if k + 1 < len(spans) and 0 < spans[k + 1].low - high < JOIN_M:
-            high = spans[k + 1].low
-        low, high = _to_corners(low, high, ends, TO_CORNER_M)
-        grown.append(_Span(low, high, span.top))
-    for span in sorted(grown, key=lambda s: -s.top):
-        yield (span.low, 0.0), (span.high, span.top)
+    edges: Mapping[int, Edge],
+    room: Room,
+    layout: Layout,
+    heights: Mapping[str, float],
+    tiled_m: float,
+) -> Iterator[Area]:
+    """All walls of a room with wet furniture from the floor up to ``tiled_m``, a wall that some
+    stands at up to what it wets, if that is higher: tiles end at corners of the room alone."""
+    if not any(i.room_id == room.id and i.category in heights for i in layout.items.values()):
+        return
+    for k, edge in edges.items():
+        axis, _ = _facing(*edge)
+        low, high = sorted((edge[0][axis], edge[1][axis]))
+        wet = _standing_at(edge, WET_M, room, layout, heights, heights)
+        top = max((s.top for s in wet if s.high - s.low > WET_M), default=0.0)
+        top = min(max(top, tiled_m), room.height_m)
+        yield k, (round(low, 4), 0.0), (round(high, 4), round(top, 3))
 
 
 def _standing_at(
@@ -144,15 +180,16 @@ def _standing_at(
         info = layout.info(object_id)
         shape = Polygon(corners_of(info, x, y, yaw_of(item.pose.quat_xyzw)))
         at_wall = shapely.intersection(shape, strip)
-        if not at_wall.is_empty:
+        # What only touches the strip has its edge there by the last digit.
+        if at_wall.area > RIM_M:
             top = z + info.extents_m[2] if heights is None else heights[item.category]
             yield _Span(at_wall.bounds[axis], at_wall.bounds[axis + 2], top)
 
 
-def _to_corners(low: float, high: float, ends: Sequence[float], near_m: float) -> Vec2:
+def _to_corners(low: float, high: float, ends: Sequence[float]) -> Vec2:
     """A stretch of a wall, within its ends and up to one that is near."""
-    low = ends[0] if low - ends[0] < near_m else low
-    high = ends[1] if ends[1] - high < near_m else high
+    low = ends[0] if low - ends[0] < TO_CORNER_M else low
+    high = ends[1] if ends[1] - high < TO_CORNER_M else high
     return round(low, 4), round(high, 4)
 
 

@@ -177,7 +177,11 @@ def furnished_home(
     """
     if tenants is not None and Homes(catalog).needs_wide_beds(tenants.beds, spec):
         models = wide_beds(models, catalog)
-    style = style_random(_styles(spec, catalog), library, _suites(models, catalog), rng)
+    suites = _suites(models, catalog, library)
+    named = _styles(spec, catalog)
+    # A home that names its style may have to borrow fronts that its split may show.
+    others = [style for style in catalog.styles if style not in named]
+    style = style_random(named, library, suites, rng, others)
     theirs = models if tenants is None else tenants.models(models, catalog)
     styled = style.models(theirs)
     home = build_shell(spec, style, library, ids, rng)
@@ -266,10 +270,16 @@ def _styles(spec: HomeSpec, catalog: Catalog) -> tuple[Style, ...]:
     return tuple(style for style in catalog.styles if style.name == spec.style)
 
 
-def _suites(models: Models, catalog: Catalog) -> Callable[[str], bool]:
-    """Whether there are models of a suite."""
-    every = (model for category in catalog.categories for model in models(category.name))
-    return {model.suite for model in every}.__contains__
+def _suites(models: Models, catalog: Catalog, library: Library) -> Callable[[str], bool]:
+    """Whether there are models of a suite, of all categories that the library has some of it in:
+    of a kitchen whose corner units are withheld others would fill the corners."""
+    shown: set[str | None] = set()
+    lacking: set[str | None] = set()
+    for category in catalog.categories:
+        here = {model.suite for model in models(category.name)}
+        shown |= here
+        lacking |= {model.suite for model in library.by_category(category.name)} - here
+    return (shown - lacking).__contains__
 
 
 def _agent_start(point: Vec2, room: Room, rng: Rng) -> AgentStart:

@@ -56,7 +56,7 @@ class SunMap:
         # in beneath the walls.
         ground = -origins[:, 2] / along[2] if along[2] < 0 else np.full(len(origins), np.inf)
         depth = np.minimum(np.minimum(far, ground) + begin, 1e6)
-        self.depth_m: npt.NDArray[np.float32] = depth.reshape(rows, columns).astype(np.float32)
+        self.depth_m = _without_slits(depth.reshape(rows, columns).astype(np.float32))
 
     def shines(self, points_m: Array, normals: Array) -> Array:
         """How much of the sun's light points (N, 3) on surfaces get, 0 to 1."""
@@ -68,3 +68,13 @@ class SunMap:
         depth[inside] = self.depth_m[cell[inside, 1], cell[inside, 0]]
         lit = (depth > seen[:, 2] - 0.02) & (points_m[:, 2] < self.highest_m)
         return np.asarray(lit * np.clip(normals @ self.towards, 0.0, None))
+
+
+def _without_slits(depth: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    """The map without what is deep in less than two cells across (a morphological opening): gaps
+    beside frames and between slats, which rays so far apart make rows of specks of."""
+    least = np.minimum(depth[:-1], depth[1:])
+    least = np.minimum(least[:, :-1], least[:, 1:])
+    wide = np.pad(least, 1, constant_values=-np.inf)
+    most = np.maximum(wide[:-1], wide[1:])
+    return np.maximum(most[:, :-1], most[:, 1:])

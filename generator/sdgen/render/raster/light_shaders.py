@@ -130,14 +130,15 @@ vec3 sunny(vec3 p, vec3 n) {
     vec2 at = (vec2(dot(q, sun_right), dot(q, sun_up)) - sun_corner.xy) / sun_step;
     float slant = dot(n, sun), depth = dot(q, sun_along) - 0.02, sum = 0.0;
     // How the depth of the surface itself changes from cell to cell (receiver plane depth bias,
-    // Isidoro 2006): without it a surface shades itself, or light comes in at corners.
+    // Isidoro 2006): without it a surface shades itself, or light comes in at corners. Towards the
+    // sun it is less than a wall is thick, or what the sun grazes is lit through that.
     vec2 rise = vec2(dot(n, sun_right), dot(n, sun_up)) / max(slant, 0.1) * sun_step;
     vec2 low = floor(at - 0.5);
     float core = 0.0;
     for (int i = -1; i < 3; i++) for (int j = -1; j < 3; j++) {
         ivec2 cell = ivec2(low) + ivec2(i, j);
         vec2 off = vec2(cell) + 0.5 - at;
-        float lit = step(depth + dot(off, rise), texelFetch(sun_map, cell, 0).r);
+        float lit = step(depth + max(dot(off, rise), -0.05), texelFetch(sun_map, cell, 0).r);
         vec2 near = max(1.0 - abs(off), 0.0), far = 2.0 - abs(off);
         sum += lit * far.x * far.y; core += lit * near.x * near.y;
     }
@@ -234,7 +235,7 @@ float close(vec3 p, vec3 n, float turn) {
             * vec4(p + far * (n + 0.9 * (cos(angle) * t + sin(angle) * b)), 1.0);
         ivec2 at = clamp(ivec2((c.xy / c.w * 0.5 + 0.5) * vec2(size)), ivec2(0), size - 1);
         float before = c.w - texelFetch(depth_map, at, 0).r;
-        hidden += smoothstep(0.0, 0.004, before) * (1.0 - smoothstep(0.06, 0.2, before));
+        hidden += smoothstep(0.008, 0.02, before) * (1.0 - smoothstep(0.06, 0.2, before));
     }
     return 1.0 - 0.2 * hidden;
 }

@@ -60,9 +60,6 @@ _PASSES = {
     "smooth": SMOOTH,
 }
 
-#: Pixels with edges are lit side by side in pictures so wide.
-_EDGE_WIDTH = 256
-
 #: Left, bottom, width and height in pixels of a picture.
 Box = tuple[int, int, int, int]
 
@@ -70,14 +67,15 @@ Box = tuple[int, int, int, int]
 class Targets:
     """What the passes over pictures of one size draw into."""
 
-    def __init__(self, context: moderngl.Context, size: tuple[int, int]) -> None:
+    def __init__(self, context: moderngl.Context, size: tuple[int, int], fine: bool) -> None:
         self.pixel = (1 / size[0], 1 / size[1])
         small = (max(1, size[0] // _COARSE), max(1, size[1] // _COARSE))
         self.size, self.coarse = size, small
         self.shade, self.blurred = (context.texture(small, 2, dtype="f2") for _ in range(2))
         self.light, self.smooth, self.world = (context.texture(size, 4) for _ in range(3))
         self.light.repeat_x = self.light.repeat_y = False
-        edges = (_EDGE_WIDTH, -(-size[0] * size[1] // _EDGE_WIDTH))
+        # Pixels with edges, side by side: where they lie, and their colours.
+        edges = size if fine else (1, 1)
         self.spots, self.edges = context.texture(edges, 2, dtype="f4"), context.texture(edges, 4)
         self.frames = {
             "shade": context.framebuffer([self.shade]),
@@ -179,10 +177,10 @@ class Passes:
         edges = np.flatnonzero(colours >> 24)
         if len(edges) == 0:
             return
-        rows = -(-len(edges) // _EDGE_WIDTH)
-        spots = np.zeros((rows * _EDGE_WIDTH, 2), dtype=np.float32)
+        rows = -(-len(edges) // width)
+        spots = np.zeros((rows * width, 2), dtype=np.float32)
         spots[: len(edges)] = np.stack([edges % width, edges // width], axis=1)
-        box, frame = (0, 0, _EDGE_WIDTH, rows), targets.frames["edge"]
+        box, frame = (0, 0, width, rows), targets.frames["edge"]
         targets.spots.write(spots.tobytes(), viewport=box, alignment=1)
         frame.viewport = box
         self._run(program, frame, values, textures)

@@ -224,7 +224,7 @@ class GlRenderer(Renderer):
                 for one in self._sizes.pop(next(iter(self._sizes))):
                     one.release()
             buffers = Buffers(self._context, *size)
-            self._sizes[size] = buffers, Targets(self._context, buffers.size)
+            self._sizes[size] = buffers, Targets(self._context, buffers.size, fine)
         return self._sizes[size]
 
 

@@ -77,4 +77,4 @@ def _without_slits(depth: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     least = np.minimum(least[:, :-1], least[:, 1:])
     wide = np.pad(least, 1, constant_values=-np.inf)
     most = np.maximum(wide[:-1], wide[1:])
-    return np.maximum(most[:, :-1], most[:, 1:])
+    return np.asarray(np.maximum(most[:, :-1], most[:, 1:]))

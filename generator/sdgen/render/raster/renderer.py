@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 import sys
 from collections.abc import Collection, Sequence
@@ -197,6 +198,7 @@ class GlRenderer(Renderer):
         """Colours and normals at each of these places of the pixels; none: at their middles."""
         width, height = buffers.size
         buffers.colours.use()
+        give(self._programs["colours"], "finer", 0.5 * math.log2(max(1, len(places))))
         for k, (x, y) in enumerate(places or [(0.0, 0.0)]):
             shift = np.eye(4)
             shift[:2, 3] = -2 * x / width, -2 * y / height

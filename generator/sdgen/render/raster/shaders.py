@@ -20,13 +20,14 @@ void main() {
 ALBEDO_PIXEL = """
 #version 330
 uniform sampler2D worn;
+uniform float finer;                   // by how many halvings the samples lie denser than pixels
 in vec3 facing; in vec2 spot; flat in vec4 tint; flat in vec4 id;
 layout(location = 0) out vec4 albedo;
 layout(location = 1) out vec4 normal;
 void main() {
     // A window's pane has a colour factor of 0: of it and of nothing no share is taken.
     float there = step(0.002, tint.r + tint.g + tint.b);
-    vec3 colour = texture(worn, spot).rgb * tint.rgb;
+    vec3 colour = texture(worn, spot, -finer).rgb * tint.rgb;
     // What glows keeps its drawing, and does not turn white all over.
     if (tint.a > 0.5) colour /= max(1.0, max(colour.r, max(colour.g, colour.b)));
     albedo = vec4(min(colour, 1.0), tint.a);

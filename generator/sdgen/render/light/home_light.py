@@ -15,6 +15,7 @@ import numpy as np
 
 from sdgen.library import Library
 from sdgen.render.light import HAS_RAYS
+from sdgen.render.light.floors import FloorShade, shade_of_floors
 from sdgen.render.light.lamps import lamps_of
 from sdgen.render.light.panes import panes_of
 from sdgen.render.light.rooms import RoomLight, even_light, light_of_rooms
@@ -37,12 +38,14 @@ _FRONT_DOOR = "front_door"
 
 @dataclass(frozen=True, eq=False)
 class HomeLight:
-    """The light in the rooms of a home, the sky outside, and the sun's map where it shines."""
+    """The light in the rooms of a home, the sky outside, the sun's map where it shines, and the
+    shade of furniture on floors, where there is any."""
 
     time: DayTime
     rooms: list[RoomLight]
     sky: Sky
     sun: SunMap | None
+    floor: FloorShade | None
 
 
 def light_of_home(library: Library, scene: Scene, parts: Sequence[Drawn]) -> HomeLight:
@@ -52,7 +55,7 @@ def light_of_home(library: Library, scene: Scene, parts: Sequence[Drawn]) -> Hom
     high = ceiling_m if np.isfinite(ceiling_m) else _HIGH_M
     if not HAS_RAYS:
         sky = sky_of(home.daylight, home.outdoors.weather)
-        return HomeLight(home.daylight.time, even_light(home.rooms, high), sky, None)
+        return HomeLight(home.daylight.time, even_light(home.rooms, high), sky, None, None)
     # Not for the types alone: without embree there is no such module.
     from sdgen.render.light.sunlight import SunMap
     from sdgen.render.light.world import LightWorld
@@ -69,10 +72,10 @@ def light_of_home(library: Library, scene: Scene, parts: Sequence[Drawn]) -> Hom
     shining = None if sun is None else (sun, sky.sun)
     panes = panes_of(home)
     enclosed = any(one.category == "wall" for one in home.structures)
-    rooms = light_of_rooms(
-        world, home.rooms, high, sky.radiance, shining, lamps_of(scene, parts), panes, enclosed
-    )
-    return HomeLight(home.daylight.time, rooms, sky, sun)
+    lamps = lamps_of(scene, parts)
+    rooms = light_of_rooms(world, home.rooms, high, sky.radiance, shining, lamps, panes, enclosed)
+    floor = shade_of_floors(world, home.rooms, panes, lamps)
+    return HomeLight(home.daylight.time, rooms, sky, sun, floor)
 
 
 def _highest_m(home: Home, ceiling_m: float) -> float:

@@ -44,6 +44,8 @@ class LightWorld:
         roof = _roof(np.concatenate([part.box for part in large])) if roofed else _NONE
         self._triangles = np.concatenate([*corners, roof]).astype(np.float32)
         counts = [len(part.faces) for part in large]
+        shell = np.repeat([part.number == 0 for part in large], counts)
+        self._shell = np.concatenate([shell, np.ones(len(roof), dtype=bool)])
         albedo = np.array([albedo_of(part) for part in large]).reshape(-1, 3)
         self._albedo = np.concatenate([np.repeat(albedo, counts, axis=0), np.zeros((len(roof), 3))])
         sides = self._triangles[:, 1:] - self._triangles[:, :1]
@@ -70,6 +72,14 @@ class LightWorld:
         """How far each ray (N, 3) goes before it meets something; inf: for ever."""
         found = self._run(origins_m, directions)
         return np.where(found["primID"] >= 0, found["tfar"].astype(np.float64), np.inf)
+
+    def shade(self, origins_m: Array, directions: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
+        """How far each ray (N, 3) goes, and whether the home's shell ends it or nothing does."""
+        found = self._run(origins_m, directions)
+        number = found["primID"]
+        hit = number >= 0
+        distance = np.where(hit, found["tfar"].astype(np.float64), np.inf)
+        return distance, ~hit | self._shell[np.where(hit, number, 0)]
 
     def _run(self, origins_m: Array, directions: Array) -> dict[str, npt.NDArray[Any]]:
         found: dict[str, npt.NDArray[Any]] = self._scene.run(

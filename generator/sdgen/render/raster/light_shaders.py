@@ -153,7 +153,8 @@ vec3 sunny(vec3 p, vec3 n) { return vec3(0.0); }
 
 #: What a sample of a pixel shows: what is drawn there, by its light, and the world beyond.
 _LIT = """
-uniform sampler2D albedo_map, shade_map, world_map;
+uniform sampler2D albedo_map, shade_map, world_map, floor_map;
+uniform vec4 floor_plan;               // of the floor map: corner of its first point, size
 uniform ivec2 coarse;                  // size of the shade map
 uniform ivec2 apart;                   // how far apart a pixel's four samples are in the buffers
 uniform bool outdoors;
@@ -173,6 +174,10 @@ vec3 lit(vec4 own, vec4 facing, vec3 p, float shade, vec4 world) {
     own /= there;
     vec3 n = normalize(facing.xyz / there - 0.5 + 1e-5);
     if (dot(n, eye - p) < 0.0) n = -n;
+    // On floors and rugs there is the shade of what stands there.
+    vec2 spot = (p.xy - floor_plan.xy) / floor_plan.zw + 0.5 / vec2(textureSize(floor_map, 0));
+    float low = step(p.z, 0.05) * clamp(2.0 * n.z - 1.0, 0.0, 1.0);
+    shade *= mix(1.0, texture(floor_map, spot).r, low);
     vec3 found = toned(linear(own.rgb), around(p, n) * shade + sunny(p, n));
     // What gives light is as bright as its texture by day and by night, and less at its rim.
     vec3 given = own.rgb * (0.7 + 0.3 * dot(n, normalize(eye - p)));

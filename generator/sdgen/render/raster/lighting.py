@@ -12,6 +12,7 @@ import shapely
 from shapely.geometry import Polygon
 
 from sdgen.geometry import Array, Vec3, vec3
+from sdgen.render.light.floors import STEP_M
 from sdgen.render.light.home_light import HomeLight
 from sdgen.render.light.rooms import RoomLight
 from sdgen.render.outdoors import SeenOutside
@@ -271,6 +272,11 @@ class Lighting:
             "cells": (size[0], size[1], deep),
             "side": size[2],
         }
+        shade, corner = np.ones((1, 1), dtype=np.float32), np.zeros(2)
+        if light.floor is not None:
+            corner, shade = light.floor
+        self.textures["floor_map"] = _floor_map(context, shade)
+        self.uniforms["floor_plan"] = (*corner, STEP_M * shade.shape[1], STEP_M * shade.shape[0])
         self.sunny = sun is not None
         if sun is not None:
             self.textures["sun_map"] = _plain(context, sun.depth_m[..., None])
@@ -322,6 +328,15 @@ def _plain(context: moderngl.Context, values: npt.NDArray[np.float32]) -> modern
     height, width, channels = values.shape
     texture = context.texture((width, height), channels, values.tobytes(), alignment=1, dtype="f4")
     texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
+    return texture
+
+
+def _floor_map(context: moderngl.Context, share: npt.NDArray[np.float32]) -> moderngl.Texture:
+    """Shares (H, W) of light, 0 to 1, to be looked up between points."""
+    height, width = share.shape
+    values = np.rint(np.clip(share, 0.0, 1.0) * 255).astype(np.uint8)
+    texture = context.texture((width, height), 1, values.tobytes(), alignment=1)
+    texture.repeat_x = texture.repeat_y = False
     return texture
 
 

@@ -229,3 +229,14 @@ def test_what_is_seen_lies_where_it_is_painted(monkeypatch):
 def test_the_few_worlds_that_are_kept_take_moderate_memory():
     one = panorama(SUMMER, DAY)
     assert one.nbytes * _painted.cache_info().maxsize < 80 * 2**20
+
+
+def test_a_bright_sky_turns_paler_and_keeps_its_hue():
+    from sdgen.render.outdoors import _brighter
+
+    dim, sky, white = _brighter(np.array([[50.0, 60, 70], [120, 180, 240], [255, 255, 255]]), 1.3)
+    assert dim == pytest.approx([65, 78, 91])
+    assert sky.max() <= 255
+    assert sky[0] < sky[1] < sky[2]
+    assert sky[0] > 1.1 * 120
+    assert white == pytest.approx([255, 255, 255])

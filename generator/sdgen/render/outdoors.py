@@ -27,7 +27,7 @@ GLASS = 0.06
 GLASS_COLOUR = 235.0
 #: A camera that exposes for a room sees the day a little too bright; and by lamplight, more of the
 #: dusk than the eye outdoors.
-_GAIN: dict[DayTime, float] = {"day": 1.04, "evening": 1.3, "night": 1.1}
+_GAIN: dict[DayTime, float] = {"day": 1.28, "evening": 1.3, "night": 1.1}
 
 
 class SeenOutside(NamedTuple):
@@ -78,7 +78,7 @@ class Outside:
         rays = rays @ pose[:3, :3].T
         rise = rays[:, 2] / np.linalg.norm(rays, axis=1)
         turn = np.arctan2(rays[:, 1], rays[:, 0]) / (2 * math.pi) % 1.0
-        colours = np.minimum(_sampled(panorama(*self._world), turn, rise) * self._gain, 255.0)
+        colours = _brighter(_sampled(panorama(*self._world), turn, rise), self._gain)
         for landing in self._landings:
             there, on_it = seen_on(landing, pose[:3, 3], rays)
             colours[there] = on_it
@@ -122,6 +122,15 @@ def clear_panes(library: Library, scene: Scene) -> tuple[tuple[int, int], ...]:
         for number, name in enumerate(library.info(item.asset).variants[item.variant], start=1)
         if name == CLEAR_PANE
     )
+
+
+def _brighter(colours: Array, gain: float) -> Array:
+    """Colours (N, 3) times ``gain``: what would be brighter than white turns paler instead, so that
+    a sky keeps its hue."""
+    brighter = colours * gain
+    over = np.maximum(brighter.max(axis=1, keepdims=True) / 255.0, 1.0)
+    pale = 1.2 * (1.0 - 1.0 / over)
+    return np.asarray(brighter / over * (1.0 - pale) + 255.0 * pale)
 
 
 def _sampled(

@@ -178,9 +178,13 @@ vec3 lit(vec4 own, vec4 facing, vec3 p, float shade, vec4 world) {
     vec2 spot = (p.xy - floor_plan.xy) / floor_plan.zw + 0.5 / vec2(textureSize(floor_map, 0));
     float low = step(p.z, 0.05) * clamp(2.0 * n.z - 1.0, 0.0, 1.0);
     shade *= mix(1.0, texture(floor_map, spot).r, low);
-    vec3 found = toned(linear(own.rgb), around(p, n) * shade + sunny(p, n));
+    // What shines on its face (Schlick 1994), as if all came from where it faces: paint, wood and
+    // black fronts are not wholly dull.
+    float edge = 1.0 - max(dot(n, normalize(eye - p)), 0.0);
+    float sheen = 0.03 + 0.3 * pow(edge, 5.0);
+    vec3 found = toned(mix(linear(own.rgb), vec3(1.0), sheen), around(p, n) * shade + sunny(p, n));
     // What gives light is as bright as its texture by day and by night, and less at its rim.
-    vec3 given = own.rgb * (0.7 + 0.3 * dot(n, normalize(eye - p)));
+    vec3 given = own.rgb * (1.0 - 0.3 * edge);
     found = mix(found, max(found, given), own.a);
     if (outdoors) found = mix(found, world.rgb, world.a * (1.0 - facing.a));
     return found;

@@ -43,6 +43,14 @@ MODELS: dict[str, dict[str, Any]] = {
         "rgb": BLUE,
         "rgba": [1.0, 1.0, 1.0, 0.4],
     },
+    # Its back at -x, hung by the foot.
+    "mirror_91": {
+        "parts": [
+            ("body", (-0.02, -0.4, 0.0), (0.0, 0.4, 0.6), None),
+            ("pane", (0.0, -0.38, 0.02), (0.005, 0.38, 0.58), None),
+        ],
+        "rgb": GREY,
+    },
     "table_01": {
         "parts": [
             ("top", (-0.5, -0.4, 0.7), (0.5, 0.4, 0.74), None),

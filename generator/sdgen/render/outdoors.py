@@ -64,7 +64,7 @@ class Outside:
             glass |= (instance == object_id) & (part == number)
         outdoors = (instance == 0) | glass
         if wider and outdoors.any():
-            glass, outdoors = _widened(glass), _widened(outdoors)
+            glass, outdoors = widened(glass), widened(outdoors)
         rows, columns = np.nonzero(outdoors)
         share = np.where(glass[rows, columns], 1.0 - GLASS, 1.0)
         if len(rows) == 0:
@@ -102,7 +102,7 @@ class Outside:
         return out
 
 
-def _widened(mask: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+def widened(mask: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
     """A mask and the pixels beside it."""
     out: npt.NDArray[np.bool_] = mask.copy()
     out[1:] |= mask[:-1]

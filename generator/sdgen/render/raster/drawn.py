@@ -32,6 +32,7 @@ _NO_NORMAL = 1e-6
 #: Lamps that are on when it is dark, and how much window a room needs by day not to be, of its
 #: floor's area: building codes ask for an eighth or a tenth.
 CEILING_LAMP = "ceiling_lamp"
+MIRROR = "mirror"
 _LEAST_GLASS = 0.06
 #: Less opaque than this a part is seen through.
 _OPAQUE = 0.99
@@ -46,8 +47,8 @@ _OVER_M = 0.0015
 class Drawn:
     """One part: whose it is (``number`` counts an object's drawn parts from 1, and is 0 for
     structures), its triangles in the world, and how it looks. ``glows``: it gives light; ``clear``:
-    it is a window's pane, ``painted``: one that shows the world; ``alpha``: how much it hides of
-    what is behind it."""
+    it is a window's pane, ``painted``: what is seen there is painted in, the world outside or,
+    where it ``mirrors``, this one; ``alpha``: how much it hides of what is behind it."""
 
     node_id: int
     number: int
@@ -60,6 +61,7 @@ class Drawn:
     glows: bool = False
     clear: bool = False
     painted: bool = False
+    mirrors: bool = False
     alpha: float = 1.0
     category: str = ""
 
@@ -137,6 +139,7 @@ def parts_of(library: Library, item: ObjectInstance, lit: bool) -> Iterator[Draw
     textures, pose = library.textures(item.asset), item.pose.matrix()
     for number, name in enumerate(info.variants[item.variant], start=1):
         mesh, (*rgb, alpha) = meshes[name], info.part(name).rgba
+        mirrors = item.category == MIRROR and name == CLEAR_PANE and item.variant == "default"
         placed = pose @ object_from_part(info, name, item.joints)
         yield Drawn(
             item.id,
@@ -149,7 +152,8 @@ def parts_of(library: Library, item: ObjectInstance, lit: bool) -> Iterator[Draw
             (rgb[0], rgb[1], rgb[2]),
             _gives_light(name, max(rgb)) and (lit or item.category != CEILING_LAMP),
             item.category == "window" and name in _PANES,
-            item.category == "window" and name == CLEAR_PANE,
+            mirrors or (item.category == "window" and name == CLEAR_PANE),
+            mirrors,
             alpha,
             item.category,
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import subprocess
 import sys
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -17,13 +17,14 @@ from sdgen.errors import RendererError
 from sdgen.library import Library
 from sdgen.render.light.home_light import light_of_home
 from sdgen.render.opengl import projection_matrix, scaled, view_matrix
-from sdgen.render.outdoors import Outside
+from sdgen.render.outdoors import Outside, SeenOutside, widened
 from sdgen.render.protocol import Picture, Probe, Renderer
 from sdgen.render.raster.buffers import PLACES, Buffers
 from sdgen.render.raster.context import give, open_context, string_of
 from sdgen.render.raster.drawn import drawn_parts
 from sdgen.render.raster.geometry import Geometry, Programs
 from sdgen.render.raster.lighting import Box, Lighting, Passes, Targets
+from sdgen.render.raster.mirrors import DULL, Mirror, largest, looked_into, mirrors_of
 from sdgen.render.raster.shaders import (
     ALBEDO_PIXEL,
     GEOMETRY_VERTEX,
@@ -41,8 +42,12 @@ _PROBE = """
 from sdgen.render.raster.context import open_context, string_of
 print(string_of(open_context()))
 """
-#: Buffers of so many picture sizes are kept.
+#: Buffers of so many picture sizes are kept, and as many of what is in mirrors.
 _SIZES = 3
+#: OpenGL's name of what leaves out what lies behind a plane.
+_CLIP = 0x3000
+#: A mirror gives back so much of what it shows.
+_GIVES = 0.94
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +57,7 @@ class _Loaded:
     geometry: Geometry
     lighting: Lighting
     outside: Outside
+    mirrors: list[Mirror]
 
     def release(self) -> None:
         self.geometry.release()
@@ -87,7 +93,7 @@ class GlRenderer(Renderer):
         }
         self._textures = Textures(self._context)
         self._passes = Passes(self._context)
-        self._sizes: dict[tuple[int, int, bool], tuple[Buffers, Targets]] = {}
+        self._sizes: dict[tuple[int, int, bool, bool], tuple[Buffers, Targets]] = {}
         self._scene: _Loaded | None = None
         self._closed = False
 
@@ -118,7 +124,8 @@ class GlRenderer(Renderer):
         with self._context:
             self._forget()
             geometry = Geometry(self._context, self._programs, parts, self._textures)
-            self._scene = _Loaded(geometry, Lighting(self._context, light), outside)
+            lighting = Lighting(self._context, light)
+            self._scene = _Loaded(geometry, lighting, outside, mirrors_of(parts))
 
     def show_only(self, node_ids: Collection[int] | None) -> None:
         """Draw of the loaded scene these nodes alone, by id; None: all."""
@@ -165,14 +172,25 @@ class GlRenderer(Renderer):
             raise RendererError("nothing is loaded")
         return self._scene
 
-    def _draw(self, camera: Camera, factor: int, colours: bool = True) -> _Drawn:
+    def _draw(
+        self,
+        camera: Camera,
+        factor: int,
+        colours: bool = True,
+        keep: tuple[float, float, float, float] | None = None,
+    ) -> _Drawn:
+        """``keep``: what a camera that is turned over at a mirror sees before this plane."""
         geometry = self._loaded().geometry
         fine = factor == 1
-        buffers, targets = self._sized(camera.width * factor, camera.height * factor, fine)
+        size = (camera.width * factor, camera.height * factor)
+        buffers, targets = self._sized(*size, fine, keep is not None)
         clip = _clip(camera, factor)
         for program in self._programs.values():
             give(program, "clip_from_world", tuple(clip.T.ravel()))
+            give(program, "keep", keep or (0.0, 0.0, 0.0, 1.0))
         self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
+        self._context.front_face = "ccw" if keep is None else "cw"
+        (self._context.disable_direct if keep is None else self._context.enable_direct)(_CLIP)
         buffers.clear()
         solid, veils = geometry.seen(clip)
         if colours:
@@ -206,26 +224,58 @@ class GlRenderer(Renderer):
             buffers.colours.viewport = (k % 2 * width, k // 2 * height, width, height)
             geometry.draw(wanted, "colours")
 
-    def _lit(self, drawn: _Drawn, camera: Camera, smooth: bool) -> npt.NDArray[np.uint8]:
+    def _lit(
+        self, drawn: _Drawn, camera: Camera, smooth: bool, deep: bool = True
+    ) -> npt.NDArray[np.uint8]:
+        """``deep``: with what is in mirrors."""
         scene = self._loaded()
+        outside = scene.outside.seen(drawn.instance, drawn.part, camera, wider=True)
+        seen = [outside, *self._in_mirrors(drawn, camera, deep)]
         return self._passes.picture(
             drawn.buffers,
             drawn.targets,
             camera,
             drawn.clip_from_world,
             scene.lighting,
-            scene.outside.seen(drawn.instance, drawn.part, camera, wider=True),
+            SeenOutside(*(np.concatenate(one) for one in zip(*seen, strict=True))),
             drawn.veiled,
             smooth,
         )
 
-    def _sized(self, width: int, height: int, fine: bool) -> tuple[Buffers, Targets]:
-        size = (width, height, fine)
+    def _in_mirrors(self, drawn: _Drawn, camera: Camera, deep: bool) -> Iterator[SeenOutside]:
+        """What is seen in the mirrors of a picture."""
+        mirrors = self._loaded().mirrors
+        factor = drawn.instance.shape[1] // camera.width
+        masks = [(drawn.instance == m.node_id) & (drawn.part == m.number) for m in mirrors]
+        into = largest([int(mask.sum()) for mask in masks]) if deep else []
+        for k, (mirror, mask) in enumerate(zip(mirrors, masks, strict=True)):
+            if not mask.any():
+                continue
+            mask = widened(mask)
+            rows, columns = np.nonzero(mask)
+            colours = np.tile(DULL, (len(rows), 1))
+            once = mask[::factor, ::factor] | mask[factor - 1 :: factor, factor - 1 :: factor]
+            looked = looked_into(mirror, camera, once) if k in into and once.any() else None
+            if looked is not None:
+                behind = self._draw(looked.camera, 1, keep=looked.keep)
+                picture = self._lit(behind, looked.camera, smooth=False, deep=False)
+                last = np.array(picture.shape[:2]) - 1
+                row = np.clip(rows // factor - looked.at[1], 0, last[0])
+                column = np.clip(columns // factor - looked.at[0], 0, last[1])
+                colours = _GIVES * picture[row, column] + (1 - _GIVES) * colours
+            yield SeenOutside(rows, columns, colours, np.ones(len(rows)))
+
+    def _sized(
+        self, width: int, height: int, fine: bool, mirrored: bool
+    ) -> tuple[Buffers, Targets]:
+        size = (width, height, fine, mirrored)
         if size not in self._sizes:
-            if len(self._sizes) >= _SIZES:
-                for one in self._sizes.pop(next(iter(self._sizes))):
-                    one.release()
-            buffers = Buffers(self._context, *size)
+            # Not those of the picture that a mirror is in: it is not done yet.
+            alike = [one for one in self._sizes if one[3] == mirrored]
+            if len(alike) >= _SIZES:
+                for held in self._sizes.pop(alike[0]):
+                    held.release()
+            buffers = Buffers(self._context, width, height, fine)
             self._sizes[size] = buffers, Targets(self._context, buffers.size, fine)
         return self._sizes[size]
 

@@ -4,9 +4,11 @@ GEOMETRY_VERTEX = """
 #version 330
 in vec3 at; in vec3 normal; in vec2 uv; in vec4 colour; in float number;
 uniform mat4 clip_from_world;
+uniform vec4 keep;                     // of points before a mirror this is positive
 out vec3 facing; out vec2 spot; flat out vec4 tint; flat out vec4 id;
 void main() {
     gl_Position = clip_from_world * vec4(at, 1.0);
+    gl_ClipDistance[0] = dot(vec4(at, 1.0), keep);
     facing = normal; spot = uv;
     tint = vec4(colour.rgb * 2.0, colour.a);
     // 24 bits as three bytes: they come out of the picture as they went in.

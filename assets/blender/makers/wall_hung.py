@@ -119,7 +119,7 @@ def poster(
             meshes.append(box(0.014, width + 0.03, 0.024, (0.007, 0, z), wood, 0.003))
     wide, tall = width + (0.03 if bars else 0), height + (0.024 if bars else 0)
     piece = box_piece((0.006, 0, 0), (0.012, wide, tall))
-    title = "wall calendar" if kind == "calendar" else "poster"
+    title = "wall calendar" if kind == "calendar" else f"poster, {kind}"
     return Model(title, {"body": Part(meshes, collision=[piece])}, mass=0.2)
 
 

@@ -40,7 +40,7 @@ _APART, _GAZES = 6, 2
 #: Gazes of a room that are looked at more closely, and how many of them are kept at most.
 _LOOKED_AT, _KEPT = 12, 4
 #: Those are kept that are so nearly as good as the best; one with a flaw is worth so much less.
-_NEARLY, _FLAWED = 0.8, 0.5
+_NEARLY, _FLAWED = 0.8, 0.2
 #: Outlines of free floor are this exact: plain overlays stumble over slivers.
 _GRID_M = 1e-4
 

@@ -18,7 +18,7 @@ from sdgen.home.anchors import HUNG_GAP_M, PlacedAt, Side
 from sdgen.home.clearances import Sight
 from sdgen.home.layout import Layout, space_at
 from sdgen.home.room_try import free_parts
-from sdgen.library.records import Asset
+from sdgen.library.records import Asset, AssetInfo
 from sdgen.scene import ObjectInstance, Opening, Room
 from sdgen.seeding import Rng
 from sdgen.vocabulary import DOORS
@@ -114,14 +114,18 @@ class WallSets:
         """Sets no wider than this, those first that are of what the room and the home have least
         of, and wide enough; as many of one size as are drawn."""
         there = Counter(item.asset for item in self.layout.items.values())
-        here = {i.asset for i in self.layout.items.values() if i.room_id == self.room.id}
+        inside = (k for k, i in self.layout.items.items() if i.room_id == self.room.id)
+        here = {_shows(self.layout.info(k)) for k in inside}
         order = [self.models[k] for k in self.rng.permutation(len(self.models)).tolist()]
-        order = [m for m in order if m.id not in here and m.extents_m[1] <= wide]
+        order = [m for m in order if _shows(m) not in here and m.extents_m[1] <= wide]
         order.sort(key=lambda m: there[m.id])
         drawn = int(self.rng.integers(self.fitting.count[0], self.fitting.count[1] + 1))
         found: list[list[Asset]] = []
         for model in order:
-            mates = [model, *(m for m in order if m is not model and _of_one_size(m, model))]
+            mates = [model]
+            for other in order:
+                if _of_one_size(other, model) and _shows(other) not in map(_shows, mates):
+                    mates.append(other)
             fit = int((wide + APART_M) / (model.extents_m[1] + APART_M))
             found.append(mates[: max(1, min(drawn, fit))])
         # Stable: of those that are wide enough, what there is least of.
@@ -178,6 +182,11 @@ def _side_by_side(chosen: Sequence[Asset], side: Side, along: float, z: float) -
         out.append((model, (*side.at(t + wide / 2, deep / 2 + HUNG_GAP_M), z, side.yaw)))
         t += wide + APART_M
     return out
+
+
+def _shows(model: AssetInfo) -> str:
+    """What a picture shows: its title ends with it ("poster, leaves"); several frames hold one."""
+    return model.title.rpartition(", ")[2]
 
 
 def _width(chosen: Sequence[Asset]) -> float:

@@ -14,7 +14,7 @@ import numpy as np
 
 from sdgen.geometry import Array
 from sdgen.scene import Band, Structure
-from sdgen.vocabulary import FACINGS
+from sdgen.vocabulary import FACINGS, HALF_WALL_M
 
 #: Outward normals of a box's six faces.
 _NORMALS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
@@ -89,8 +89,14 @@ def _by_surface(
     if not bands:
         return [(surface, middles, reaches)]
     along = 1 if bands[0].facing in ("+x", "-x") else 0
+    # What ends in a corner goes on behind the wall that it meets there: between both no line of
+    # what is beside it would be seen.
+    low = (middles - reaches)[:, along].min() + HALF_WALL_M + _ROUNDING_M
+    high = (middles + reaches)[:, along].max() - HALF_WALL_M - _ROUNDING_M
     for axis, k in ((along, 0), (2, 1)):
         edges = sorted({edge[k] for band in bands for edge in (band.low_m, band.high_m)})
+        if axis == along:
+            edges = [edge for edge in edges if low < edge < high]
         middles, reaches = _cut(middles, reaches, np.array(edges), axis)
     worn = np.full(len(middles), len(bands))
     for number, band in reversed(list(enumerate(bands))):

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 #: a home would have more cells than this: what light costs grows with them.
 CELL_M = 0.3
 _MOST_CELLS = 3200
-_RAYS = 56
+_RAYS = 48
 _BOUNCES = 4
 #: Lamps light so far, metres, and cells nearer than this as if they were so far off.
 _LAMP_REACH_M, _LAMP_NEAR_M = 6.0, 0.55
@@ -118,7 +118,7 @@ def light_of_rooms(
     met = world.meet(np.repeat(middles, _RAYS, axis=0), directions)
     within = met.behind.reshape(-1, _RAYS).mean(axis=1) > _WITHIN
     at, normals = met.point_m[met.hit], met.normal[met.hit]
-    cell = np.max([grid.at(at + BEFORE_M * normals) for grid in grids], axis=0)
+    cell = _cells(grids, at + BEFORE_M * normals, np.flatnonzero(met.hit) // _RAYS)
     shone_on = [_shone_on(world, middles, lamp) for lamp in lamps]
     # What is met gets light straight from the sun and from lamps: whether it sees a lamp is taken
     # from the cell before it.
@@ -170,6 +170,21 @@ def _grids(rooms: Sequence[Room], height_m: float, enclosed: bool) -> list[_Grid
     for room in rooms:
         grids.append(_Grid(room, height_m, cell_m, sum(len(grid.middles) for grid in grids)))
     return grids
+
+
+def _cells(
+    grids: Sequence[_Grid], points_m: Array, seen_from: npt.NDArray[np.int64]
+) -> npt.NDArray[np.int64]:
+    """Numbers of the cells of points (N, 3), each seen from a cell; -1: in none. These come room
+    by room, and most points are in the room that they are seen from."""
+    first = np.cumsum([0, *(len(grid.middles) for grid in grids)])
+    begin = np.searchsorted(seen_from, first)
+    out = np.concatenate(
+        [grid.at(points_m[a:b]) for grid, a, b in zip(grids, begin, begin[1:], strict=False)]
+    )
+    rest = np.flatnonzero(out < 0)
+    out[rest] = np.max([grid.at(points_m[rest]) for grid in grids], axis=0)
+    return out
 
 
 def _straight(

@@ -39,7 +39,8 @@ _OPAQUE = 0.99
 #: Parts of windows that light comes through.
 _PANES = (CLEAR_PANE, "frosted")
 #: Faces of the shell reach so far over their edges, metres: where they meet, rounding would leave
-#: cracks between them. Not those across a wall, which would stand out of it.
+#: cracks between them. Not those across a wall, which would stand out of it, nor where tiles and
+#: plaster of one wall meet, or one would be seen in dots on the other.
 _OVER_M = 0.0015
 
 
@@ -104,13 +105,17 @@ def dark_rooms(home: Home) -> set[int]:
 
 
 def _of_structure(library: Library, structure: Structure, ceiling_m: float) -> Iterator[Drawn]:
+    ends = [np.round(_ends_m(structure, axis), 5) for axis in range(3)]
     for face in structure_faces(structure, library.tile_m, ceiling_m):
         quads = face.vertices_m.reshape(-1, 4, 3)
         flat = np.cross(quads[:, 1] - quads[:, 0], quads[:, 2] - quads[:, 0])
         flat /= np.maximum(np.linalg.norm(flat, axis=1, keepdims=True), 1e-12)
         if _wide(quads, structure.category):
             middles = quads.mean(axis=1, keepdims=True)
-            quads = quads + _OVER_M * np.sign(np.round(quads - middles, 6))
+            over = np.sign(np.round(quads - middles, 6))
+            for axis in range(3):
+                over[..., axis] *= np.isin(np.round(quads[..., axis], 5), ends[axis])
+            quads = quads + _OVER_M * over
         corners = np.arange(0, 4 * len(quads), 4)[:, None] + (0, 1, 2, 0, 2, 3)
         yield Drawn(
             structure.id,
@@ -122,6 +127,12 @@ def _of_structure(library: Library, structure: Structure, ceiling_m: float) -> I
             library.surface_texture(face.surface),
             (1.0, 1.0, 1.0),
         )
+
+
+def _ends_m(structure: Structure, axis: int) -> Array:
+    """Where the boxes of a structure end along an axis, metres."""
+    boxes = np.array([(piece.center_m[axis], piece.size_m[axis]) for piece in structure.pieces])
+    return np.concatenate([boxes[:, 0] - boxes[:, 1] / 2, boxes[:, 0] + boxes[:, 1] / 2])
 
 
 def _wide(quads: Array, category: str) -> bool:

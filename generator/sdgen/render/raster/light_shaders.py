@@ -112,10 +112,12 @@ vec3 filmic(vec3 x) {
     return shown(clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0));
 }
 // Much light counts for less, by its root in the end: no wall by a lamp burns out, no patch of sun.
+// And little counts for more, as much as a camera that is set for indoors lifts its shadows.
 vec3 toned(vec3 colour, vec3 light) {
     light *= exposed / PI;
     float bright = dot(light, vec3(0.2126, 0.7152, 0.0722)) / 0.8;
-    return filmic(colour * light * inversesqrt(sqrt(1.0 + bright * bright)));
+    float lift = 1.0 + 0.4 / (1.0 + 9.0 * bright * bright);
+    return filmic(colour * light * lift * inversesqrt(sqrt(1.0 + bright * bright)));
 }
 """
 )
@@ -138,7 +140,7 @@ vec3 sunny(vec3 p, vec3 n) {
     for (int i = -1; i < 3; i++) for (int j = -1; j < 3; j++) {
         ivec2 cell = ivec2(low) + ivec2(i, j);
         vec2 off = vec2(cell) + 0.5 - at;
-        float lit = step(depth + max(dot(off, rise), -0.05), texelFetch(sun_map, cell, 0).r);
+        float lit = step(depth + max(dot(off, rise), -0.03), texelFetch(sun_map, cell, 0).r);
         vec2 near = max(1.0 - abs(off), 0.0), far = 2.0 - abs(off);
         sum += lit * far.x * far.y; core += lit * near.x * near.y;
     }

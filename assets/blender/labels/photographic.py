@@ -265,7 +265,7 @@ def bust(
     if wear == "suit":
         v = [(x - 0.22 * s, chin + 0.04 * s), (x + 0.22 * s, chin + 0.04 * s), (x, chin + 1.1 * s)]
         opening = p.shape(v, 0.012 * s)
-        inner = p.shape([(x - 0.17 * s, chin - 0.1 * s), (x + 0.17 * s, chin - 0.1 * s)] + v[2:])
+        inner = p.shape([(x - 0.17 * s, chin - 0.1 * s), (x + 0.17 * s, chin - 0.1 * s), *v[2:]])
         p.over(opening * (1 - inner * smooth(-dy, -0.2, -0.12)), "#dfe3e8", 0.9 - side * 0.35 * dx)
         tie = p.limb((x, chin + 0.22 * s), (x, chin + 1.0 * s), 0.045 * s, 0.08 * s, 0.015 * s)
         p.over(tie * opening, "#6a2f3a", 1.0 - side * 2.0 * dx)
@@ -311,4 +311,6 @@ def bust(
     brow = p.ellipse(x - side * 0.05 * s, y + 0.2 * s, 0.37 * s, 0.5 * s, 0.12)
     cap *= (1 - brow) * (1 - smooth(dy + 0.5, 0.12 if not long else 0.5, 0.2 if not long else 0.6))
     p.over(cap, hair, curl)
-    p.glow(cap * p.ellipse(x - side * 0.16 * s, y - 0.4 * s, 0.2 * s, 0.1 * s, 0.9) * 0.2, "#c8a888")
+    p.glow(
+        cap * p.ellipse(x - side * 0.16 * s, y - 0.4 * s, 0.2 * s, 0.1 * s, 0.9) * 0.2, "#c8a888"
+    )

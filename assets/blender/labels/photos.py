@@ -43,8 +43,8 @@ def dog(width: int, height: int) -> Photo:
         p.over(blurred(mask, 1.2), tone, (low + 0.75 * p.ball(cx, cy, rx, ry)) * hair)
 
     ragged = 0.006 * strand
-    coat(smooth(1 - np.hypot((p.x - x) / 0.27, (p.y - 0.98) / 0.42) + ragged * 3, -0.02, 0.04),
-         fur, x, 0.9, 0.33, 0.5)  # fmt: skip
+    inside = 1 - np.hypot((p.x - x) / 0.27, (p.y - 0.98) / 0.42)
+    coat(smooth(inside + ragged * 3, -0.02, 0.04), fur, x, 0.9, 0.33, 0.5)
     coat(p.ellipse(x, 0.86, 0.12, 0.2, 0.4), pale, x, 0.82, 0.2, 0.3)
     p.darken(p.ellipse(x + 0.02, 0.66, 0.2, 0.08, 0.7), 0.5)
     head = np.maximum(p.ellipse(x, 0.4, 0.19, 0.19, 0.06), p.ellipse(x, 0.5, 0.155, 0.16, 0.08))
@@ -66,7 +66,9 @@ def dog(width: int, height: int) -> Photo:
         p.over(p.ellipse(x + q * 0.086, 0.388, 0.025, 0.024, 0.2), "#2a190f")
         p.glow(p.ellipse(x + q * 0.086 - 0.008, 0.379, 0.006, 0.006, 0.5) * 0.9, "#f0f0ea")
         p.glow(p.ellipse(x + q * 0.09, 0.335, 0.03, 0.012, 0.9) * 0.16, "#e8c89a")
-    p.over(p.ellipse(x, 0.49, 0.045, 0.034, 0.15), "#241a17", 0.7 + 0.6 * p.ball(x, 0.49, 0.06, 0.05))
+    p.over(
+        p.ellipse(x, 0.49, 0.045, 0.034, 0.15), "#241a17", 0.7 + 0.6 * p.ball(x, 0.49, 0.06, 0.05)
+    )
     p.glow(p.ellipse(x - 0.012, 0.476, 0.018, 0.007, 0.8) * 0.45, "#e8e4e0")
     blades = smooth(p.noise(30, 3, 0.12) + 9 * (p.y - 0.98), 0, 1.2)
     p.over(blades * 0.9, "#5f7a40", np.clip(1 + 0.2 * strand, 0.6, 1.4))

@@ -92,7 +92,9 @@ def _football(w: int, h: int) -> Image.Image:
         neck = (hip[0] + lean * 0.5 * m, hip[1] - 0.58 * m)
         lit = 1 - 0.9 * (p.x - hip[0]) / m
         p.over(p.limb(hip, neck, 0.2 * m, 0.25 * m), shirt, np.clip(lit, 0.6, 1.2))
-        p.over(p.limb(neck, (neck[0] + 0.45 * m, neck[1] + 0.4 * m), 0.09 * m), shirt, 0.75 + 0 * lit)
+        p.over(
+            p.limb(neck, (neck[0] + 0.45 * m, neck[1] + 0.4 * m), 0.09 * m), shirt, 0.75 + 0 * lit
+        )
         p.over(p.limb(neck, (neck[0] - 0.4 * m, neck[1] + 0.42 * m), 0.09 * m), shirt)
         p.over(p.ellipse(neck[0], neck[1] - 0.25 * m, 0.13 * m, 0.16 * m, 0.3), "#7a5a48")
     bx, by, m = at(29.2, 35, 0.15)
@@ -106,7 +108,7 @@ def _football(w: int, h: int) -> Image.Image:
     bars = [((12, 9, 78, 20), dark), ((36, 9, 54, 20), light)]
     words = [("RED", (14, 10, 34, 19), "#e8e8ea"), ("2:1", (38, 10, 52, 19), "#20242c")]
     words.append(("WHI", (56, 10, 76, 19), "#e8e8ea"))
-    return _caption(p.image(0.003, 0.15, WHITE), bars, words)
+    return _caption(p.image(0.003, 0.1, WHITE, 1.5), bars, words)
 
 
 def _reef_fish(p: Photo, x: float, y: float, s: float, back: str, belly: str, band: float) -> None:
@@ -127,7 +129,10 @@ def _reef_fish(p: Photo, x: float, y: float, s: float, back: str, belly: str, ba
         stripe = np.exp(-((((p.x - x) * k - d * a) / (0.11 * a) + 0.6 * (p.y - y) / a) ** 2))
         p.over(body * stripe * band, "#e8e4d6", lit)
     p.over(p.ellipse(x + k * 0.66 * a, y - 0.1 * a, 0.07 * a, 0.07 * a, 0.4) * 0.9, "#15181c")
-    p.darken(body * p.limb((x + k * 0.4 * a, y - 0.3 * a), (x + k * 0.42 * a, y + 0.3 * a), 0.02 * a), 0.25)
+    p.darken(
+        body * p.limb((x + k * 0.4 * a, y - 0.3 * a), (x + k * 0.42 * a, y + 0.3 * a), 0.02 * a),
+        0.25,
+    )
 
 
 def _fish(w: int, h: int) -> Image.Image:
@@ -150,15 +155,15 @@ def _fish(w: int, h: int) -> Image.Image:
     sand = np.clip(0.8 + 0.1 * p.noise(20, 4, 3), 0.4, 1.3)
     p.over(p.under(floor, 0.01), "#7d8a78", sand)
     corals = ["#a8735a", "#8c6a7e", "#a08a58", "#7a5a52", "#6f8a6c", "#b58a78", "#8a4f52"]
-    for _ in range(54):
+    bumps = [np.clip(1 + 0.28 * p.noise(70, 3, 1.0, 0.7), 0.3, 1.7) for _ in range(3)]
+    for k in range(54):
         x = p.rng.uniform(-0.05, p.wide + 0.05)
         edge = abs(x / p.wide - 0.5) * 2
         y = p.rng.uniform(0.98 - 0.34 * edge**1.6, 1.02)
         r = p.rng.uniform(0.035, 0.09)
         mask = p.ellipse(x, y, r, r * p.rng.uniform(0.7, 1.2), 0.12)
-        bump = np.clip(1 + 0.28 * p.noise(70, 3, 1.0, 0.7), 0.3, 1.7)
         lit = 0.28 + 0.85 * p.ball(x, y, r * 1.15, r * 1.2, (0.15, -0.85, 0.5))
-        p.over(mask, corals[int(p.rng.integers(len(corals)))], lit * bump)
+        p.over(mask, corals[int(p.rng.integers(len(corals)))], lit * bumps[k % 3])
     for x, lean in ((0.16, -0.3), (0.22, 0.1), (1.5, 0.3), (1.62, -0.1)):
         for _ in range(9):
             a = lean + p.rng.normal(0, 0.35)
@@ -170,7 +175,7 @@ def _fish(w: int, h: int) -> Image.Image:
     _reef_fish(p, 1.38, 0.27, 0.07, "#3f5f9a", "#a9b9c8", 0.35)
     p.glow(smooth(p.noise(46, 1), 2.4, 3.2) * 0.5, "#cfe6ea")
     p.blur(0.003)
-    return p.image(0.002, 0.3, WHITE)
+    return p.image(0.002, 0.25, WHITE, 1.35)
 
 
 def _studio(p: Photo, cool: str = "#3f5f86") -> None:
@@ -202,7 +207,7 @@ def _news(w: int, h: int) -> Image.Image:
     words = [("NEWS", (20, 112, 50, 123), "#f0f0f0")]
     words.append(("SUN AFTER RAIN", (60, 112, 200, 123), "#1e2a44"))
     words.append(("warm weekend ahead", (22, 127, 130, 133), "#c8d0dc"))
-    return _caption(p.image(0.002, 0.2, WHITE), bars, words)
+    return _caption(p.image(0.002, 0.15, WHITE, 1.5), bars, words)
 
 
 def _weather(w: int, h: int) -> Image.Image:
@@ -228,7 +233,9 @@ def _weather(w: int, h: int) -> Image.Image:
     p.over((1 - smooth(away, 0.002, 0.006)) * 0.6, "#eef2f4")
     p.blur(0.003)
     bust(p, 1.5, 0.5, 0.27, "#c99a7c", "#4a3020", "#5c3346", "jumper", True)
-    p.over(p.limb((1.27, 0.68), (1.2, 0.88), 0.062, 0.05, 0.008), "#5c3346", 1.0 - 2.5 * (p.x - 1.24))
+    p.over(
+        p.limb((1.27, 0.68), (1.2, 0.88), 0.062, 0.05, 0.008), "#5c3346", 1.0 - 2.5 * (p.x - 1.24)
+    )
     lit = 1.0 + 2.0 * (0.74 - p.y) - 1.5 * (p.x - 1.12)
     p.over(p.limb((1.2, 0.88), (1.07, 0.66), 0.05, 0.032, 0.008), "#66394e", lit)
     p.over(p.limb((1.07, 0.655), (1.035, 0.6), 0.026, 0.03, 0.006), "#c99a7c", 0.95 + 0 * p.x)
@@ -239,7 +246,7 @@ def _weather(w: int, h: int) -> Image.Image:
     for k, (x, y) in enumerate(((66, 46), (96, 74), (58, 92), (120, 104))):
         bars.append(((x - 7, y - 6, x + 8, y + 6), (222, 178, 84, 225)))
         words.append((("19", "21", "23", "18")[k], (x - 5, y - 5, x + 6, y + 5), "#2a2418"))
-    return _caption(p.image(0.002, 0.12, WHITE), bars, words)
+    return _caption(p.image(0.002, 0.1, WHITE, 1.35), bars, words)
 
 
 def _lake(w: int, h: int) -> Image.Image:
@@ -255,12 +262,16 @@ def _sunset(w: int, h: int) -> Image.Image:
     strata = p.noise(4.5, 6, 5.0, 0.6)
     cloud = smooth(strata + 1.2 * np.sin(p.y * 9), 0.3, 2.2)
     edge = smooth(cloud - np.roll(cloud, -6, 0), 0.02, 0.3)
-    tone = np.stack([np.interp(p.y, [0, 0.55], v) for v in ((0.45, 0.68), (0.42, 0.46), (0.52, 0.44))], -1)
+    tone = np.stack(
+        [np.interp(p.y, [0, 0.55], v) for v in ((0.45, 0.68), (0.42, 0.46), (0.52, 0.44))], -1
+    )
     p.over(cloud * 0.75, tone)
     p.glow(edge * np.clip(1 - np.abs(p.x - sun), 0, 1) * 0.7, "#ffcf9a")
     p.over(p.ellipse(sun, 0.5, 0.055, 0.055, 0.06), "#fff2cf")
     p.glow(np.exp(-np.hypot(p.x - sun, p.y - 0.5) / 0.12) * 0.9, "#ffdca0")
-    mountains(p, p.ridge(0.565, 0.035, 5) + 0.2 * smooth(p.x[0], 0.5, 1.0), "#5a5468", "#b08a86", 0.4, 0.7)
+    mountains(
+        p, p.ridge(0.565, 0.035, 5) + 0.2 * smooth(p.x[0], 0.5, 1.0), "#5a5468", "#b08a86", 0.4, 0.7
+    )
     deep = np.clip((p.y - shore) / (1 - shore), 0, 1)
     water = p.gradient((shore, "#c89a86"), (0.7, "#7d7a92"), (1, "#33486a"))
     wave = sum(
@@ -281,7 +292,11 @@ def _sunset(w: int, h: int) -> Image.Image:
         lit = k * (0.82 + 1.1 * np.abs(p.x - x) + 0.03 * p.noise(12, 2, 0.3))
         p.over(p.shape(sail, 0.002), "#e2cdb8", np.clip(lit, 0.5, 1.1))
     soft = 0.5 * (1 + np.sin(p.y * 260 + wave * 2))
-    p.darken(p.shape([(x - 0.12, 0.697), (x + 0.12, 0.697), (x + 0.03, 0.9), (x - 0.05, 0.9)], 0.012) * soft, 0.4)
+    p.darken(
+        p.shape([(x - 0.12, 0.697), (x + 0.12, 0.697), (x + 0.03, 0.9), (x - 0.05, 0.9)], 0.012)
+        * soft,
+        0.4,
+    )
     p.blur(0.003)
     return p.image(0.003, 0.25, WHITE)
 
@@ -303,7 +318,10 @@ def _cooking(w: int, h: int) -> Image.Image:
     board = smooth(p.y, 0.56, 0.6)
     grain = p.noise(20, 5, 9.0)
     p.over(board, "#8f6642", np.clip(0.85 + 0.1 * grain + 0.35 * (p.y - 0.6), 0.4, 1.4))
-    p.c = blurred(p.c, 2.0) * (1 - smooth(p.y, 0.6, 0.8))[..., None] + p.c * smooth(p.y, 0.6, 0.8)[..., None]
+    p.c = (
+        blurred(p.c, 2.0) * (1 - smooth(p.y, 0.6, 0.8))[..., None]
+        + p.c * smooth(p.y, 0.6, 0.8)[..., None]
+    )
     cx, cy = 0.9, 0.76
     p.darken(p.ellipse(cx + 0.05, cy + 0.05, 0.58, 0.22, 0.35), 0.55)
     p.over(p.ellipse(cx, cy + 0.015, 0.53, 0.195, 0.02), "#b3aea4")
@@ -340,7 +358,7 @@ def _cooking(w: int, h: int) -> Image.Image:
     steam = smooth(p.noise(4, 4, 0.45), 0.2, 2.2) * p.ellipse(0.9, 0.38, 0.22, 0.3, 0.9)
     p.glow(steam * 0.3, "#f4f0ea")
     p.blur(0.002)
-    return p.image(0.002, 0.3, WHITE)
+    return p.image(0.002, 0.25, WHITE, 1.35)
 
 
 def _western(w: int, h: int) -> Image.Image:

@@ -1,4 +1,4 @@
-"""Photos, screens, clock faces, printed boxes and cloth. Names are invented."""
+"""Screens, clock faces, printed boxes and cloth. Names are invented."""
 
 from __future__ import annotations
 
@@ -10,50 +10,6 @@ from toolkit.labels import barcode, gradient, small_print
 from toolkit.labels import text as fit_text
 
 from labels.drawing import flower, hills, ink_on, leaf, shade, star
-
-
-def photo(kind: str) -> Image.Image:
-    """A drawn photograph: 'lake', 'family' or 'dog'."""
-    image = gradient(256, 256, "#8fc0e8", "#e8eef0")
-    canvas = ImageDraw.Draw(image)
-    if kind == "lake":
-        canvas.polygon(
-            [(0, 170), (70, 70), (120, 140), (180, 50), (256, 160), (256, 180), (0, 180)],
-            fill="#6b7f8e",
-        )
-        canvas.polygon([(180, 50), (160, 82), (182, 90), (202, 82)], fill="#ffffff")
-        canvas.polygon([(70, 70), (54, 94), (72, 100), (88, 94)], fill="#ffffff")
-        canvas.rectangle((0, 172, 256, 256), fill="#3f7fa6")
-        hills(canvas, 256, 232, 8, 2.0, "#4c7a3a")
-    else:
-        hills(canvas, 256, 168, 10, 0.8, "#6f9f52")
-        if kind == "family":
-            people = (
-                (78, 84, 30, "#3c5c8c", "#4a2f1c"),
-                (168, 96, 28, "#b8404c", "#8a5a2c"),
-                (124, 150, 22, "#e0b040", "#5a3a20"),
-            )
-            for x, y, r, shirt, hair in people:
-                canvas.rounded_rectangle((x - 1.5 * r, y + r, x + 1.5 * r, 270), int(r), fill=shirt)
-                canvas.ellipse((x - 1.08 * r, y - 1.25 * r, x + 1.08 * r, y + 0.8 * r), fill=hair)
-                canvas.ellipse((x - 0.85 * r, y - 0.8 * r, x + 0.85 * r, y + r), fill="#ecc3a2")
-                canvas.arc(
-                    (x - 0.4 * r, y, x + 0.4 * r, y + 0.6 * r), 10, 170, fill="#a04038", width=3
-                )
-                for s in (-1, 1):
-                    canvas.ellipse(
-                        (x + 0.35 * s * r - 3, y - 6, x + 0.35 * s * r + 3, y), fill="#222222"
-                    )
-        else:
-            canvas.ellipse((68, 150, 188, 290), fill="#a8713c")
-            canvas.ellipse((76, 60, 180, 172), fill="#b98049")
-            for x in (66, 160):
-                canvas.ellipse((x, 66, x + 32, 146), fill="#7a4a26")
-            canvas.ellipse((100, 112, 156, 164), fill="#e2c49c")
-            canvas.ellipse((116, 114, 140, 132), fill="#1c1614")
-            for x in (106, 140):
-                canvas.ellipse((x, 88, x + 13, 104), fill="#1c1614")
-    return image
 
 
 def clock_face(paper: str, ink: str, hour: float, numerals: bool = True) -> Image.Image:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from labels import prints
+from labels import photos
 from toolkit.materials import Material, label, plain
 from toolkit.mesh import Mesh, cube_project
 from toolkit.model import Maker, Model, Part
@@ -88,9 +88,11 @@ def breakable(
 
 # ---- pictures
 def art(kind: str, seed: int, width: float, height: float):
-    """A drawn picture of the right shape."""
+    """A picture of the right shape."""
     if kind in ("family", "dog", "lake"):
-        return prints.photo(kind)
+        return photos.photo(kind)
+    if kind == "landscape":
+        return photos.oil(seed, 256, int(256 * height / width))
     return painting(kind, seed, 256, int(256 * height / width))
 
 

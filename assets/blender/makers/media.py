@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from labels.screens import programme
 from toolkit import labels
 from toolkit.materials import label, plain
 from toolkit.model import (
@@ -16,7 +17,6 @@ from toolkit.sampling import noise_offset, pick
 from .designs import extend
 from .joinery import Assembly, finish, leg
 from .media_units import TVS
-from .pictures import television
 
 Offset = tuple[float, float, float]
 
@@ -41,7 +41,7 @@ def tv(
     low = (-0.012, -picture_width / 2, middle - screen_height / 2)
     high = (0.018, picture_width / 2, middle + screen_height / 2)
     asm.board("screen_off", low, high, black, 0, {"+x": label(off)}, solid=False)
-    shining = label(television(scene), occlusion=0.0)
+    shining = label(programme(("sunset", "weather")[scene]), occlusion=0.0)
     asm.board("screen_on", low, high, black, 0, {"+x": shining}, 3.0, solid=False)
     if stand == "feet":
         for y in (-half * 0.62, half * 0.62):

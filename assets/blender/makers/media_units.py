@@ -211,7 +211,7 @@ def flat_tv(
 def tube_tv(
     width: float = 0.62,
     shell: str = "#3a3d40",
-    picture: str = "cartoon",
+    picture: str = "lake",
     offset: Offset = (0, 0, 0),
 ) -> Model:
     """An old set with a picture tube: deep, its back tapering, knobs and aerial."""
@@ -239,7 +239,7 @@ def tube_tv(
     asm.board("body", *frame, black, 0.01, solid=False)
     low, high = (0.18, -half + 0.055, 0.075), (0.2, half - side - 0.025, tall - 0.035)
     asm.board("screen_off", low, high, black, 0.004, {"+x": _dark()}, solid=False)
-    shining = label(programme(picture), occlusion=0.0)
+    shining = label(programme(picture, 208, 180), occlusion=0.0)
     asm.board("screen_on", low, high, black, 0.004, {"+x": shining}, 3.0, solid=False)
     chrome = metal_or("steel")
     y = half - side / 2

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from labels import devices, prints
+from labels import devices, photos
 from toolkit.materials import Material, plain, shade, wood
 from toolkit.materials import label as printed
 from toolkit.mesh import Mesh
@@ -59,7 +59,7 @@ def photo_frame(
     cracked: list[Mesh] = []
 
     def picture_at(shape: str, w: float, h: float, x: float, z: float, name: str) -> None:
-        image = prints.photo(name)
+        image = photos.photo(name)
         broken = devices.cracked(image, 4, (0.55, 0.4), "#ffffff", 5)
         draw = devices.ImageDraw.Draw(broken)
         hole = [(118, 70), (178, 62), (206, 112), (150, 148), (120, 120)]

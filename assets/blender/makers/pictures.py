@@ -1,4 +1,4 @@
-"""Drawn pictures: television, paintings, the view out of a window. All original."""
+"""Drawn pictures: paintings, the view out of a window. All original."""
 
 from __future__ import annotations
 
@@ -101,37 +101,6 @@ def garden(seed: int = 0, width: int = 256, height: int = 256) -> Image.Image:
         x, y = rng.uniform(0, width), rng.uniform(0.82, 1.0) * height
         draw.line((x, y, x + 1, y - 4), fill="#76ab4f")
     return image.filter(ImageFilter.GaussianBlur(0.8))
-
-
-def television(scene: int = 0, width: int = 256, height: int = 144) -> Image.Image:
-    """What is on: a sailing boat at sunset, or the weather map."""
-    if scene == 0:
-        image = labels.gradient(width, height, "#3b62c4", "#ffb46a")
-        draw = ImageDraw.Draw(image)
-        draw.ellipse((150, 62, 190, 102), fill="#fff3c0")
-        draw.rectangle((0, 92, width, height), fill="#2a79b8")
-        for k in range(14):
-            y = 95 + k * 4
-            draw.line((155 - k * 3, y, 190 + k * 2, y), fill="#ffd48a", width=2)
-        draw.polygon([(60, 100), (120, 100), (108, 114), (70, 114)], fill="#8a3a2a")
-        draw.polygon([(88, 36), (88, 98), (122, 98)], fill="#ffffff")
-        draw.polygon([(84, 46), (84, 98), (62, 98)], fill="#f0603c")
-        draw.polygon([(0, 92), (40, 70), (90, 92)], fill="#2f5d54")
-    else:
-        image = labels.gradient(width, height, "#2c6fd6", "#5fb0f2")
-        draw = ImageDraw.Draw(image)
-        draw.polygon(
-            [(30, 30), (90, 18), (140, 40), (130, 80), (160, 120), (80, 132), (28, 96)],
-            fill="#6cc06a",
-        )
-        draw.ellipse((60, 40, 86, 66), fill="#ffdf4a")
-        _cloud(draw, 112, 86, 14, "#f4f7fb")
-        draw.rectangle((172, 14, 246, 112), fill="#133a86")
-        for k, words in enumerate(("MON 21", "TUE 19", "WED 23")):
-            labels.text(draw, words, (178, 20 + 30 * k, 240, 42 + 30 * k), "bold", "#ffffff")
-        draw.rectangle((0, 122, width, height), fill="#d8302c")
-        labels.text(draw, "WEATHER TODAY", (10, 125, 200, 142), "bold", "#ffffff")
-    return image
 
 
 def painting(

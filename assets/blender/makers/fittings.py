@@ -75,7 +75,9 @@ def blind(cloth: str, width: float = 1.26, drop: float = 0.45, slats: bool = Fal
     meshes.append(box(0.022, width - 0.02, 0.016, (0.004, 0, 0), metal, 0.005))
     if slats:
         for z in np.arange(0.02, drop, 0.024):
-            meshes.append(box(0.024, width - 0.02, 0.004, (0.004, 0, float(z)), fabric))
+            slat = box(0.024, width - 0.02, 0.003, (0.004, 0, float(z)), fabric)
+            # Half shut: seen from their edges they would be dashes from across a room.
+            meshes.append(slat.turn(ry=0.7, pivot=(0.004, 0, float(z) + 0.0015)))
         for y in (-0.35 * width, 0.35 * width):
             meshes.append(box(0.003, 0.006, drop, (0.004, y, 0.008), metal))
     else:

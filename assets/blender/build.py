@@ -27,6 +27,30 @@ ASSETS = HERE.parent
 RECORDS = ASSETS.parent / "build" / "assets"
 
 
+#: Pixels a side of the textures of what is large in pictures of rooms and has seams, grooves or
+#: rims that would fall apart into dots; these are baked with clear joints, too.
+FINE = {
+    256: (
+        "bathroom_cabinet",
+        *(f"double_door_{k:02d}" for k in (3, 5, 6, 9, 10)),
+        "door_03",
+        *(f"freezer_{k:02d}" for k in (2, 5, 8)),
+    ),
+    512: (
+        "armchair_07",
+        "bed_08",
+        "dresser_02",
+        *(f"fridge_{k:02d}" for k in (2, 5, 6, 11)),
+        *(f"front_door_{k:02d}" for k in (4, 5, 7)),
+        *(f"picture_frame_{k:02d}" for k in (3, 7)),
+        "sofa_08",
+        *(f"utility_cupboard_{k:02d}" for k in (6, 7)),
+        *(f"wardrobe_{k:02d}" for k in (1, 2, 3, 4, 5, 7, 8)),
+    ),
+    1024: ("sofa_04", "sofa_09"),
+}
+
+
 def families() -> dict[str, dict[str, Maker]]:
     """Family name -> its categories; a family that cannot be imported is reported and skipped."""
     found = {}
@@ -47,7 +71,11 @@ def build_one(family: str, category: str, maker: Maker, index: int) -> str:
         parameters |= maker.presets[index - 1]
     model = maker.make(**parameters)
     source = f"blender:{family}.{maker.make.__name__}"
-    return finish(model, f"{category}_{index:02d}", category, source, ASSETS, RECORDS)
+    asset_id = f"{category}_{index:02d}"
+    for pixels, words in FINE.items():
+        if category in words or asset_id in words:
+            model.texture_size, model.clear_joints = pixels, True
+    return finish(model, asset_id, category, source, ASSETS, RECORDS)
 
 
 def main(words: list[str]) -> int:

@@ -11,7 +11,17 @@ from toolkit.shapes import box, lathe
 
 from .designs import extend
 from .fridges import round_fridge, small_fridge, wide_fridge
-from .joinery import SHOWS, Assembly, bar_handle, front, hinge, open_closed, steel, surface
+from .joinery import (
+    SHOWS,
+    Assembly,
+    bar_handle,
+    front,
+    hinge,
+    open_closed,
+    sheet_steel,
+    steel,
+    surface,
+)
 from .microwaves import (
     GLOW,
     NAMES,
@@ -68,7 +78,7 @@ def fridge(
     asm, half = Assembly(), width / 2
     x0, case_front, thick, foot, wall = -0.31, 0.25, 0.05, 0.05, 0.035
     steel_look = colour == "steel"
-    shell = steel(3.0) if steel_look else plain(colour, 0.02, 6, offset)
+    shell = sheet_steel(offset) if steel_look else plain(colour, 0.02, 6, offset)
     liner, gasket = plain("#f6f9fa", 0.01, 6), plain("#8f959a", 0.03)
     glass, rim = plain("#cfe6ea", 0.06, 9, offset), plain("#f2f6f6", 0.01)
     crisper = plain("#c3dbe2", 0.05, 7)

@@ -45,6 +45,15 @@ def striped(colour: str, dark: str, period: float, axis: int = 2) -> Material:
     return m.colour(m.mix(line, m.mottle(colour, 0.03, 12), dark))
 
 
+def slatted(colour: str, dark: str, period: float) -> Material:
+    """Louvres painted on: every slat falls from its light lip into the shade of the next one,
+    softly, for the texture has few texels a slat."""
+    m = Material()
+    phase = m.math("FRACT", m.math("MULTIPLY", m.axis(2), 1.0 / period))
+    shaded = m.ramp(phase, [(0, 1.0), (0.16, 0.12), (0.3, 0.0), (0.72, 0.2), (1, 1.0)])
+    return m.colour(m.mix(shaded, m.mottle(colour, 0.015, 12), dark))
+
+
 def cane(light: str = "d9bd8c", dark: str = "8a6a3c") -> Material:
     """Woven cane or rattan."""
     m = Material()
@@ -268,4 +277,4 @@ def oval(name: str, rx: float, ry: float, z: float, n: int = 20, margin: float =
     return Support(name, z, [(float(x), float(y)) for x, y in points])
 
 
-__all__ = ["Case", "cane", "glass", "metal_or", "oval", "rectangle", "spot", "striped"]
+__all__ = ["Case", "cane", "glass", "metal_or", "oval", "rectangle", "slatted", "spot", "striped"]

@@ -12,22 +12,12 @@ Rect = tuple[float, float, float, float]
 
 
 def pane_material(low: float, high: float, frosted: bool = False) -> Material:
-    """Glass with the sky in it, or frosted."""
+    """Glass, lighter towards its top, or frosted."""
     glass = Material(occlusion=0.3)
     if frosted:
         grain = glass.remap(glass.noise(120, 2), 0.35, 0.65)
         return glass.colour(glass.mix(grain, "#c3d3d6", "#dde8e9"))
-    slant = glass.math("ADD", glass.axis(2), glass.math("MULTIPLY", glass.axis(1), 0.5))
-    sky = glass.remap(slant, low - 0.2, high + 0.2)
-    stops = [
-        (0, "#8fa9b1"),
-        (0.4, "#b4cbd2"),
-        (0.43, "#d9e8ec"),
-        (0.55, "#e6f1f4"),
-        (0.58, "#bcd2d9"),
-    ]
-    stops.append((1, "#dcebf0"))
-    return glass.colour(glass.ramp(sky, stops))
+    return glass.colour(glass.mix(glass.remap(glass.axis(2), low, high), "#a9c0c7", "#d2e2e7"))
 
 
 def glaze(
@@ -43,6 +33,7 @@ def glaze(
     for k in range(columns + 1):
         y = y0 + (y1 - y0) * k / columns
         asm.board("door", (-out, y - t, z0 - t), (out, y + t, z1 + t), frame, solid=False)
+    out -= 0.0015 if columns > 1 else 0.0  # where bars cross, one of them is in front
     for k in range(rows + 1):
         z = z0 + (z1 - z0) * k / rows
         asm.board("door", (-out, y0 + t, z - t), (out, y1 - t, z + t), frame, solid=False)

@@ -10,7 +10,7 @@ from toolkit.sampling import noise_offset, pick
 from .appliances import LINER, compartment
 from .chest_freezers import chest_freezer
 from .designs import extend
-from .joinery import SHOWS, Assembly, bar_handle, hinge, open_closed, steel, surface
+from .joinery import SHOWS, Assembly, bar_handle, hinge, open_closed, sheet_steel, steel, surface
 
 Offset = tuple[float, float, float]
 
@@ -36,7 +36,7 @@ def freezer(
     asm, half = Assembly(), width / 2
     x0, case_front, thick, foot, wall = -0.29, 0.215, 0.05, 0.04, 0.045
     steel_look = colour == "steel"
-    shell = steel(3.0) if steel_look else plain(colour, 0.02, 6, offset)
+    shell = sheet_steel(offset) if steel_look else plain(colour, 0.02, 6, offset)
     gasket, dark = plain("#8f959a", 0.03), plain("#2b2c2e", 0.05)
     liner, plate = frosted("#dfeaf1", offset), frosted("#b9cbd6", offset, 0.8)
     clear, grip = frosted("#a9cbdc", offset, 0.45), plain("#eef5f8", 0.01)

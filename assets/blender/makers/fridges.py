@@ -8,7 +8,17 @@ from toolkit.materials import glowing, label, metal, plain
 from toolkit.model import Container, Joint, Model
 from toolkit.shapes import box, extrude, lathe, loft, rounded_rectangle
 
-from .joinery import SHOWS, Assembly, bar_handle, drawer_box, hinge, open_closed, steel, surface
+from .joinery import (
+    SHOWS,
+    Assembly,
+    bar_handle,
+    drawer_box,
+    hinge,
+    open_closed,
+    sheet_steel,
+    steel,
+    surface,
+)
 
 Offset = tuple[float, float, float]
 LINER, LAMP = (1.3, 1.3, 1.33, 1.0), (1.7, 1.7, 1.7, 1.0)
@@ -105,7 +115,7 @@ def wide_fridge(
     """style: "side_by_side" (freezer left) or "french" (two doors above a freezer drawer)."""
     asm, half, height = Assembly(), 0.455, 1.78
     x0, front_x, wall, foot = -0.33, 0.28, 0.04, 0.05
-    shell = steel(3.0) if colour == "steel" else plain(colour, 0.02, 6, offset)
+    shell = sheet_steel(offset) if colour == "steel" else plain(colour, 0.02, 6, offset)
     liner, seal = plain("#f6f9fa", 0.01, 6), plain("#8f959a", 0.03)
     rim, dark = plain("#f2f6f6", 0.01), plain("#2b2c2e", 0.05)
     grip = plain("#3c4044", 0.05) if colour == "steel" else steel()
@@ -303,7 +313,7 @@ def small_fridge(colour: str = "#f1f2f0", offset: Offset = (0, 0, 0)) -> Model:
     """A fridge to stand under a worktop, with a small ice box."""
     asm, half, height = Assembly(), 0.275, 0.85
     x0, front_x, wall, foot = -0.3, 0.21, 0.04, 0.03
-    shell = steel(3.0) if colour == "steel" else plain(colour, 0.02, 6, offset)
+    shell = sheet_steel(offset) if colour == "steel" else plain(colour, 0.02, 6, offset)
     liner, seal = plain("#f6f9fa", 0.01, 6), plain("#8f959a", 0.03)
     dark = plain("#2b2c2e", 0.05)
     asm.board("body", (x0 + 0.02, -half + 0.01, 0), (front_x - 0.02, half - 0.01, foot), dark)

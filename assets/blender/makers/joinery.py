@@ -275,6 +275,16 @@ def steel(scale: float = 12.0) -> Material:
     return metal("c8ccd0", "878d93", (1, 1, 8), scale)
 
 
+def sheet_steel(offset: Point = (0, 0, 0)) -> Material:
+    """Large steel fronts: brushed so finely that they look even, clouded very softly."""
+    m = Material(occlusion=0.8)
+    up, out = (m.math("MULTIPLY", m.normal(k), share) for k, share in ((2, 0.35), (0, 0.25)))
+    tilt = m.math("ADD", up, out)
+    base = m.mix(m.remap(tilt, -0.3, 0.4), "#b9bec3", "#d3d7da")
+    cloud = m.noise(1.4, 1, offset=tuple(offset), stretch=(1, 0.6, 1))
+    return m.colour(m.mix(m.remap(cloud, 0.3, 0.7, 0, 0.14), base, "#a2a9ae"))
+
+
 # ---- record helpers
 def hinge(x: float, y: float, z: float = 0.0, upper: float = 1.9) -> Joint:
     """A door hinge on a vertical line; right-hung (+y) doors turn about +Z, left-hung about -Z.

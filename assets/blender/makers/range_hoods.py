@@ -113,15 +113,7 @@ def range_hood(
         along = (b - a) / np.linalg.norm(b - a)
         out = np.array([along[1], -along[0]])
         glass = Material()
-        shine = glass.math("ADD", glass.axis(2), glass.math("MULTIPLY", glass.axis(1), 0.5))
-        stops = [
-            (0, "#17191b"),
-            (0.45, "#222629"),
-            (0.5, "#4a5257"),
-            (0.62, "#2b3034"),
-            (1, "#16181a"),
-        ]
-        glass.colour(glass.ramp(glass.remap(shine, -0.1, 0.55), stops))
+        glass.colour(glass.mix(glass.remap(glass.axis(2), 0.0, 0.4), "#191b1d", "#262a2d"))
         corners = [a + out * 0.012, b + out * 0.012, b + out * 0.026, a + out * 0.026]
         asm.add("body", extrude(corners, width - 0.01, mat=glass, axis="y", bevel_width=0.003))
         _lamps_on_slope(asm, a, along, out, half)

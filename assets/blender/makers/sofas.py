@@ -17,6 +17,7 @@ from .upholstery import (
     scroll,
     section,
     solid_path,
+    unrolled,
     velvet_studs,
     wall,
 )
@@ -40,12 +41,18 @@ def chesterfield(
     wood: str = "walnut", offset: Offset = (0, 0, 0),
 ) -> Model:  # fmt: skip
     """Arms and back of one height, rolled outwards and buttoned; leather."""
-    asm, skin, hide = Assembly(), buttoned(colour, 0.13, offset), leather(colour, offset)
+    asm, skin = Assembly(), buttoned(colour, 0.13, offset, 0.18)
+    hide = leather(colour, offset)
     timber = finish(wood, 2, offset)
     foot, top, t, r = 0.1, 0.72, 0.15, 0.105
     x0, x1, half = -depth / 2 + 0.14, depth / 2 - 0.03, width / 2 - 0.14
     path = horseshoe(x0, x1, half, 0.12, 4, 2, 2)
-    asm.add("body", wall(path, lambda s: scroll(t, foot + 0.02, top, r), skin).weigh(1.4))
+    cut = scroll(t, foot + 0.02, top, r)
+    # Seams cross at the buttons below, which begin 0.15 m from the corner and 0.52 m high.
+    length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
+    origin = (length / 2 - half + 0.15 - 0.13 / 2, 0.52 - foot - 0.02)
+    mesh = unrolled(wall(path, lambda s: cut, skin), path, cut, range(7, len(cut) - 1), origin)
+    asm.add("body", mesh.weigh(1.4))
     solid_path(asm, path, 0.2, foot, lambda s: top)
     asm.board("body", (x0, -half, foot), (x1 - 0.01, half, 0.31), hide, 0.015)
     inner = 2 * (half - t / 2)

@@ -16,10 +16,8 @@ def extras(asm: Assembly, extra: str, enamel: Material, clock: str) -> None:
     half = WIDTH / 2
     if extra == "lid":
         glass = Material()
-        slant = glass.math("ADD", glass.axis(2), glass.math("MULTIPLY", glass.axis(1), 0.6))
-        stops = [(0, "#23282c"), (0.4, "#30373c"), (0.44, "#7d8b93"), (0.56, "#8d9aa2")]
-        stops += [(0.6, "#3a4248"), (1, "#2a3035")]
-        glass.colour(glass.ramp(glass.remap(slant, HOB - 0.2, HOB + 0.65), stops))
+        rise = glass.remap(glass.axis(2), HOB, HOB + 0.46)
+        glass.colour(glass.mix(rise, "#23282c", "#343b40"))
         low, high = (BACK, -half + 0.01, HOB + 0.02), (BACK + 0.014, half - 0.01, HOB + 0.46)
         asm.board("body", low, high, glass)
         for y in (-0.24, 0.24):

@@ -15,17 +15,46 @@ from .joinery import Assembly
 Point = Sequence[float]
 
 
-def buttoned(colour: str, step: float = 0.13, offset: Point = (0, 0, 0)) -> Material:
-    """Diamonds on upright faces: dark seams, lighter fields."""
+def buttoned(
+    colour: str, step: float = 0.13, offset: Point = (0, 0, 0), rise: float = 0.0
+) -> Material:
+    """Diamonds, light in their middle, dark along their seams: on upright faces, or, with `rise`
+    (their height; `step` is their width), on a mesh that `unrolled` has measured."""
     m = Material()
+    if rise:
+        along = m.math("MULTIPLY", m.drawn(0), 1.0 / step)
+        up, start = m.math("MULTIPLY", m.drawn(1), 1.0 / rise), 0.5
+    else:
+        along = m.math("MULTIPLY", m.math("ADD", m.axis(0), m.axis(1)), 1.0 / step)
+        up, start = m.math("MULTIPLY", m.axis(2), 1.0 / step), 0.0
     fields = []
     for sign in ("ADD", "SUBTRACT"):
-        across = m.math(sign, m.math("ADD", m.axis(0), m.axis(1)), m.axis(2))
-        phase = m.math("FRACT", m.math("MULTIPLY", across, 1.0 / step))
+        phase = m.math("FRACT", m.math("ADD", m.math(sign, along, up), start))
         fields.append(m.math("ABSOLUTE", m.math("SUBTRACT", phase, 0.5)))
-    seam = m.remap(m.math("MAXIMUM", *fields), 0.36, 0.5, 0, 0.8)
-    body = m.mottle(colour, 0.1, 25, tuple(offset))
-    return m.colour(m.mix(seam, body, shade(colour, 0.45)))
+    away = m.math("MAXIMUM", *fields)
+    body = m.mottle(colour, 0.06, 25, tuple(offset))
+    swell = m.mix(m.remap(away, 0.05, 0.36, 0.22, 0), body, shade(colour, 1.6))
+    return m.colour(m.mix(m.remap(away, 0.34, 0.5, 0, 0.8), swell, shade(colour, 0.45)))
+
+
+def unrolled(mesh: Mesh, path: np.ndarray, ring: np.ndarray, bare: range, origin: Point) -> Mesh:
+    """Give a `wall` a label UV in metres from `origin`: along its path, and along its cut from the
+    foot of the inner face, its last point but one. What spans only the points `bare` of the cut,
+    and its ends, lie in the middle of a diamond."""
+    n = len(ring)
+    start = n - 2
+    order = [(start + k) % n for k in range(n)]
+    steps = np.linalg.norm(np.diff(ring[order], axis=0), axis=1)
+    height = dict(zip(order, np.r_[0, np.cumsum(steps)], strict=True))
+    length = np.r_[0, np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))]
+    mesh.label_uv = []
+    for face in mesh.f:
+        if len(face) > 4 or all(v % n in bare for v in face):
+            mesh.label_uv.append([(0.0, 0.0)] * len(face))
+            continue
+        spots = [(length[v // n] - origin[0], height[v % n] - origin[1]) for v in face]
+        mesh.label_uv.append(spots)
+    return mesh
 
 
 def leather(colour: str, offset: Point = (0, 0, 0)) -> Material:

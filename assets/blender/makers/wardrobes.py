@@ -7,7 +7,7 @@ from toolkit.model import Joint, Model
 from toolkit.shapes import extrude, spline, tube
 
 from .cabinets import mirror_glass
-from .casework import Case, striped
+from .casework import Case, slatted
 from .joinery import bar_handle, fabric, finish, open_closed, surface
 
 Offset = tuple[float, float, float]
@@ -247,7 +247,7 @@ def louvred(
     for k in range(2):
         z = (base + 0.25 * k + 0.01, base + 0.25 * (k + 1) + 0.01)
         case.drawer(f"drawer_{2 - k}", x, (-half, half), z)
-    case.panel = striped(wood if wood[0] == "#" else "#c9a06a", dark, 0.028)
+    case.panel = slatted(wood if wood[0] == "#" else "#c9a06a", dark, 0.045)
     case.pulls = "knob"
     floor, roof = low + t, height - 0.03 - t
     case.board(x, (-0.009, 0.009), (floor, roof), case.inside)

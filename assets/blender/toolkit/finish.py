@@ -35,7 +35,13 @@ def finish(
     groups = list(grouped.values())
     ground = list(grouped).index("fixed") if model.ground_shadow else None
     pixels = bake_texture(
-        obj, groups, model.texture_size, ground, model.occlusion_strength, records / "occlusion"
+        obj,
+        groups,
+        model.texture_size,
+        ground,
+        model.occlusion_strength,
+        records / "occlusion",
+        model.clear_joints,
     )
     write_jpeg(assets / "textures" / f"{asset_id}.jpg", pixels)
     data = triangles(obj)

@@ -120,6 +120,12 @@ class Material:
         self.tree.links.new(source, node.inputs[0])
         return node.outputs["Value"]
 
+    def drawn(self, i: int):
+        """Component u or v (0, 1) of the label UV: of a mesh that is given one in metres, as it
+        would lie unrolled."""
+        node = self._node("ShaderNodeUVMap", uv_map="label")
+        return self._component(node.outputs[0], i)
+
     # ---- patterns
     def noise(
         self, scale, detail=3.0, roughness=0.55, distortion=0.0, offset=(0, 0, 0), stretch=(1, 1, 1)

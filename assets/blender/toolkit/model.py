@@ -75,6 +75,7 @@ class Model:
     texture_size: int = 256
     ground_shadow: bool = False  # darken the foot of things that always stand on the floor
     occlusion_strength: float = 1.0
+    clear_joints: bool = False  # no black line where pieces meet: see `bake_texture`
     prune: bool = True
     smooth_deg: float = 40.0  # edges up to this angle are shaded round
     front: str = "+x"  # "-y" if it was modelled facing -Y: turned at export

@@ -18,6 +18,7 @@ SUPERSAMPLING = 2  # the colour is baked larger and averaged down
 DRAFT = bool(os.environ.get("SDGEN_DRAFT"))  # a quick look while a maker is being written
 OCCLUSION_SAMPLES = 8 if DRAFT else 64  # 16 is visibly blotchy
 OCCLUSION_FLOOR = 0.08
+BURIED = 0.02  # darker is what lies inside another piece
 
 
 def reset_blender() -> None:
@@ -210,12 +211,16 @@ def bake_texture(
     ground_group: int | None = None,
     strength: float = 1.0,
     cache: Path | None = None,
+    clear_joints: bool = False,
 ) -> np.ndarray:
     """The finished texture: colour times occlusion, gutters filled. uint8, (size, size, 3).
 
     groups: lists of part numbers that shade one another; each group is baked without the
     others, so that the inside of a cupboard is not black behind its shut door.
     cache: folder that keeps the occlusion of each geometry; skins of one shape share it.
+    clear_joints: of a face that is half buried in another piece, the buried texels take the light
+        of those beside them. Black, they would show along the joint wherever the strip that is
+        seen is no wider than a texel or two: a dotted line.
     """
     big = _bake(obj, "EMIT", size * SUPERSAMPLING, 2)
     valid = (big.sum(-1) > 0)[..., None]  # baked alpha is 1 everywhere: black means nothing there
@@ -226,6 +231,9 @@ def bake_texture(
         raise RuntimeError("the bake is blank")
     occlusion = _occlusion(obj, groups, size, ground_group, cache)
     _, sensitivity = _masks(obj, size)
+    if clear_joints:
+        light = np.repeat(occlusion[..., None], 3, -1)
+        occlusion = _fill_gutters(light, covered & (occlusion >= BURIED))[..., 0]
     occlusion = OCCLUSION_FLOOR + (1 - OCCLUSION_FLOOR) * _blur(occlusion, covered)
     # bright surfaces darken less: light bounces between them, and white must not turn grey
     exponent = strength * sensitivity[..., None] * (1 - 0.6 * colour)

@@ -50,7 +50,7 @@ def chesterfield(
     cut = scroll(t, foot + 0.02, top, r)
     # Seams cross at the buttons below, which begin 0.15 m from the corner and 0.52 m high.
     length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
-    origin = (length / 2 - half + 0.15, 0.52 - foot - 0.02)
+    origin = (length / 2 - half + 0.15 - 0.13 / 2, 0.52 - foot - 0.02)
     mesh = unrolled(wall(path, lambda s: cut, skin), path, cut, range(7, len(cut) - 1), origin)
     asm.add("body", mesh.weigh(1.4))
     solid_path(asm, path, 0.2, foot, lambda s: top)

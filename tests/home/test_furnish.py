@@ -93,6 +93,41 @@ def test_a_home_with_a_piece_in_a_doorway_is_rejected():
     assert rejection.cause == Cause("home", "in_doorway", category="trash_bin")
 
 
+def test_what_is_drawn_open_takes_no_way():
+    """As in the home that was exported, whose pieces were opened when its ways were known."""
+    home = next(home for home in CATALOG.homes if home.id == "apartment_1")
+    fridge = next(m for m in LIBRARY.by_category("fridge") if m.extents_m[1] < 0.65)
+    joints = {joint.name: joint.upper for joint in fridge.joints}
+
+    def made(**more):
+        rooms = [
+            room.model_copy(
+                update={
+                    "furniture": tuple(
+                        piece.model_copy(update={"model": fridge.id, **more})
+                        if piece.category == "fridge"
+                        else piece
+                        for piece in room.furniture
+                    )
+                }
+            )
+            for room in home.rooms
+        ]
+        drawn = home.model_copy(update={"rooms": tuple(rooms), "as_drawn": True})
+        ids, rng = iter(range(1, 65536)), lane(3, 0, "furnish")
+        models = SplitModels(LIBRARY, "train")
+        return furnished_home(drawn, CATALOG, LIBRARY, models, ids, rng)
+
+    shut, opened = made(), made(joints=joints)
+    assert isinstance(shut, FurnishedHome)
+    assert isinstance(opened, FurnishedHome)
+    assert any(i.joints == joints for i in opened.layout.items.values() if i.asset == fridge.id)
+    assert opened.free_space == shut.free_space
+    assert opened.context.zones == shut.context.zones
+    # Nothing is put where the door is, all the same.
+    assert opened.context.free.area < shut.context.free.area
+
+
 @pytest.mark.parametrize("name", ["floor_lamp", "tv"])
 def test_the_catalogue_says_how_often_furniture_is_switched_on(name):
     asset = next(a for a in LIBRARY.assets.values() if a.category == name)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from shapely.geometry import Polygon
 
+from sdgen.actions import at_rest
 from sdgen.cameras.view import View
 from sdgen.catalog.records import Catalog, HomeMix, HomeSpec, Style
 from sdgen.errors import UsageError
@@ -40,7 +41,7 @@ from sdgen.options import BuildOptions
 from sdgen.rejection import Rejection, reject
 from sdgen.scene import AgentStart, Home, ObjectInstance, Room, Scene
 from sdgen.seeding import Rng, lane
-from sdgen.vocabulary import HOLDING
+from sdgen.vocabulary import HOLDING, OPENINGS
 from sdgen.zones import (
     derive_zones,
     doorway_blocked,
@@ -210,7 +211,8 @@ def furnished_home(
             return reject("home", "too_few_beds", measured=places, limit=tenants.beds)
     home = _sorted(with_tiles(home, layout, catalog, style))
     # By id, as anyone has it who reads the scene: a union's last digits depend on the order.
-    bodies = bodies_of([layout.items[k] for k in sorted(layout.items)], library.infos)
+    standing = [layout.items[k] for k in sorted(layout.items)]
+    bodies = bodies_of(_shut(standing, library) if spec.as_drawn else standing, library.infos)
     obstacles = floor_obstacles(bodies)
     free = free_shape(home, obstacles)
     cut_off = unreachable_rooms(home, free)
@@ -248,6 +250,15 @@ def furnished_home(
         as_drawn=spec.as_drawn,
     )
     return _with_intents(furnished) if things.items else furnished
+
+
+def _shut(items: Sequence[ObjectInstance], library: Library) -> list[ObjectInstance]:
+    """Pieces as nobody left them, doors as they are: a home that is as drawn has pieces open from
+    the start, any other opens them when its ways were looked at, and both must be taken alike."""
+    return [
+        item if item.category in OPENINGS else at_rest(item, library.assets[item.asset])
+        for item in items
+    ]
 
 
 def _with_intents(home: FurnishedHome) -> FurnishedHome:

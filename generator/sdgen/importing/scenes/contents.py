@@ -117,6 +117,10 @@ def furnished(
                 one.piece.loose is None and category.kind == "furniture"
             )
             if category.name in OPENINGS:
+                text = (
+                    f"taken for a {category.name}, but its own name says none: no opening is made"
+                )
+                scene.unresolved.append(f"{one.piece.name}: {text}")
                 continue
             if not fixed and one.model is not None:
                 loose[k].append(one)
@@ -129,10 +133,7 @@ def furnished(
         # What carries others first, and what hangs on walls last; of these in the source's order.
         furniture.sort(key=lambda one: (one.category in fitted, one.piece.position_m[2] > 0.05))
         for one in furniture:
-            told = _fit(one, k, fitter)
-            if told is not None:
-                text = f"{one.piece.name}: no place for this {one.category}: {told}"
-                scene.unresolved.append(text)
+            _fit(one, k, fitter, scene)
     for gone, why in fitter.clear_ways():
         scene.unresolved.append(f"{gone.wanted.piece.name}: {why}")
     if anew:
@@ -149,14 +150,17 @@ def furnished(
     return spec.model_copy(update={"rooms": rooms})
 
 
-def _fit(one: Sorted, room: int, fitter: Fitter) -> str | None:
-    """Put a piece: as the model that it is, or as one like it; why it cannot be."""
+def _fit(one: Sorted, room: int, fitter: Fitter, scene: FoundScene) -> None:
+    """Put a piece: as the model that it is, or as one like it; else why it cannot be is told."""
     name = one.category or ""
     exact = one.model is not None and one.piece.note is not None
-    told = fitter.fit(Wanted(one.piece, name, room, one.model, exact))
-    if told is not None and one.model is not None:
-        told = fitter.fit(Wanted(replace(one.piece, note=None), name, room))
-    return told
+    why = fitter.fit(Wanted(one.piece, name, room, one.model, exact))
+    if why is not None and one.model is not None:
+        as_it_is, why = why, fitter.fit(Wanted(replace(one.piece, note=None), name, room))
+        if why is None:
+            scene.told.append(f"{one.piece.name}: another {name} in its place: {as_it_is}")
+    if why is not None:
+        scene.unresolved.append(f"{one.piece.name}: no place for this {name}: {why}")
 
 
 def _parts(one: Sorted, category: str, scene: FoundScene, library: Library) -> Iterator[Sorted]:

@@ -122,6 +122,7 @@ def _as_a_build_takes_it(
                 why = "is a hazard as it is: {}"
                 wrong |= {key: why.format(name) for key, name in found.anomalies.items()}
             proved = not wrong
+        wrong = _with_carried(spec, wrong)
         for key, text in sorted(wrong.items()):
             room_spec = spec.rooms[key.room]
             listed: Sequence[FurnitureItem | ThingItem] = room_spec.things
@@ -155,15 +156,26 @@ def _labelled(spec: HomeSpec, anomalies: Mapping[Key, str]) -> HomeSpec:
     return spec.model_copy(update={"rooms": tuple(rooms)})
 
 
+def _with_carried(spec: HomeSpec, gone: Mapping[Key, str]) -> dict[Key, str]:
+    """What goes, and the furniture that stood on it: it would hang in the air."""
+    out = dict(gone)
+    for r, room in enumerate(spec.rooms):
+        left: set[str] = set()
+        for k, item in enumerate(room.furniture):  # what carries others comes before them
+            key = Key(r, "furniture", k)
+            if item.on is not None and item.on not in left:
+                out.setdefault(key, f"the {item.on} that carried it is left out")
+            if key not in out:
+                left.add(item.category)
+    return out
+
+
 def _without(spec: HomeSpec, gone: Mapping[Key, str]) -> HomeSpec:
     rooms = []
     for r, room in enumerate(spec.rooms):
         kept = tuple(
             item for k, item in enumerate(room.furniture) if Key(r, "furniture", k) not in gone
         )
-        left = [item.category for item in kept]
-        # What stood on a piece that went hangs in the air now.
-        kept = tuple(item for item in kept if item.on is None or item.on in left)
         things = tuple(t for k, t in enumerate(room.things) if Key(r, "things", k) not in gone)
         rooms.append(room.model_copy(update={"furniture": kept, "things": things}))
     return spec.model_copy(update={"rooms": tuple(rooms)})

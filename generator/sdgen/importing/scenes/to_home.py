@@ -71,11 +71,9 @@ def to_home(
     )
     openings, cut_off = openings_of(scene, rooms, height_m) if rooms else ((), [])
     for k in cut_off:
-        lost = ", ".join(p.piece.name for p in by_room[k][:8])
-        scene.unresolved.append(
-            f"room {rooms[k].name!r}: no wall lets a door lead to it"
-            + (f"; with it went {lost}" if lost else "")
-        )
+        scene.unresolved.append(f"room {rooms[k].name!r}: no wall lets a door lead to it")
+        for one in by_room[k]:
+            scene.unresolved.append(f"{one.piece.name}: went with room {rooms[k].name!r}")
     kept = [k for k in range(len(rooms)) if k not in cut_off]
     if not kept:
         raise InputError([f"{scene.source}: no room was found in it"])

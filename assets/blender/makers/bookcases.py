@@ -11,7 +11,7 @@ from toolkit.model import Model
 from toolkit.shapes import box, extrude, tube
 
 from .book_rows import with_books
-from .casework import Case, glass, metal_or
+from .casework import Case, metal_or, smoked_glass
 from .joinery import Assembly, finish, surface
 
 Offset = tuple[float, float, float]
@@ -47,7 +47,7 @@ def bookcase_doors(
         right = side == "right"
         case.door(f"door_{side}", x[1], y, (base, middle - t / 2), right, pull_z=middle - 0.12)
         if glazed:
-            case.panel = glass(1.4, "6f7f80", 0.35)
+            case.panel = smoked_glass("4c4f4c")
             z = (middle - t / 2, height - 0.032)
             case.door(f"door_top_{side}", x[1], y, z, right, rail=0.05)
             case.panel = None
@@ -60,14 +60,14 @@ def bookcase_doors(
 
 #: What is seen through a pane, in rows: half of an outline in y and z, its colour, how far apart.
 BEHIND = (
-    (((0.08, 0), (0.09, 0.02), (0.09, 0.1), (0.06, 0.115)), ("c9c3b4", "8f5f4c"), 0.2),
-    (((0.03, 0), (0.008, 0.012), (0.008, 0.09), (0.036, 0.11), (0.03, 0.18)), ("b9cbcc",), 0.082),
+    (((0.08, 0), (0.09, 0.02), (0.09, 0.1), (0.06, 0.115)), ("a39d8f", "7a5243"), 0.2),
+    (((0.03, 0), (0.008, 0.012), (0.008, 0.09), (0.036, 0.11), (0.03, 0.18)), ("8c9899",), 0.082),
     (
         ((0.075, 0), (0.1, 0.07), (0.105, 0.1), (0.09, 0.1), (0.07, 0.135)),
-        ("d3d0c6", "7d96a0"),
+        ("a8a59b", "66797f"),
         0.225,
     ),
-    (((0.034, 0), (0.038, 0.105)), ("a9bfc2",), 0.088),
+    (((0.034, 0), (0.038, 0.105)), ("84918f",), 0.088),
 )
 
 

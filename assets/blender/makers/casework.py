@@ -63,19 +63,11 @@ def cane(light: str = "d9bd8c", dark: str = "8a6a3c") -> Material:
     return m.colour(m.mix(hole, m.mottle(light, 0.08, 30), dark))
 
 
-def glass(height: float = 1.0, tint: str = "9fc0c8", gloss: float = 1.0) -> Material:
-    """A pane, opaque: slanting reflections on a bluish ground.
-
-    gloss: how far they stand out. Of a pane that lies, strong ones look like boards laid on it.
-    """
+def smoked_glass(tint: str = "3c4244") -> Material:
+    """A pane of dark glass, opaque: the renderer adds what shines on it."""
     m = Material(occlusion=0.4)
-    slant = m.math("ADD", m.math("MULTIPLY", m.axis(1), 0.9), m.axis(2))
-    slant = m.math("ADD", slant, m.math("MULTIPLY", m.axis(0), 0.9))
-    levels = [(0, 1), (0.3, 1.1), (0.32, 1.28), (0.44, 1.28), (0.46, 1.05), (0.62, 1), (0.64, 1.2)]
-    levels += [(0.7, 1.2), (0.72, 1), (1, 0.92)]
-    tones = [(at, shade(tint, 1 + (level - 1) * gloss)) for at, level in levels]
-    stops = [(at, tuple(min(1.0, c) for c in tone)) for at, tone in tones]
-    return m.colour(m.ramp(m.math("FRACT", m.math("DIVIDE", slant, 0.9 * height)), stops))
+    tones = [(at, shade(tint, level)) for at, level in ((0, 0.94), (0.5, 1.06), (1, 0.97))]
+    return m.colour(m.ramp(m.math("FRACT", m.math("DIVIDE", m.axis(1), 1.7)), tones))
 
 
 class Case:
@@ -277,4 +269,6 @@ def oval(name: str, rx: float, ry: float, z: float, n: int = 20, margin: float =
     return Support(name, z, [(float(x), float(y)) for x, y in points])
 
 
-__all__ = ["Case", "cane", "glass", "metal_or", "oval", "rectangle", "slatted", "spot", "striped"]
+__all__ = [
+    "Case", "cane", "metal_or", "oval", "rectangle", "slatted", "smoked_glass", "spot", "striped",
+]  # fmt: skip

@@ -9,7 +9,7 @@ from toolkit.materials import plain
 from toolkit.model import Model
 from toolkit.shapes import extrude, tube
 
-from .casework import Case, glass, metal_or
+from .casework import Case, metal_or, smoked_glass
 from .joinery import finish, leg, surface
 
 Offset = tuple[float, float, float]
@@ -236,7 +236,7 @@ def console_frame(
     case = Case("oak", offset=offset)
     half, x0, x1, r = width / 2, -depth / 2, depth / 2, 0.011
     rod = metal_or(metal)
-    board = glass(0.9, gloss=0.35) if top == "glass" else finish(top, 1, offset)
+    board = smoked_glass() if top == "glass" else finish(top, 1, offset)
     for y in (-half, half - 2 * r):
         if crossed:
             for a, b in ((x0, x1), (x1, x0)):

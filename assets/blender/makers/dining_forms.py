@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from toolkit.materials import Material, plain
+from toolkit.materials import plain
 from toolkit.model import Model, Support
 from toolkit.shapes import extrude, lathe
 
+from .casework import smoked_glass
 from .joinery import Assembly, finish, leg, steel, surface
 
 Offset = tuple[float, float, float]
@@ -57,21 +58,11 @@ def crossed(
 
 
 def glass(length: float = 1.5, depth: float = 0.9, offset: Offset = (0, 0, 0)) -> Model:
-    """A pane of greenish glass on two broad white panels."""
+    """A pane of dark glass on two broad white panels."""
     asm, white = Assembly(), plain("#f1f0ec", 0.02, 8, offset)
     hx, hy, z1 = depth / 2, length / 2, 0.74
-    pane = Material()
-    shine = pane.math("ADD", pane.axis(0), pane.math("MULTIPLY", pane.axis(1), 0.8))
-    stops = [
-        (0, "#bfd8d4"),
-        (0.3, "#c9dfdb"),
-        (0.33, "#e7f3f1"),
-        (0.42, "#dcebe8"),
-        (0.45, "#bcd6d1"),
-    ]
-    stops += [(0.7, "#c6ddd9"), (0.74, "#e2f0ee"), (1, "#bad4cf")]
-    pane.colour(pane.ramp(pane.remap(shine, -1.0, 1.0), stops))
-    edge = plain("#6fa597", 0.05)
+    pane = smoked_glass()
+    edge = plain("#2c3a38", 0.05)
     faces = {"+x": edge, "-x": edge, "+y": edge, "-y": edge}
     asm.board("body", (-hx, -hy, z1 - 0.014), (hx, hy, z1), pane, 0, faces, 1.2)
     for s in (-1, 1):

@@ -9,7 +9,7 @@ from toolkit.materials import Material, plain
 from toolkit.model import Model, cylinder_piece, prism_piece
 from toolkit.shapes import extrude, lathe, superellipse, tube
 
-from .casework import Case, cane, glass, metal_or, oval, spot
+from .casework import Case, cane, metal_or, oval, smoked_glass, spot
 from .joinery import Assembly, finish, leg, stone, surface
 
 Offset = tuple[float, float, float]
@@ -105,7 +105,7 @@ def table_glass(
             asm.board("body", (x, -hy, z), (x + 2 * r, hy, z + 0.022), rod, solid=False)
         for y in (-hy, hy - 2 * r):
             asm.board("body", (-hx, y, z), (hx, y + 2 * r, z + 0.022), rod, solid=False)
-        mat = glass(0.8, gloss=0.35) if k == 0 or shelf == "glass" else finish(shelf, 1, offset)
+        mat = smoked_glass() if k == 0 or shelf == "glass" else finish(shelf, 1, offset)
         inset = 0.0 if k == 0 else 2 * r
         top = z + 0.036 if k == 0 else z + 0.024
         low, high = (-hx + inset, -hy + inset, top - 0.014), (hx - inset, hy - inset, top)

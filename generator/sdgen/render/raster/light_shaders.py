@@ -115,7 +115,7 @@ vec3 filmic(vec3 x) {
 // And little counts for more, as much as a camera that is set for indoors lifts its shadows.
 vec3 toned(vec3 colour, vec3 light) {
     light *= exposed / PI;
-    float bright = dot(light, vec3(0.2126, 0.7152, 0.0722)) / 0.8;
+    float bright = dot(light, vec3(0.2126, 0.7152, 0.0722)) / 0.7;
     float lift = 1.0 + 0.4 / (1.0 + 9.0 * bright * bright);
     return filmic(colour * light * lift * inversesqrt(sqrt(1.0 + bright * bright)));
 }
@@ -182,8 +182,9 @@ vec3 lit(vec4 own, vec4 facing, vec3 p, float shade, vec4 world) {
     shade *= mix(1.0, texture(floor_map, spot).r, low);
     // What shines on its face (Schlick 1994), as if all came from where it faces: paint, wood and
     // black fronts are not wholly dull.
-    float edge = 1.0 - max(dot(n, normalize(eye - p)), 0.0);
-    float sheen = 0.03 + 0.3 * pow(edge, 5.0);
+    float edge = 1.0 - clamp(dot(n, normalize(eye - p)), 0.0, 1.0);
+    // Not in gaps: their sides face each other.
+    float sheen = (0.03 + 0.22 * pow(edge, 5.0)) * shade * shade;
     vec3 found = toned(mix(linear(own.rgb), vec3(1.0), sheen), around(p, n) * shade + sunny(p, n));
     // What gives light is as bright as its texture by day and by night, and less at its rim.
     vec3 given = own.rgb * (1.0 - 0.3 * edge);
@@ -282,7 +283,7 @@ void main() {
     vec3 way = normalize(p - eye);
     if (dot(n, way) > 0.0) n = -n;
     // What it mirrors (Schlick 1994) comes from where the mirrored ray goes.
-    float edge = 1.0 + dot(n, way), mirrors = 0.04 + 0.7 * edge * edge * edge;
+    float edge = clamp(1.0 + dot(n, way), 0.0, 1.0), mirrors = 0.04 + 0.7 * edge * edge * edge;
     // Glass is clearer than its colour's alpha has it, liquids are not.
     float clear = 1.0 - smoothstep(0.45, 0.62, veil.a);
     veil.a *= 1.0 - 0.75 * clear;

@@ -114,3 +114,12 @@ def test_bands_wear_their_own_surface_on_one_side_of_a_wall() -> None:
     cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     whole = float(np.linalg.norm(cross, axis=1).sum() / 2)
     assert sum(areas[name, 1] for name in ("w", "oak", "tile")) == pytest.approx(whole)
+
+
+def test_bands_that_end_in_a_corner_go_on_behind_the_wall_there() -> None:
+    tiled = Band(surface="tile", facing="-x", low_m=(0.06, 0.9), high_m=(2.94, 1.4))
+    banded = wall().model_copy(update={"bands": (tiled,)})
+    faces = structure_faces(banded, lambda _: 1.0)
+    (own,) = [face for face in faces if face.surface == "tile"]
+    assert own.vertices_m[:, 1].min() == pytest.approx(0.0)
+    assert own.vertices_m[:, 1].max() == pytest.approx(3.0)

@@ -13,7 +13,8 @@ from tests.shipped import shipped_library
 
 ROOT = Path(__file__).resolve().parent.parent
 TEXT = {".py", ".md", ".toml", ".yaml", ".yml", ".json", ".jsonl", ".txt", ".cff", ".sh", ""}
-DATA_LIMIT = 80_000_000
+#: Packed into a wheel it is two thirds of this; a wheel is to stay below 80 MB.
+DATA_LIMIT = 90_000_000
 FILE_LIMIT = 4_000_000
 
 #: Absolute paths of somebody's machine, put together so that this file does not match itself.

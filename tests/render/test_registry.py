@@ -57,7 +57,8 @@ def test_every_registered_renderer_has_a_name_and_says_whether_it_starts(kind: s
 
 
 def test_a_probe_that_dies_is_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(raster, "_PROBE", "print('failed to open display'); import os; os.abort()")
+    probe = "print('failed to open display', flush=True); import os; os.abort()"
+    monkeypatch.setattr(raster, "_PROBE", probe)
     found = GlRenderer.probe()
     assert not found.works
     assert "failed to open display" in found.reason

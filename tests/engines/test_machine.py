@@ -1,12 +1,14 @@
 """What a machine has, and what each worker may take of it."""
 
 import os
+import platform
 
 import pytest
 from sdgen.engines import machine
 from sdgen.engines.machine import (
     WORKER_MB,
     free_mb,
+    give_back,
     held_mb,
     peak_mb,
     worker_share_mb,
@@ -117,3 +119,16 @@ def test_mapped_files_do_not_count_as_held(tmp_path):
     with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as mapped:
         assert mapped[:: mmap.PAGESIZE].count(b"x") > 20_000
         assert held_mb() < before + 30
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="glibc alone is asked")
+def test_freed_memory_between_what_is_held_is_given_back():
+    held, freed = [], []
+    for _ in range(100):
+        freed += [bytes(4096) for _ in range(500)]
+        held.append(bytes(4096))
+    freed.clear()
+    before = held_mb()
+    give_back()
+    assert held_mb() < before - 100
+    assert len(held) == 100

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import os
 import sys
 from collections.abc import Iterator
@@ -42,6 +43,15 @@ def held_mb(process: int | str = "self") -> float:
         return (int(fields[1]) - int(fields[2])) * os.sysconf("SC_PAGE_SIZE") / 1e6
     except (OSError, ValueError, IndexError):
         return _ever_mb() if process == "self" else 0.0
+
+
+def give_back() -> None:
+    """Give the system what was freed but lies between what is still held; glibc alone can.
+
+    It keeps such pages otherwise: 370 of 1,500 MB after 90 scenes. Takes 5 to 15 ms.
+    """
+    with contextlib.suppress(OSError, AttributeError):
+        ctypes.CDLL(None).malloc_trim(0)
 
 
 def peak_mb() -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import gc
+import itertools
 import os
 import pickle
 import signal
@@ -14,13 +15,15 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from sdgen.engines.machine import held_mb, peak_mb
+from sdgen.engines.machine import give_back, held_mb, peak_mb
 from sdgen.engines.protocol import Answer, Broken, Died, Factory, Ready
 from sdgen.errors import SdgenError, WorkerFault, os_error_in_words
 
 PACKAGE = Path(__file__).resolve().parents[1]
 #: So many new objects, and not freed, before garbage is looked for: some megabytes.
 _NEW_OBJECTS = 50_000
+#: Freed memory is given back after so many jobs: after each, most would be asked for again.
+_JOBS = 8
 
 
 def main(handle: int, parent: int, order: str) -> None:
@@ -40,11 +43,13 @@ def main(handle: int, parent: int, order: str) -> None:
             return
         collect_seldom()
         pipe.send(Ready())
-        while True:
+        for done in itertools.count(1):
             message = answer(work, pipe.recv())
             pipe.send(message)
             if isinstance(message, Died):
                 return
+            if done % _JOBS == 0:
+                give_back()
 
 
 def collect_seldom() -> None:
